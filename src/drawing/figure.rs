@@ -22,6 +22,8 @@ pub enum Role {
     Driver,
     /// The inside of these.
     DriverPlate,
+    /// Where the driver acts: the pins that it turns, or what it pushes.
+    DriverPin,
     /// A joint between moving links.
     Joint,
     /// A joint on the ground.
@@ -80,6 +82,19 @@ impl Role {
     /// Whether it is a moving part of the linkage, which is drawn as wide as the window allows.
     pub(super) fn is_body(self) -> bool {
         matches!(self, Role::Link(_) | Role::Driver | Role::Lit)
+    }
+
+    /// Whether it is the mark of a point of the linkage.
+    pub(super) fn is_mark(self) -> bool {
+        matches!(
+            self,
+            Role::DriverPin
+                | Role::Joint
+                | Role::GroundPin
+                | Role::Slider
+                | Role::Rider
+                | Role::CentreOfMass
+        )
     }
 
     /// Whether it lies behind the linkage.
@@ -179,14 +194,12 @@ pub enum Shape {
         /// Where it ends.
         to: Vec2,
     },
-    /// A block that slides.
+    /// A block that slides; a pin in it is a mark of its own.
     Block {
         /// Its middle.
         at: Vec2,
         /// The direction of its guide.
         along: Vec2,
-        /// Whether a pin sits in it.
-        pin: bool,
     },
     /// Where a point comes by: a chain of straight lines, short enough to look like a curve.
     Trace {

@@ -8,7 +8,7 @@ use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
 use super::overlay::{course, has_rates};
 use super::reach::Reach;
-use super::scale::{self, ArrowScale};
+use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
@@ -42,20 +42,14 @@ impl ForceArrows {
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {
         let mut state = solver.state();
-        let mut all: Vec<(f64, Vec2, Vec2)> = Vec::new();
+        let mut all: Vec<MovingArrow> = Vec::new();
         for at in course(scene, solver) {
             if has_rates(solver.solve(at, Order::Force, &mut state)) {
                 let forces = found(&scene.mechanism, solver, &state).forces;
                 all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
             }
         }
-        let sizes = all.iter().map(|(.., force)| force.norm());
-        let scale = ArrowScale::of(sizes, scale::longest(reach));
-        for &(at, from, force) in &all {
-            let mut tip = Bounds::default();
-            tip.include(scale.tip(from, force, 1.0).0);
-            tips.push((at, tip));
-        }
+        let scale = ArrowScale::of_motion(&all, scale::longest(reach), tips);
         ForceArrows { scale: Some(scale) }
     }
 
@@ -200,52 +194,23 @@ fn rounded(size: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::tests::stage::DrawingStage;
     use crate::drawing::{Glyphs, Layers, Overlay, Raster, Wanted, linkage, render};
     use crate::scene::presets;
     use crate::solver::falsified;
 
-    struct Stage {
-        scene: Scene,
-        solver: Solver,
-        reach: Reach,
-        overlay: Overlay,
+    fn forces(stage: &DrawingStage) -> Overlay {
+        stage.overlay(&Wanted {
+            forces: true,
+            ..Wanted::default()
+        })
     }
 
-    impl Stage {
-        fn of(text: &str) -> Stage {
-            let scene = Scene::parse(text, "test").unwrap();
-            let solver = Solver::new(&scene.mechanism).unwrap();
-            let reach = Reach::of(&scene, &solver);
-            let wanted = Wanted {
-                forces: true,
-                ..Wanted::default()
-            };
-            let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
-            Stage {
-                scene,
-                solver,
-                reach,
-                overlay,
-            }
-        }
-
-        fn preset(name: &str) -> Stage {
-            Stage::of(presets::find(name).unwrap().text)
-        }
-
-        fn state(&self, at: f64) -> State {
-            let mut state = self.solver.state();
-            let _ = self.solver.solve(at, Order::Force, &mut state);
-            state.into_state()
-        }
-
-        /// What is added to the figure of the linkage.
-        fn added(&self, state: &State) -> Vec<Shape> {
-            let mut figure = Figure::new();
-            let (scene, solver) = (&self.scene, &self.solver);
-            self.overlay.add_to(&mut figure, scene, solver, state, 1.0);
-            figure.shapes().to_vec()
-        }
+    /// What is added to the figure of the linkage.
+    fn added(stage: &DrawingStage, state: &State) -> Vec<Shape> {
+        let mut figure = Figure::new();
+        forces(stage).add_to(&mut figure, &stage.scene, &stage.solver, state, 1.0);
+        figure.shapes().to_vec()
     }
 
     fn arrows(shapes: &[Shape]) -> Vec<(Vec2, Vec2)> {
@@ -270,9 +235,9 @@ mod tests {
     /// One arrow for each pin and for the load, each as long as its force in the scale of all and along it.
     #[test]
     fn arrows_are_the_forces_of_the_state_to_one_scale() {
-        let stage = Stage::preset("four-bar-load");
+        let stage = DrawingStage::preset("four-bar-load");
         let state = stage.state(60.0);
-        let shapes = stage.added(&state);
+        let shapes = added(&stage, &state);
         let arrows = arrows(&shapes);
         assert_eq!(arrows.len(), 5, "{shapes:?}");
         let mechanism = &stage.scene.mechanism;
@@ -307,8 +272,8 @@ mod tests {
         let text = presets::find("four-bar").unwrap().text;
         for (torque, left) in [("5", true), ("-5", false)] {
             let load = format!("{text}\n[[loads]]\nlink = \"r4\"\ntorque = {torque}\n");
-            let stage = Stage::of(&load);
-            let shapes = stage.added(&stage.state(60.0));
+            let stage = DrawingStage::of("a load", &load);
+            let shapes = added(&stage, &stage.state(60.0));
             let turns =
                 |shape: &&Shape| matches!(shape, Shape::Moment { is_left, .. } if *is_left == left);
             assert!(shapes.iter().any(|shape| turns(&shape)), "{shapes:?}");
@@ -319,13 +284,13 @@ mod tests {
     /// Of forces that are withheld none is drawn; what the scene gives stands as ever.
     #[test]
     fn what_is_withheld_has_no_arrow() {
-        let stage = falsified(true, || Stage::preset("four-bar-load"));
+        let stage = falsified(true, || DrawingStage::preset("four-bar-load"));
         let state = stage.state(61.0);
         assert!(state.withheld().is_some());
-        let shapes = stage.added(&state);
+        let shapes = added(&stage, &state);
         assert_eq!(sizes(&shapes), ["500 N"], "{shapes:?}");
-        let nothing = Stage::preset("four-bar");
-        assert!(nothing.added(&nothing.state(60.0)).is_empty());
+        let nothing = DrawingStage::preset("four-bar");
+        assert!(added(&nothing, &nothing.state(60.0)).is_empty());
     }
 
     /// Sizes take the room that is left: every bar, pin and arrow head that is seen without them is seen with them.
@@ -341,19 +306,17 @@ mod tests {
             )
         };
         let mut written = 0;
-        for preset in presets::all() {
-            let stage = Stage::of(preset.text);
+        for stage in DrawingStage::presets() {
+            let overlay = forces(&stage);
             let at = stage.scene.mechanism.driver().start;
             let state = stage.state(at);
             let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
             let (scene, solver) = (&stage.scene, &stage.solver);
-            stage
-                .overlay
-                .add_to(&mut figure, scene, solver, &state, 1.0);
+            overlay.add_to(&mut figure, scene, solver, &state, 1.0);
             let mut bare = Figure::new();
             let kept = figure.shapes().iter().filter(|shape| !is_size(shape));
             kept.for_each(|shape| bare.add(shape.clone()));
-            let reach = stage.overlay.reach(&stage.reach).unwrap_or(stage.reach);
+            let reach = overlay.reach(&stage.reach).unwrap_or(stage.reach);
             for (cols, rows) in [(46, 18), (80, 24), (120, 40)] {
                 let view = WorldView::fit(&reach, cols, rows, 2.0);
                 let [with, without] =
@@ -362,11 +325,8 @@ mod tests {
                     let cells = raster.lines().flatten();
                     cells.filter(|cell| is(cell.role)).count()
                 };
-                let parts = |role: Role| {
-                    let is_mark = matches!(role, Role::Joint | Role::GroundPin | Role::Slider);
-                    role.is_body() || is_mark || role == Role::Label
-                };
-                let name = preset.name;
+                let parts = |role: Role| role.is_body() || role.is_mark() || role == Role::Label;
+                let name = &stage.name;
                 assert_eq!(
                     count(&with, &parts),
                     count(&without, &parts),

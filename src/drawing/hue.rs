@@ -33,7 +33,7 @@ impl Hue {
                 Hue::Orange => Hue::Brown,
                 bar => bar,
             },
-            Role::Driver | Role::DriverPlate | Role::Second => Hue::Red,
+            Role::Driver | Role::DriverPlate | Role::DriverPin | Role::Second => Hue::Red,
             Role::Ground | Role::Ghost | Role::Echo | Role::Axis => Hue::Grey,
             Role::Trace => Hue::Lime,
             Role::Spring | Role::Force => Hue::Yellow,
@@ -80,6 +80,7 @@ pub(crate) fn is_bold(role: Role) -> bool {
         Role::Velocity
             | Role::Force
             | Role::Lit
+            | Role::DriverPin
             | Role::Joint
             | Role::GroundPin
             | Role::Slider

@@ -238,55 +238,20 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
             Role::Velocity | Role::Acceleration => OVER_ARROW,
-            // A size that hid a piece of another force would be read as that of both.
-            Role::Force => return None,
-            Role::Link(_)
-            | Role::Driver
-            | Role::Lit
-            | Role::Spring
-            | Role::Joint
-            | Role::GroundPin
-            | Role::Slider
-            | Role::Rider
-            | Role::CentreOfMass
-            | Role::Label
-            | Role::LinkName(_)
-            | Role::Axis
-            | Role::Datum
-            | Role::Second
-            | Role::Third
-            | Role::Front => return None,
+            // Bars, marks and other names. A size that hid a piece of another force would be read as that of both.
+            _ => return None,
         };
     }
     for c in [col - 1, end] {
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
-            Role::Empty
-            | Role::Ground
-            | Role::Guide
-            | Role::Plate(_)
-            | Role::DriverPlate
-            | Role::Ghost
-            | Role::Echo
-            | Role::Trace => 0,
-            Role::Link(_)
-            | Role::Driver
-            | Role::Lit
-            | Role::Spring
-            | Role::Velocity
-            | Role::Acceleration
-            | Role::Force => BESIDE_LINE,
-            Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
-                TOUCHING
-            }
+            Role::Empty => 0,
+            role if role.is_mark() => TOUCHING,
+            role if role.is_behind() && role != Role::Spring => 0,
+            role if role.is_body() => BESIDE_LINE,
+            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => BESIDE_LINE,
             // `B` beside `C` would read as one name.
-            Role::Label
-            | Role::LinkName(_)
-            | Role::Axis
-            | Role::Datum
-            | Role::Second
-            | Role::Third
-            | Role::Front => return None,
+            _ => return None,
         };
     }
     Some(sum)

@@ -59,11 +59,17 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     if assembled {
         sketch.springs();
         sketch.links();
+        // A joint at the same place is drawn over a centre of mass or a rider, as the pin of a block is.
+        sketch.marks(&[Role::CentreOfMass, Role::Rider]);
         sketch.slides();
         sketch.lit_line();
-        sketch.marks();
+        sketch.marks(&[Role::Joint]);
     }
     sketch.ground_pins();
+    if assembled {
+        // Last of all: however small a window is, the driver is on top.
+        sketch.driver_pins();
+    }
     sketch.names(assembled);
     sketch.figure
 }
@@ -170,16 +176,41 @@ impl LinkageSketch<'_> {
                 }
                 self.slot(id, on);
             }
-            let pin = match slide.slider {
+            let has_pin = match slide.slider {
                 Slider::Pin(_) => true,
                 Slider::Link { origin, .. } => self.mechanism.point(origin).links.len() > 1,
             };
             let along = self.state.travel(id).guide;
-            self.figure.add(Shape::Block { at, along, pin });
-            let parts = [Subject::Slide(id), Subject::Point(slide.slider.point())];
-            if self.lit.is_some_and(|lit| parts.contains(&lit)) {
-                let role = Role::Lit;
-                self.figure.add(Shape::Mark { at, role });
+            self.figure.add(Shape::Block { at, along });
+            let role = self.lit_or(Role::Slider, Subject::Slide(id));
+            let point = slide.slider.point();
+            let is_lit = role == Role::Lit || self.lit == Some(Subject::Point(point));
+            if (has_pin || is_lit) && !self.is_driven(point) {
+                self.mark(point, at, role);
+            }
+        }
+    }
+
+    /// Whether the driver acts at a point: on a pin that it turns, or on what it pushes.
+    fn is_driven(&self, point: PointId) -> bool {
+        match self.mechanism.driver().input {
+            Input::Turn(link) => {
+                let role = self.roles[point.index()];
+                let is_pin = matches!(role, Role::Joint | Role::Slider);
+                is_pin && self.mechanism.point(point).links.contains(&link)
+            }
+            Input::Push(slide) => self.mechanism.slide(slide).slider.point() == point,
+        }
+    }
+
+    fn driver_pins(&mut self) {
+        for id in self.mechanism.point_ids() {
+            if self.is_driven(id) {
+                let role = match self.mechanism.driver().input {
+                    Input::Turn(_) => Role::DriverPin,
+                    Input::Push(slide) => self.lit_or(Role::DriverPin, Subject::Slide(slide)),
+                };
+                self.mark(id, self.state.position(id), role);
             }
         }
     }
@@ -232,8 +263,6 @@ impl LinkageSketch<'_> {
         self.figure.add(Shape::Line { from, to, role });
         let (from, to, role) = (foot, rim, Role::Driver);
         self.figure.add(Shape::Barrel { from, to, role });
-        let (at, role) = (eye, Role::Joint);
-        self.figure.add(Shape::Mark { at, role });
         self.join(on, foot, rim);
     }
 
@@ -255,14 +284,13 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// Centres of mass first: a joint at the same place is drawn over them.
-    fn marks(&mut self) {
-        for shown in [Role::CentreOfMass, Role::Rider, Role::Joint] {
+    fn marks(&mut self, roles: &[Role]) {
+        for &shown in roles {
             for id in self.mechanism.point_ids() {
                 let role = self.roles[id.index()];
                 let is_lit = self.lit == Some(Subject::Point(id));
                 let is_shown = self.layers.centres || role != Role::CentreOfMass || is_lit;
-                if role == shown && is_shown {
+                if role == shown && is_shown && !self.is_driven(id) {
                     self.mark(id, self.state.position(id), role);
                 }
             }

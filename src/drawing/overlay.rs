@@ -7,7 +7,7 @@ use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
 use super::legend::LegendEntry;
 use super::reach::Reach;
-use super::scale::{self, ArrowScale};
+use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;
 use crate::solver::{Condition, Known, Order, Range, Solver, State, Workspace};
@@ -117,22 +117,12 @@ impl Overlay {
         self.traces = traces.into_iter().map(Arc::from).collect();
         let longest = scale::longest(reach);
         let [velocities, accelerations] = rates;
-        self.velocities = self.arrows(&wanted.velocities, &velocities, longest);
-        self.accelerations = self.arrows(&wanted.accelerations, &accelerations, longest);
-    }
-
-    /// Arrows to a scale at which the longest of these rates is as long as it may be.
-    fn arrows(&mut self, points: &[PointId], rates: &[(f64, Vec2, Vec2)], longest: f64) -> Arrows {
-        let scale = ArrowScale::of(rates.iter().map(|(.., rate)| rate.norm()), longest);
-        for &(at, from, rate) in rates {
-            let mut tip = Bounds::default();
-            tip.include(scale.tip(from, rate, 1.0).0);
-            self.tips.push((at, tip));
-        }
-        Arrows {
+        let mut arrows = |points: &[PointId], rates: &[MovingArrow]| Arrows {
             points: points.to_vec(),
-            scale,
-        }
+            scale: ArrowScale::of_motion(rates, longest, &mut self.tips),
+        };
+        self.velocities = arrows(&wanted.velocities, &velocities);
+        self.accelerations = arrows(&wanted.accelerations, &accelerations);
     }
 
     /// The same reach with room for the tips of all arrows; `None` where there are none.
@@ -272,51 +262,20 @@ fn ghosts(scene: &Scene, solver: &Solver, count: u16) -> Vec<State> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::tests::stage::DrawingStage;
     use crate::drawing::{
         Glyphs, Layers, linkage, moving_points, render, usual_arrows, usual_traces,
     };
-    use crate::scene::presets;
 
-    struct Stage {
-        scene: Scene,
-        solver: Solver,
-        reach: Reach,
-    }
-
-    impl Stage {
-        fn of(text: &str) -> Stage {
-            let scene = Scene::parse(text, "test").unwrap();
-            let solver = Solver::new(&scene.mechanism).unwrap();
-            let reach = Reach::of(&scene, &solver);
-            Stage {
-                scene,
-                solver,
-                reach,
-            }
-        }
-
-        fn preset(name: &str) -> Stage {
-            Stage::of(presets::find(name).unwrap().text)
-        }
-
-        fn overlay(&self, wanted: &Wanted) -> Overlay {
-            Overlay::of(&self.scene, &self.solver, &self.reach, wanted)
-        }
-
-        fn names(&self, points: &[PointId]) -> Vec<&str> {
-            let name = |p: &PointId| self.scene.point_name(*p).unwrap();
-            points.iter().map(name).collect()
-        }
-
-        fn everything(&self) -> Wanted {
-            let points = usual_arrows(&self.scene.mechanism);
-            Wanted {
-                traces: usual_traces(&self.scene.mechanism),
-                velocities: points.clone(),
-                accelerations: points,
-                forces: true,
-                ghosts: 6,
-            }
+    /// Of everything that there is.
+    fn everything(stage: &DrawingStage) -> Wanted {
+        let points = usual_arrows(&stage.scene.mechanism);
+        Wanted {
+            traces: usual_traces(&stage.scene.mechanism),
+            velocities: points.clone(),
+            accelerations: points,
+            forces: true,
+            ghosts: 6,
         }
     }
 
@@ -331,7 +290,7 @@ mod tests {
     /// Half of the coupler curve is straight, traversed from 90 to 270 degrees: 0.39 mm off on 160 mm.
     #[test]
     fn the_trace_of_hoeckens_linkage_has_its_straight_part() {
-        let stage = Stage::preset("hoecken");
+        let stage = DrawingStage::preset("hoecken");
         let traces_of = usual_traces(&stage.scene.mechanism);
         assert_eq!(stage.names(&traces_of), ["P"]);
         let overlay = stage.overlay(&Wanted {
@@ -363,10 +322,9 @@ mod tests {
 
     #[test]
     fn traces_are_where_the_points_are() {
-        for preset in presets::all() {
-            let stage = Stage::of(preset.text);
+        for stage in DrawingStage::presets() {
             let points = usual_traces(&stage.scene.mechanism);
-            assert!(!points.is_empty(), "{}", preset.name);
+            assert!(!points.is_empty(), "{}", stage.name);
             let overlay = stage.overlay(&Wanted {
                 traces: points.clone(),
                 ..Wanted::default()
@@ -381,9 +339,9 @@ mod tests {
                 let at = state.position(point).unwrap();
                 let distances = course.iter().map(|p| (*p - at).norm());
                 let nearest = distances.fold(f64::INFINITY, f64::min);
-                assert!(nearest < 0.01 * size, "{}: {nearest}", preset.name);
+                assert!(nearest < 0.01 * size, "{}: {nearest}", stage.name);
                 let joined = course.windows(2).map(|w| (w[1] - w[0]).norm());
-                assert!(joined.fold(0.0, f64::max) < 0.1 * size, "{}", preset.name);
+                assert!(joined.fold(0.0, f64::max) < 0.1 * size, "{}", stage.name);
             }
         }
     }
@@ -391,7 +349,7 @@ mod tests {
     #[test]
     fn joints_on_pinned_links_are_traced_only_where_there_is_nothing_else() {
         let names = |preset: &str| {
-            let stage = Stage::preset(preset);
+            let stage = DrawingStage::preset(preset);
             let points = usual_traces(&stage.scene.mechanism);
             stage.names(&points).join(" ")
         };
@@ -403,7 +361,7 @@ mod tests {
     /// v = r omega is known at the crank's pin: the arrow of 1500 mm/s, and its direction.
     #[test]
     fn arrows_have_one_scale_over_the_motion() {
-        let stage = Stage::preset("four-bar");
+        let stage = DrawingStage::preset("four-bar");
         let b = moving_points(&stage.scene.mechanism).next().unwrap();
         let overlay = stage.overlay(&Wanted {
             velocities: vec![b],
@@ -456,8 +414,8 @@ mod tests {
     /// Rates grow beyond all bounds there: arrows are cut, say so, and vanish at the point itself.
     #[test]
     fn close_to_a_dead_point_arrows_are_cut_and_at_it_there_are_none() {
-        let stage = Stage::of(SWINGING);
-        let overlay = stage.overlay(&stage.everything());
+        let stage = DrawingStage::of("a scene", SWINGING);
+        let overlay = stage.overlay(&everything(&stage));
         let Range::Limited { high, .. } = stage.solver.motion().range else {
             panic!("it swings");
         };
@@ -486,9 +444,8 @@ mod tests {
     /// Everything of every preset is inside the window, at any size, in every state.
     #[test]
     fn tips_stay_inside_the_window() {
-        for preset in presets::all() {
-            let stage = Stage::of(preset.text);
-            let overlay = stage.overlay(&stage.everything());
+        for stage in DrawingStage::presets() {
+            let overlay = stage.overlay(&everything(&stage));
             let reach = overlay.reach(&stage.reach).expect("something moves");
             let whole = WorldView::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
@@ -504,7 +461,7 @@ mod tests {
                             let tip = view.cell(to);
                             let inside =
                                 (0.0..80.0).contains(&tip.x) && (0.0..24.0).contains(&tip.y);
-                            assert!(inside, "{} at {at}: {tip:?}", preset.name);
+                            assert!(inside, "{} at {at}: {tip:?}", stage.name);
                         }
                     }
                 }
@@ -518,8 +475,8 @@ mod tests {
 
     #[test]
     fn a_driver_that_stands_still_has_no_arrows() {
-        let stage = Stage::of(&SWINGING.replace("1 rad/s", "0 rad/s"));
-        let overlay = stage.overlay(&stage.everything());
+        let stage = DrawingStage::of("a scene", &SWINGING.replace("1 rad/s", "0 rad/s"));
+        let overlay = stage.overlay(&everything(&stage));
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let legend = overlay.legend(&view, 1.0);
         assert!(matches!(&legend[0], LegendEntry::Note(text) if text.contains("stands still")));
@@ -527,8 +484,11 @@ mod tests {
 
     #[test]
     fn what_was_found_of_another_scene_is_left_out() {
-        let (press, leg) = (Stage::preset("press"), Stage::preset("jansen-leg"));
-        let overlay = leg.overlay(&leg.everything());
+        let (press, leg) = (
+            DrawingStage::preset("press"),
+            DrawingStage::preset("jansen-leg"),
+        );
+        let overlay = leg.overlay(&everything(&leg));
         let mut figure = Figure::new();
         overlay.add_to(
             &mut figure,
@@ -543,7 +503,7 @@ mod tests {
     #[test]
     fn positions_are_spread_over_the_motion() {
         let count = |preset: &str, ghosts| {
-            let stage = Stage::preset(preset);
+            let stage = DrawingStage::preset(preset);
             let wanted = Wanted {
                 ghosts,
                 ..Wanted::default()

@@ -8,6 +8,8 @@ use crate::Vec2;
 /// Squares of the radii of a mark, in dots: inside the first it is hollow, outside the second it ends.
 const HOLLOW: f64 = 4.0;
 const ROUND: f64 = 9.0;
+/// The same of the core of a ring, which leaves it open around.
+const CORE: f64 = 1.0;
 /// A disc is smaller than a ring: a rider is no joint.
 const SMALL: f64 = 4.6;
 /// A mark reaches so many dots from its middle.
@@ -55,6 +57,13 @@ pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
 /// A point that rides on a link.
 pub(super) fn disc(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, _) in around(at).filter(|(_, _, far)| *far < SMALL) {
+        stroke::dot(raster, x, y, role);
+    }
+}
+
+/// What stands in the middle of a ring.
+pub(super) fn core(raster: &mut Raster, at: Vec2, role: Role) {
+    for (x, y, _) in around(at).filter(|(_, _, far)| *far < CORE) {
         stroke::dot(raster, x, y, role);
     }
 }

@@ -64,6 +64,7 @@ const STYLE: SvgStyle = SvgStyle {
 .pin,.block{fill:#fff}
 circle{stroke:#222;stroke-width:2}
 .rider{fill:#222}
+.core{stroke:none;fill:#c81e24}
 .centre{fill:none;stroke-width:1.2}
 .cross{stroke-width:1.2}
 .halo{stroke:#fff;stroke-width:4;stroke-linejoin:round;fill:none}
@@ -90,6 +91,7 @@ circle{stroke:#222;stroke-width:2}
 .acceleration{stroke:#f472dc}
 circle{stroke:#ddd}
 .rider{fill:#ddd}
+.core{fill:#ff6961}
 .halo{stroke:#181818}
 ",
 };
@@ -183,7 +185,7 @@ impl Picture<'_> {
                 let rail = unit(b - a).perp() * RAIL;
                 self.teeth(a + rail, b + rail);
             }
-            Shape::Block { at, along, pin } => self.block(at, along, pin),
+            Shape::Block { at, along } => self.block(at, along),
             Shape::Trace { ref course } => {
                 let places: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
                 self.svg.polyline(fewer(&places), "trace");
@@ -205,6 +207,10 @@ impl Picture<'_> {
     fn mark(&mut self, at: Vec2, role: Role) {
         let at = self.place(at);
         match role {
+            Role::DriverPin => {
+                self.svg.circle(at, PIN, "pin");
+                self.svg.circle(at, PIN - 3.0, "core");
+            }
             Role::Rider => self.svg.circle(at, PIN - 1.5, "rider"),
             Role::CentreOfMass => {
                 self.svg.circle(at, PIN, "centre");
@@ -245,15 +251,12 @@ impl Picture<'_> {
         self.svg.polyline(teeth, "ground");
     }
 
-    fn block(&mut self, at: Vec2, along: Vec2, pin: bool) {
+    fn block(&mut self, at: Vec2, along: Vec2) {
         let at = self.place(at);
         let along = unit(Vec2::new(along.x, -along.y));
         let (x, y) = (along * BLOCK.x, along.perp() * BLOCK.y);
         self.svg
             .polygon([at + x + y, at - x + y, at - x - y, at + x - y], "block");
-        if pin {
-            self.svg.circle(at, PIN, "pin");
-        }
     }
 
     fn arrow(&mut self, from: Vec2, to: Vec2, role: Role, cut: bool) {
@@ -390,6 +393,7 @@ fn class(role: Role) -> Cow<'static, str> {
         Role::Acceleration => "acceleration",
         Role::Force => "force",
         Role::Empty
+        | Role::DriverPin
         | Role::Joint
         | Role::GroundPin
         | Role::Slider

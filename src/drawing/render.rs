@@ -25,6 +25,17 @@ pub enum Glyphs {
 }
 
 impl Glyphs {
+    /// All that there are.
+    #[cfg(test)]
+    pub(crate) const ALL: [Glyphs; 6] = [
+        Glyphs::Ascii,
+        Glyphs::Line,
+        Glyphs::Braille,
+        Glyphs::Blocks(Blocks::Quadrants),
+        Glyphs::Blocks(Blocks::Sextants),
+        Glyphs::Blocks(Blocks::Octants),
+    ];
+
     /// Whether lines are made of dots, finer than cells.
     pub(crate) fn is_dotted(self) -> bool {
         matches!(self, Glyphs::Braille | Glyphs::Blocks(_))
@@ -149,7 +160,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
-        Shape::Block { at, along, pin } => symbols.block(at, along, pin),
+        Shape::Block { at, along } => symbols.block(at, along),
         Shape::Trace { ref course } => {
             trace::draw(symbols.raster, symbols.glyphs, symbols.view, course);
         }
@@ -202,6 +213,7 @@ mod tests {
                 Role::Lit,
                 Role::Ghost,
                 Role::Plate(2),
+                Role::DriverPin,
                 Role::Joint,
                 Role::Slider,
                 Role::Label,
@@ -223,11 +235,7 @@ mod tests {
             place().prop_map(|at| Shape::Support { at }),
             (place(), place(), role()).prop_map(|(from, to, role)| Shape::Guide { from, to, role }),
             (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
-            (place(), place(), any::<bool>()).prop_map(|(at, along, pin)| Shape::Block {
-                at,
-                along,
-                pin
-            }),
+            (place(), place()).prop_map(|(at, along)| Shape::Block { at, along }),
             prop::collection::vec(place(), 0..9).prop_map(|course| Shape::Trace {
                 course: course.into()
             }),
@@ -252,15 +260,6 @@ mod tests {
         ]
     }
 
-    const GLYPHS: [Glyphs; 6] = [
-        Glyphs::Ascii,
-        Glyphs::Line,
-        Glyphs::Braille,
-        Glyphs::Blocks(Blocks::Quadrants),
-        Glyphs::Blocks(Blocks::Sextants),
-        Glyphs::Blocks(Blocks::Octants),
-    ];
-
     proptest! {
         #[test]
         fn anything_can_be_drawn_at_any_size(
@@ -268,7 +267,7 @@ mod tests {
             points in prop::collection::vec(place(), 0..4),
             (cols, rows) in prop_oneof![(0_u16..12, 0_u16..6), (0_u16..400, 0_u16..200)],
             (at, centre) in (-400.0..400.0, place()),
-            glyphs in prop::sample::select(GLYPHS.to_vec()),
+            glyphs in prop::sample::select(Glyphs::ALL.to_vec()),
         ) {
             let mut figure = Figure::new();
             shapes.into_iter().for_each(|shape| figure.add(shape));

@@ -1,5 +1,6 @@
 //! How long arrows are: one scale over the whole motion.
 
+use super::bounds::Bounds;
 use super::reach::Reach;
 use crate::Vec2;
 
@@ -19,14 +20,31 @@ pub(super) struct ArrowScale {
     per: f64,
 }
 
+/// Where the driver stands, where an arrow begins then, and what it stands for.
+pub(super) type MovingArrow = (f64, Vec2, Vec2);
+
 /// How long the longest arrow is in the drawing of what needs this space.
 pub(super) fn longest(reach: &Reach) -> f64 {
     LONGEST * reach.bounds().size().norm()
 }
 
 impl ArrowScale {
-    /// At which the longest of arrows of these sizes is as long as it may be.
-    pub(super) fn of(sizes: impl Iterator<Item = f64>, longest: f64) -> ArrowScale {
+    /// At which the longest of these arrows of a whole motion is as long as it may be; `tips` grows by where they come to.
+    pub(super) fn of_motion(
+        arrows: &[MovingArrow],
+        longest: f64,
+        tips: &mut Vec<(f64, Bounds)>,
+    ) -> ArrowScale {
+        let scale = ArrowScale::of(arrows.iter().map(|(.., size)| size.norm()), longest);
+        tips.extend(arrows.iter().map(|&(at, from, size)| {
+            let mut tip = Bounds::default();
+            tip.include(scale.tip(from, size, 1.0).0);
+            (at, tip)
+        }));
+        scale
+    }
+
+    fn of(sizes: impl Iterator<Item = f64>, longest: f64) -> ArrowScale {
         let most = usual_most(sizes.collect());
         let per = if most > 0.0 { longest / most } else { 0.0 };
         ArrowScale { most, per }

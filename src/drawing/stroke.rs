@@ -302,12 +302,14 @@ pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     }
 }
 
-/// Takes one dot away, and gives the rest of its cell this role.
+/// Takes one dot away, or a whole character, and gives the rest of its cell this role.
 pub(super) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
-    let Some(kept) = raster.cell(col, row).and_then(|old| pattern(old.glyph)) else {
+    let Some(old) = raster.cell(col, row).filter(|old| old.glyph != ' ') else {
         return;
     };
+    // The head of an arrow is one: it cannot be cleared by halves.
+    let kept = pattern(old.glyph).unwrap_or(0);
     let (in_row, in_col) = (y.rem_euclid(4) as usize, x.rem_euclid(2) as usize);
     let left = kept & !DOTS[in_row][in_col];
     if let Some(glyph) = char::from_u32(BLANK + left) {

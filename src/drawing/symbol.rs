@@ -199,7 +199,7 @@ impl Symbols<'_> {
 
     /// A block on its guide. Of characters it is upright whatever its guide: brackets read as a block at
     /// any angle, a turned box of so few cells does not.
-    pub(super) fn block(&mut self, at: Vec2, along: Vec2, pin: bool) {
+    pub(super) fn block(&mut self, at: Vec2, along: Vec2) {
         let place = self.view.cell(at);
         if self.has_large_marks() {
             let along = Vec2::new(along.x, -along.y);
@@ -207,14 +207,10 @@ impl Symbols<'_> {
             if along.is_finite() {
                 pattern::block(self.raster, place, along, Role::Slider);
             }
-            if pin {
-                pattern::ring(self.raster, place, Role::Slider);
-            }
             return;
         }
         let (col, row) = cell_of(place);
-        let glyphs = if pin { "[o]" } else { "[ ]" };
-        self.stamp(col - 1, row, glyphs, Role::Slider);
+        self.stamp(col - 1, row, "[ ]", Role::Slider);
     }
 
     /// The plate of a link, its corners in cell coordinates. Of characters its edges are enough.
@@ -293,6 +289,10 @@ impl Symbols<'_> {
                 Role::Joint | Role::GroundPin | Role::Slider => {
                     return pattern::ring(self.raster, place, role);
                 }
+                Role::DriverPin => {
+                    pattern::ring(self.raster, place, role);
+                    return pattern::core(self.raster, place, role);
+                }
                 Role::Lit => {
                     pattern::ring(self.raster, place, role);
                     return pattern::disc(self.raster, place, role);
@@ -310,8 +310,10 @@ fn glyph_of(role: Role) -> char {
     match role {
         // A pin is a pin: what tells one on the ground is its support, as on paper.
         Role::Joint | Role::GroundPin | Role::Slider => 'o',
+        // A ring with a core, where there are no colours and its bar is hidden between pins.
+        Role::DriverPin => '@',
         Role::Rider => '*',
-        Role::Lit => '@',
+        Role::Lit => '#',
         Role::CentreOfMass => 'x',
         Role::Ghost | Role::Echo => '.',
         Role::Ground | Role::Guide | Role::Link(_) | Role::Driver => '+',
@@ -338,8 +340,7 @@ mod tests {
         let (at, along, role) = (to * 0.5, to, Role::Guide);
         figure.add(Shape::Guide { from, to, role });
         figure.add(Shape::Hatching { from, to });
-        let pin = true;
-        figure.add(Shape::Block { at, along, pin });
+        figure.add(Shape::Block { at, along });
         let raster = render(&figure, &view, glyphs);
         let way = cell_of(view.cell(from)).1;
         let lines = (0..).zip(raster.lines());

@@ -1,69 +1,16 @@
 //! Pictures of whole motions: what must hold for every preset in every state.
 
+pub(in crate::drawing) mod stage;
 mod windows;
 
 use super::*;
 use crate::Vec2;
-use crate::scene::Scene;
-use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::solver::{Condition, Order, Range, State};
+use stage::DrawingStage;
 
-/// A preset, ready to be drawn.
-struct PresetStage {
-    name: String,
-    scene: Scene,
-    solver: Solver,
-    reach: Reach,
-}
-
-impl PresetStage {
-    fn of(name: &str, text: &str) -> PresetStage {
-        let scene = Scene::parse(text, name).expect("the scene reads");
-        let solver = Solver::new(&scene.mechanism).expect("the scene moves");
-        let reach = Reach::of(&scene, &solver);
-        let name = name.to_owned();
-        PresetStage {
-            name,
-            scene,
-            solver,
-            reach,
-        }
-    }
-
-    fn presets() -> Vec<PresetStage> {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/presets");
-        let mut paths: Vec<_> = std::fs::read_dir(folder)
-            .expect("the presets are there")
-            .map(|entry| entry.expect("the folder reads").path())
-            .collect();
-        paths.sort();
-        let stage = |path: &std::path::PathBuf| {
-            PresetStage::of(
-                &path.display().to_string(),
-                &std::fs::read_to_string(path).expect("the preset reads"),
-            )
-        };
-        paths.iter().map(stage).collect()
-    }
-
-    /// The whole motion in 200 steps.
-    fn motion(&self) -> impl Iterator<Item = State> {
-        let start = self.scene.mechanism.driver().start;
-        let (low, high) = match self.solver.motion().range {
-            Range::Full { period } => (start, start + period),
-            Range::Limited { low, high } => (low, high),
-        };
-        let mut state = self.solver.state();
-        (0..=200).map(move |k| {
-            let at = (low + (high - low) * f64::from(k) / 200.0).min(high);
-            let condition = self.solver.solve(at, Order::Position, &mut state);
-            assert_ne!(condition, Condition::NoAssembly, "{} at {at}", self.name);
-            state.state().clone()
-        })
-    }
-
-    fn figure(&self, state: &State) -> Figure {
-        linkage(&self.scene, &self.reach, state, EVERYTHING)
-    }
+/// The linkage with all its names and centres.
+fn whole(stage: &DrawingStage, state: &State) -> Figure {
+    linkage(&stage.scene, &stage.reach, state, EVERYTHING)
 }
 
 const EVERYTHING: Layers = Layers {
@@ -82,7 +29,7 @@ fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
 /// Names used to change sides in every frame, nearly.
 #[test]
 fn names_are_calm() {
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let mut raster = Raster::new();
         let mut labels = Labels::default();
@@ -103,7 +50,7 @@ fn names_are_calm() {
 #[test]
 fn every_name_of_a_textbook_linkage_is_shown() {
     let crowded = ["scissor-lift"];
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         if crowded.iter().any(|name| stage.name.contains(name)) {
             continue;
         }
@@ -121,10 +68,10 @@ fn every_name_of_a_textbook_linkage_is_shown() {
 
 #[test]
 fn ascii_is_seven_bit() {
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for state in stage.motion().step_by(20) {
-            let text = render(&stage.figure(&state), &view, Glyphs::Ascii).text();
+            let text = render(&whole(&stage, &state), &view, Glyphs::Ascii).text();
             assert!(text.is_ascii(), "{}\n{text}", stage.name);
         }
     }
@@ -133,11 +80,11 @@ fn ascii_is_seven_bit() {
 #[test]
 fn without_an_assembly_there_is_the_ground() {
     let text = include_str!("../../presets/double-rocker.toml");
-    let stage = PresetStage::of("double-rocker", text);
+    let stage = DrawingStage::of("double-rocker", text);
     let mut state = stage.solver.state();
     let condition = stage.solver.solve(180.0, Order::Position, &mut state);
     assert_eq!(condition, Condition::NoAssembly);
-    let figure = stage.figure(&state);
+    let figure = whole(&stage, &state);
     let is_moving = |shape: &Shape| {
         matches!(
             shape,
@@ -150,7 +97,7 @@ fn without_an_assembly_there_is_the_ground() {
 }
 
 /// A four-bar of the same shape, `scale` times as large, with A at (x, y).
-fn four_bar(scale: f64, x: f64, y: f64) -> PresetStage {
+fn four_bar(scale: f64, x: f64, y: f64) -> DrawingStage {
     let [a, b, c, d] = [100.0, 300.0, 250.0, 400.0].map(|length| length * scale);
     let (cx, cy) = (x + 310.0 * scale, y + 230.0 * scale);
     let text = format!(
@@ -165,16 +112,16 @@ fn four_bar(scale: f64, x: f64, y: f64) -> PresetStage {
         C = [{cx:e}, {cy:e}]",
         x + d
     );
-    PresetStage::of("a four-bar", &text)
+    DrawingStage::of("a four-bar", &text)
 }
 
 #[test]
 fn size_and_place_do_not_show() {
-    let picture = |stage: &PresetStage| {
+    let picture = |stage: &DrawingStage| {
         let mut state = stage.solver.state();
         let _ = stage.solver.solve(60.0, Order::Position, &mut state);
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
-        render(&stage.figure(&state), &view, Glyphs::Ascii).text()
+        render(&whole(stage, &state), &view, Glyphs::Ascii).text()
     };
     let plain = picture(&four_bar(1.0, 0.0, 0.0));
     for (scale, x, y) in [
@@ -204,7 +151,7 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
     let text = crate::scene::presets::find("watt-six-bar")
         .expect("it is there")
         .text;
-    let stage = PresetStage::of("watt-six-bar", text);
+    let stage = DrawingStage::of("watt-six-bar", text);
     let mut state = stage.solver.state();
     let _ = stage.solver.solve(100.0, Order::Position, &mut state);
     let mut figure = Figure::new();
@@ -233,7 +180,7 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
 /// Links that meet differ, and a row of the tables has the hue of its link.
 #[test]
 fn links_that_meet_have_hues_of_their_own() {
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let mechanism = &stage.scene.mechanism;
         let roles = link_roles(mechanism);
         assert_eq!(roles.len(), mechanism.links().len());
@@ -249,7 +196,7 @@ fn links_that_meet_have_hues_of_their_own() {
     let text = crate::scene::presets::find("four-bar")
         .expect("it is there")
         .text;
-    let stage = PresetStage::of("four-bar", text);
+    let stage = DrawingStage::of("four-bar", text);
     let rows = vector_roles(&stage.scene);
     let [crank, coupler, rocker] = [Role::Driver, Role::Link(0), Role::Link(1)].map(Some);
     assert_eq!(rows, [crank, coupler, rocker, None]);
@@ -267,7 +214,7 @@ fn a_driver_of_three_corners_is_a_plate() {
         r4 = { from = \"C\", to = \"D\", length = 250 }
         [start]
         C = [310, 230]";
-    let stage = PresetStage::of("a triangle drives", text);
+    let stage = DrawingStage::of("a triangle drives", text);
     let mut state = stage.solver.state();
     let _ = stage.solver.solve(60.0, Order::Position, &mut state);
     let lit = Some(crate::quantity::Subject::Driver);
@@ -315,7 +262,7 @@ fn links_are_bodies() {
     let text = crate::scene::presets::find("press")
         .expect("it is there")
         .text;
-    let stage = PresetStage::of("press", text);
+    let stage = DrawingStage::of("press", text);
     let mut state = stage.solver.state();
     let _ = stage.solver.solve(60.0, Order::Position, &mut state);
     let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());

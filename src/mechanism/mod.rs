@@ -333,6 +333,15 @@ impl Mechanism {
         }
     }
 
+    /// Whether a point is of one moving link alone: no joint, not in a slot, and no guide runs through it because it is
+    /// there.
+    #[must_use]
+    pub fn is_free(&self, point: PointId) -> bool {
+        let given = self.point(point);
+        let slides = |slide: &Slide| slide.slider.point() == point || slide.named == Some(point);
+        given.ground.is_none() && given.links.len() == 1 && !self.slides().iter().any(slides)
+    }
+
     /// One point.
     #[must_use]
     pub fn point(&self, id: PointId) -> &Point {

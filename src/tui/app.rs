@@ -5,6 +5,7 @@ mod choosing;
 mod clock;
 mod commanding;
 mod comparing;
+mod dragging;
 mod driving;
 mod editing;
 mod export;

@@ -133,7 +133,7 @@ const BARS: [char; 5] = ['|', '│', '┬', '┤', '+'];
 #[track_caller]
 pub(crate) fn assert_only_a_ghost_is_added(alone: &str, with: &str) -> usize {
     let (before, after) = (cells(alone), cells(with));
-    let [joints, moved] = [&before, &after].map(|cells| places(cells, &['o']));
+    let [joints, moved] = [&before, &after].map(|cells| places(cells, &['o', '@']));
     let (from, to) = (joints[0], moved[0]);
     let mut changed = 0;
     for (row, cells) in before.iter().enumerate() {

@@ -149,9 +149,9 @@ fn a_block_stands_on_its_slot() {
     let layers = Layers::default();
     let text = picture("slotted-lever", 60.0, (50, 18), Glyphs::Ascii, layers);
     let lines: Vec<&str> = text.lines().collect();
-    let row = lines.iter().position(|line| line.contains("[o]"));
+    let row = lines.iter().position(|line| line.contains("[@]"));
     let row = row.expect("the block is there");
-    let col = lines[row].find("[o]").expect("the block is there") + 1;
+    let col = lines[row].find("[@]").expect("the block is there") + 1;
     for beyond in [row - 1, row + 1] {
         assert!(lines[beyond][col - 1..col + 2].contains('|'), "{text}");
     }

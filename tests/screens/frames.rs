@@ -2,21 +2,11 @@
 //! panes, figures, a drawing that is large, the hue of every link beside its rows, the verdict and the state.
 
 use crate::claims::figures;
-use crate::screen::{Session, preset};
+use crate::screen::{SIX, Session, preset};
 use krank::Input;
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Theme, Workbench};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Six scenes of six kinds.
-const SIX: [&str; 6] = [
-    "four-bar",
-    "slider-crank",
-    "jansen-leg",
-    "press-ram",
-    "scissor-lift",
-    "excavator-boom",
-];
 
 const SIZES: [(u16, u16); 4] = [(80, 24), (120, 40), (200, 60), (40, 12)];
 
@@ -24,11 +14,25 @@ const SIZES: [(u16, u16); 4] = [(80, 24), (120, 40), (200, 60), (40, 12)];
 /// the middle of the outermost cell on either side.
 const FILL: f64 = 0.6;
 
+/// The driver's hue on a dark ground.
+const RED: vt100::Color = vt100::Color::Rgb(255, 105, 97);
+
 fn frame(name: &str, cols: u16, rows: u16) -> Session {
     let workbench = Workbench::new(preset(name), Glyphs::Braille, Colours::True, cols, rows);
     let mut session = Session::on(workbench.themed(Theme::Dark), cols, rows);
     session.paint();
     session
+}
+
+/// Looks at the frames of all six at every size: the scene, the size, the screen, and both in words.
+fn every_frame(check: impl Fn(&str, (u16, u16), &mut Session, &str)) {
+    for name in SIX {
+        for (cols, rows) in SIZES {
+            let mut session = frame(name, cols, rows);
+            let place = format!("{name} at {cols} x {rows}\n{}", session.look());
+            check(name, (cols, rows), &mut session, &place);
+        }
+    }
 }
 
 /// The pane of the drawing: left of the first line that goes down from its title, and above the next title.
@@ -79,7 +83,7 @@ impl DrawingPane {
             let glyph = cell.contents().chars().next()?;
             let is_dotted = ('\u{2801}'..='\u{28ff}').contains(&glyph);
             // The title above has letters.
-            let is_pin = glyph == 'o' && row > self.rows.start;
+            let is_pin = matches!(glyph, 'o' | '@') && row > self.rows.start;
             (is_dotted || is_pin).then(|| (row, col, cell.fgcolor()))
         });
         inked.collect()
@@ -124,119 +128,106 @@ fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color>
 
 #[test]
 fn every_frame_has_its_parts() {
-    for name in SIX {
-        for (cols, rows) in SIZES {
-            let mut session = frame(name, cols, rows);
-            let screen = session.look();
-            let lines: Vec<&str> = screen.lines().collect();
-            let place = format!("{name} at {cols} x {rows}\n{screen}");
-            // Tabs, the present one marked, all by their numbers.
-            assert!(lines[0].contains("[1 Motion]"), "{place}");
-            for tab in 2..=9 {
-                assert!(lines[0].contains(&format!("{tab}")), "{tab}: {place}");
-            }
-            // The verdict and the state.
-            let verdict = lines[lines.len() - 2];
-            assert!(
-                verdict.contains("turns fully") || verdict.contains(".."),
-                "{place}"
-            );
-            let last = lines[lines.len() - 1];
-            assert!(last.contains("ok") && last.contains(" motion "), "{place}");
-            // Panes.
-            let titles = lines[1];
-            let panes = ["tables", "scene"].map(|pane| titles.contains(&format!("─ {pane} ─")));
-            let plots = screen.contains("\n─ plots ─");
-            let expected = match (cols, rows) {
-                (200, _) => ([true, true], true),
-                (120, _) => ([true, false], true),
-                _ => ([false, false], false),
-            };
-            assert_eq!((panes, plots), expected, "{place}");
-            // Figures: the smallest screen has those of the first vectors.
-            let least = match (cols, rows) {
-                (200, _) => 45,
-                (120, _) => 30,
-                (80, _) => 12,
-                _ => 4,
-            };
-            assert!(
-                figures(&screen).len() >= least,
-                "{} figures: {place}",
-                figures(&screen).len()
-            );
+    every_frame(|_, (cols, rows), session, place| {
+        let screen = session.look();
+        let lines: Vec<&str> = screen.lines().collect();
+        // Tabs, the present one marked, all by their numbers.
+        assert!(lines[0].contains("[1 Motion]"), "{place}");
+        for tab in 2..=9 {
+            assert!(lines[0].contains(&format!("{tab}")), "{tab}: {place}");
         }
-    }
+        // The verdict and the state.
+        let verdict = lines[lines.len() - 2];
+        assert!(
+            verdict.contains("turns fully") || verdict.contains(".."),
+            "{place}"
+        );
+        let last = lines[lines.len() - 1];
+        assert!(last.contains("ok") && last.contains(" motion "), "{place}");
+        // Panes.
+        let titles = lines[1];
+        let panes = ["tables", "scene"].map(|pane| titles.contains(&format!("─ {pane} ─")));
+        let plots = screen.contains("\n─ plots ─");
+        let expected = match (cols, rows) {
+            (200, _) => ([true, true], true),
+            (120, _) => ([true, false], true),
+            _ => ([false, false], false),
+        };
+        assert_eq!((panes, plots), expected, "{place}");
+        // Figures: the smallest screen has those of the first vectors.
+        let least = match (cols, rows) {
+            (200, _) => 45,
+            (120, _) => 30,
+            (80, _) => 12,
+            _ => 4,
+        };
+        assert!(
+            figures(&screen).len() >= least,
+            "{} figures: {place}",
+            figures(&screen).len()
+        );
+    });
 }
 
 #[test]
 fn every_drawing_has_its_share_and_fills_it() {
-    for name in SIX {
-        for (cols, rows) in SIZES {
-            let mut session = frame(name, cols, rows);
-            let screen = session.look();
-            let pane = DrawingPane::of(&session);
-            let place = format!("{name} at {cols} x {rows}\n{screen}");
-            let height = f64::from(pane.rows.end - pane.rows.start);
-            let share = match cols {
-                // Three panes, with their titles and lines.
-                120.. => 0.4,
-                80 => 0.5,
-                // Tables below a drawing on the smallest screen.
-                _ => 0.3,
-            };
-            let cells = f64::from(pane.cols + 1) * height;
-            let whole = f64::from(cols) * f64::from(rows);
-            assert!(
-                cells >= share * whole,
-                "{} of {whole}: {place}",
-                cells / whole
-            );
-            let dots = pane.inked(&session);
-            let span = |of: fn(&(u16, u16, vt100::Color)) -> u16| {
-                let all = || dots.iter().map(of);
-                f64::from(all().max().unwrap() - all().min().unwrap() + 1)
-            };
-            let (across, down) = (span(|d| d.1) / f64::from(pane.cols), span(|d| d.0) / height);
-            assert!(across.max(down) >= FILL, "{across:.2} {down:.2}: {place}");
-        }
-    }
+    every_frame(|_, (cols, rows), session, place| {
+        let pane = DrawingPane::of(session);
+        let height = f64::from(pane.rows.end - pane.rows.start);
+        let share = match cols {
+            // Three panes, with their titles and lines.
+            120.. => 0.4,
+            80 => 0.5,
+            // Tables below a drawing on the smallest screen.
+            _ => 0.3,
+        };
+        let cells = f64::from(pane.cols + 1) * height;
+        let whole = f64::from(cols) * f64::from(rows);
+        assert!(
+            cells >= share * whole,
+            "{} of {whole}: {place}",
+            cells / whole
+        );
+        let dots = pane.inked(session);
+        let span = |of: fn(&(u16, u16, vt100::Color)) -> u16| {
+            let all = || dots.iter().map(of);
+            f64::from(all().max().unwrap() - all().min().unwrap() + 1)
+        };
+        let (across, down) = (span(|d| d.1) / f64::from(pane.cols), span(|d| d.0) / height);
+        assert!(across.max(down) >= FILL, "{across:.2} {down:.2}: {place}");
+    });
 }
 
 /// A row of the tables has the hue that its link has in the drawing, the driver's is seen wherever there are
 /// tables, and links that differ do not all look the same.
 #[test]
 fn rows_have_the_hues_of_their_links() {
-    for name in SIX {
-        for (cols, rows) in SIZES {
-            let mut session = frame(name, cols, rows);
-            let screen = session.look();
-            let place = format!("{name} at {cols} x {rows}\n{screen}");
-            let dots = DrawingPane::of(&session).inked(&session);
-            let drawn: BTreeSet<String> = dots
-                .iter()
-                .map(|(.., colour)| format!("{colour:?}"))
-                .collect();
-            let rows_of = hues_of_rows(&session, name);
-            assert!(!rows_of.is_empty(), "{place}");
-            let hued = rows_of.values().map(|colour| format!("{colour:?}"));
-            let hued: BTreeSet<String> = hued.filter(|hue| hue != "Default").collect();
-            let driver = preset(name).scene.mechanism.driver().input;
-            let is_driven_by_a_link = matches!(driver, Input::Turn(_));
-            assert!(
-                hued.len() >= if is_driven_by_a_link { 2 } else { 1 },
-                "{rows_of:?}: {place}"
-            );
-            // On the smallest screen links of one row lie below the pins at their ends.
-            if rows == 12 {
-                continue;
-            }
-            for hue in &hued {
-                assert!(
-                    drawn.contains(hue),
-                    "{hue} of {rows_of:?} is not drawn: {place}"
-                );
-            }
+    every_frame(|name, (_, rows), session, place| {
+        let dots = DrawingPane::of(session).inked(session);
+        let drawn: BTreeSet<String> = dots
+            .iter()
+            .map(|(.., colour)| format!("{colour:?}"))
+            .collect();
+        let rows_of = hues_of_rows(session, name);
+        assert!(!rows_of.is_empty(), "{place}");
+        let hued = rows_of.values().map(|colour| format!("{colour:?}"));
+        let hued: BTreeSet<String> = hued.filter(|hue| hue != "Default").collect();
+        let driver = preset(name).scene.mechanism.driver().input;
+        let is_driven_by_a_link = matches!(driver, Input::Turn(_));
+        assert!(
+            hued.len() >= if is_driven_by_a_link { 2 } else { 1 },
+            "{rows_of:?}: {place}"
+        );
+        assert!(drawn.contains(&format!("{RED:?}")), "no driver: {place}");
+        // On the smallest screen links of one row lie below the pins at their ends.
+        if rows == 12 {
+            return;
         }
-    }
+        for hue in &hued {
+            assert!(
+                drawn.contains(hue),
+                "{hue} of {rows_of:?} is not drawn: {place}"
+            );
+        }
+    });
 }

@@ -5,9 +5,9 @@ use crate::screen::{Session, four_bar, open, preset, text};
 use krank::drawing::Glyphs;
 use krank::tui::Origin;
 
-/// Cells of the drawing that characters show lit: wide bars and full marks.
+/// Cells of the drawing that characters show lit: bars and marks.
 fn lit(screen: &str) -> usize {
-    screen.matches(['#', '@']).count()
+    screen.matches('#').count()
 }
 
 /// The names between brackets in the drawing, which is the right part of the scene view. The tab that is
@@ -18,7 +18,7 @@ fn names(screen: &str) -> Vec<String> {
     let names = pieces.filter_map(|piece| piece.split_once(']'));
     let names = names.map(|(name, _)| name.to_owned());
     names
-        .filter(|name| !["o", "@"].contains(&name.as_str()))
+        .filter(|name| !["o", "@", "#"].contains(&name.as_str()))
         .collect()
 }
 

@@ -44,7 +44,7 @@ fn shows_arrows_with_their_scale() {
         &tiny,
         &[
             "<_ __--",
-            "A o-",
+            "A @-",
             "v 2000 mm/s = --->",
             "r4 250.000 290.753*",
         ],
@@ -86,9 +86,9 @@ fn shows_everything_at_once() {
     let bare = session.press("i v A T G c d").body();
     // Three joints and what lies between them: no arrow, no trace, no name, no ground.
     let drawn = drawing(&bare);
-    assert_eq!(places(&cells(&drawn), &['o']).len(), 3, "{bare}");
+    assert_eq!(places(&cells(&drawn), &['o', '@']).len(), 3, "{bare}");
     let all = drawn.chars().filter(|c| c.is_ascii_graphic());
-    assert_eq!(all.collect::<String>(), "oo[o]", "{bare}");
+    assert_eq!(all.collect::<String>(), "@o[o]", "{bare}");
     // The tables beside it are the same.
     let tables = |body: &str| pane(body, true);
     assert!(tables(&bare).contains("r3.com"), "{bare}");
@@ -128,7 +128,7 @@ fn zooms_and_pans_and_stays_there() {
     // B and C stand twice as far apart as they did, within what a cell rounds, and D has left the window;
     // the last row is the legend.
     let joints = |body: &str| {
-        let mut all = places(&cells(&drawing(body)), &['o']);
+        let mut all = places(&cells(&drawing(body)), &['o', '@']);
         all.retain(|(row, _)| *row < 21);
         all
     };

@@ -2,21 +2,11 @@
 //! commands.
 
 use crate::claims::{assert_told, figures};
-use crate::screen::{Session, four_bar, open, preset};
+use crate::screen::{SIX, Session, four_bar, open, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
 use krank::tui::{Colours, Config, Origin, Workbench};
 use std::time::Duration;
-
-/// Six scenes of six kinds.
-const SIX: [&str; 6] = [
-    "four-bar",
-    "slider-crank",
-    "jansen-leg",
-    "press-ram",
-    "scissor-lift",
-    "excavator-boom",
-];
 
 fn tabs(session: &mut Session) -> String {
     session.look().lines().next().unwrap().to_owned()

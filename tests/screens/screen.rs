@@ -21,6 +21,16 @@ pub(crate) const SCREENS: [(&str, Glyphs, u16, u16); 6] = [
     ("braille-40x12", Glyphs::Braille, 40, 12),
 ];
 
+/// Six scenes of six kinds.
+pub(crate) const SIX: [&str; 6] = [
+    "four-bar",
+    "slider-crank",
+    "jansen-leg",
+    "press-ram",
+    "scissor-lift",
+    "excavator-boom",
+];
+
 /// A crank that cannot turn fully: its limits are dead points, where there are no rates.
 pub(crate) const SWINGING: &str = r#"
 name = "Swinging crank"

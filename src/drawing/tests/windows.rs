@@ -4,12 +4,12 @@ use super::*;
 
 #[test]
 fn no_joint_ever_leaves_the_window() {
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
             let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
             let mut raster = Raster::new();
             for state in stage.motion() {
-                let figure = stage.figure(&state);
+                let figure = whole(&stage, &state);
                 render_into(
                     &figure,
                     &view,
@@ -35,7 +35,7 @@ fn no_joint_ever_leaves_the_window() {
 
 #[test]
 fn supports_stay_inside_where_there_is_room() {
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for point in stage.scene.mechanism.points() {
             if let Some(at) = point.ground {
@@ -50,13 +50,7 @@ fn supports_stay_inside_where_there_is_room() {
 /// The part of a window's width and height that the linkage takes as it stands: its bars, pins and
 /// sliders, and no more.
 fn fill(raster: &Raster) -> f64 {
-    let is_linkage = |role: Role| {
-        role.is_body()
-            || matches!(
-                role,
-                Role::Joint | Role::GroundPin | Role::Slider | Role::Rider
-            )
-    };
+    let is_linkage = |role: Role| role.is_body() || role.is_mark();
     let mut cells = Vec::new();
     for (row, line) in raster.lines().enumerate() {
         for (col, _) in line.iter().enumerate().filter(|(_, c)| is_linkage(c.role)) {
@@ -75,7 +69,7 @@ fn fill(raster: &Raster) -> f64 {
 #[test]
 fn every_linkage_is_large_wherever_it_stands() {
     let mut small = Vec::new();
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
             let mut least = 1.0_f64;
             for state in stage.motion().step_by(10) {
@@ -97,7 +91,7 @@ fn a_large_window_cuts_neither_rings_nor_names() {
     /// How far a ring reaches from its middle, in columns and rows.
     const RING: Vec2 = Vec2::new(1.5, 0.75);
     let mut cut = Vec::new();
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         // Folded it has no room for its names between its own bars.
         let is_crowded = stage.name.contains("scissor-lift");
         let mut raster = Raster::new();
@@ -144,7 +138,7 @@ fn a_window_goes_along_calmly() {
     const FRAMES: u32 = 80;
     const MOST: f64 = 0.1;
     let mut shaken = Vec::new();
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let (low, high) = match stage.solver.motion().range {
             Range::Full { period } => (0.0, period),
             Range::Limited { low, high } => (low, high),
@@ -199,7 +193,7 @@ fn a_window_that_goes_along_does_not_shake() {
     /// Places of a motion: a degree of a turn.
     const PLACES: u32 = 360;
     let mut shaken = Vec::new();
-    for stage in PresetStage::presets() {
+    for stage in DrawingStage::presets() {
         let (low, high) = match stage.solver.motion().range {
             Range::Full { period } => (0.0, period),
             Range::Limited { low, high } => (low, high),
@@ -227,4 +221,77 @@ fn a_window_that_goes_along_does_not_shake() {
         }
     }
     assert!(shaken.is_empty(), "{shaken:#?}");
+}
+
+/// A crank of a row used to be hidden between its pins, and a driven block was like any other.
+#[test]
+fn the_driver_is_seen_in_every_window() {
+    let mut hidden = Vec::new();
+    let mut raster = Raster::new();
+    for stage in DrawingStage::presets() {
+        for state in stage.motion().step_by(5) {
+            let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            for (cols, rows) in [(40, 5), (40, 9), (40, 12), (46, 20), (60, 18), (80, 24)] {
+                let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
+                for glyphs in Glyphs::ALL {
+                    let labels = &mut Labels::default();
+                    render_into(&figure, &view, glyphs, labels, &mut raster);
+                    let cells = || raster.lines().flatten();
+                    let has_hue = cells().any(|cell| cell.role == Role::DriverPin);
+                    // Where marks are made of dots the core of a ring tells it.
+                    let is_told = |cell: &CharCell| cell.glyph == '@';
+                    let has_shape = view.weight() > 2 && glyphs.is_dotted()
+                        || cells().filter(|c| c.role == Role::DriverPin).any(is_told);
+                    if !(has_hue && has_shape) {
+                        let (name, at) = (&stage.name, state.at());
+                        hidden.push(format!("{name} at {at} in {cols} x {rows}, {glyphs:?}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(hidden.is_empty(), "{hidden:#?}");
+}
+
+/// An arrow of velocity used to stand in the place of the pin of a block: `[⠃]`.
+#[test]
+fn no_arrow_hides_a_pin() {
+    let mut hidden = Vec::new();
+    for stage in DrawingStage::presets() {
+        let points = usual_arrows(&stage.scene.mechanism);
+        let wanted = Wanted {
+            velocities: points.clone(),
+            accelerations: points,
+            forces: true,
+            ..Wanted::default()
+        };
+        let overlay = stage.overlay(&wanted);
+        for state in stage.motion().step_by(20) {
+            let state = stage.state(state.at());
+            let bare = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            let mut full = bare.clone();
+            overlay.add_to(&mut full, &stage.scene, &stage.solver, &state, 1.0);
+            for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+                let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
+                for glyphs in Glyphs::ALL {
+                    let [without, with] = [&bare, &full].map(|f| render(f, &view, glyphs));
+                    for shape in bare.shapes() {
+                        let Shape::Mark { at, .. } = *shape else {
+                            continue;
+                        };
+                        let (col, row) = cell(&view, at);
+                        let role = |raster: &Raster| raster.cell(col, row).map(|cell| cell.role);
+                        if role(&with) != role(&without) {
+                            let (name, at) = (&stage.name, state.at());
+                            hidden.push(format!(
+                                "{name} at {at} in {cols} x {rows}, {glyphs:?}: {:?}",
+                                role(&with)
+                            ));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(hidden.is_empty(), "{hidden:#?}");
 }

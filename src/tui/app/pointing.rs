@@ -1,19 +1,18 @@
 //! What the mouse does: each of it can be done by key as well.
 
+use super::dragging::TypedPlace;
 use super::{App, Effect, Mode, View};
-use crate::scene::Value;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseDeed};
-use crate::tui::document::history::Deed;
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::views::{PaneSpot, Under};
 use crate::wording::words;
-use crate::{Input, PointId, Vec2, angle};
+use crate::{Input, Vec2, angle};
 use std::time::Duration;
 
 /// A turn of the wheel goes so many lines.
 const WHEEL: isize = 3;
-/// A pin is taken from so many columns away.
+/// A point is taken from so many columns away.
 const REACH: f64 = 1.5;
 
 /// What the button holds while it is pressed.
@@ -24,8 +23,8 @@ pub(super) enum Gripped {
     /// The driver: how far its coordinate is ahead of that of the mouse. A window may go along with the linkage,
     /// and so a place that was seen in an earlier one tells nothing.
     Driver(f64),
-    /// A pin of the ground, by its name: an edit may number it anew.
-    Pin(String),
+    /// A point whose place is typed in the scene.
+    Point(TypedPlace),
     /// The line of a plot where the driver is.
     Course,
 }
@@ -106,9 +105,9 @@ impl App {
                     .lens
                     .hold(&self.player.open_scene, seen.window);
                 let edits = self.shell.view == View::Scene;
-                let pin = edits.then(|| self.pin_near(seen.place, REACH * seen.column));
-                match pin.flatten() {
-                    Some(pin) => self.take_pin(pin),
+                let point = edits.then(|| self.typed_near(seen.place, REACH * seen.column));
+                match point.flatten() {
+                    Some(point) => self.take_point(point),
                     None => {
                         self.look(view);
                         self.take_driver(seen.place);
@@ -138,7 +137,9 @@ impl App {
             (Gripped::Driver(ahead), Under::Drawing(_, seen)) => {
                 self.drag_driver(ahead, seen.place, now);
             }
-            (Gripped::Pin(pin), Under::Drawing(_, seen)) => self.drag_pin(&pin, seen.place, now),
+            (Gripped::Point(typed), Under::Drawing(_, seen)) => {
+                self.drag_point(&typed, seen.place, now);
+            }
             (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
                 self.lead_to(at, now);
             }
@@ -208,51 +209,4 @@ impl App {
             }
         }
     }
-
-    // ---- pins of the ground, in the scene view
-
-    /// The named pin of the ground that is next to a place, if one is so near.
-    fn pin_near(&self, place: Vec2, reach: f64) -> Option<PointId> {
-        let scene = self.player.open_scene.scene();
-        let ids = scene.mechanism.point_ids();
-        let grounded = ids.filter_map(|id| {
-            let away = scene.mechanism.point(id).ground? - place;
-            scene.point_name(id).map(|_| (id, away.norm()))
-        });
-        let near = grounded.filter(|(_, away)| *away <= reach);
-        near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(id, _)| id)
-    }
-
-    /// The cursor goes to the first coordinate of a pin: an edit of its own begins.
-    fn take_pin(&mut self, pin: PointId) {
-        let Some(name) = self.player.open_scene.scene().point_name(pin) else {
-            return;
-        };
-        let name = name.to_owned();
-        if let Some(row) = self.document.editor.row(&format!("{name} x")) {
-            self.document.editor.go_to(row);
-        }
-        self.shell.grip = Gripped::Pin(name);
-    }
-
-    /// Both coordinates follow the mouse, by multiples of the step that fits the first of them.
-    fn drag_pin(&mut self, name: &str, place: Vec2, now: Duration) {
-        let deed = Deed::Nudge(name.to_owned());
-        let step = self.document.editor.notch().size();
-        let axes =
-            [("x", place.x), ("y", place.y)].map(|(axis, to)| (format!("{name} {axis}"), to));
-        let texts = axes.into_iter().filter_map(|(name, to)| {
-            let value = self.document.editor.named(&name)?;
-            Some((value.clone(), moved_to(value, to, step)?))
-        });
-        let texts = texts.collect();
-        self.put_all(texts, deed, now);
-    }
-}
-
-/// The text of a value at the multiple of `step` that is next to `to`.
-fn moved_to(value: &Value, to: f64, step: f64) -> Option<String> {
-    let present: f64 = value.text().parse().ok()?;
-    let steps = ((to - present) / step).round();
-    steps.is_finite().then(|| value.moved(steps * step))
 }

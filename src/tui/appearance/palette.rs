@@ -59,21 +59,6 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 }
 
 impl Hue {
-    #[cfg(test)]
-    const DRAWN: [Hue; 11] = [
-        Hue::Red,
-        Hue::Orange,
-        Hue::Yellow,
-        Hue::Lime,
-        Hue::Green,
-        Hue::Teal,
-        Hue::Cyan,
-        Hue::Blue,
-        Hue::Violet,
-        Hue::Magenta,
-        Hue::Grey,
-    ];
-
     /// What a palette name stands for. The bright names are hues of their own.
     fn meant(named: Color) -> Option<Hue> {
         Some(match named {
@@ -320,12 +305,12 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    /// Hues in which something is written: names of links and of the driver, sizes of forces, notices, what is told
-    /// quietly. Orange and lime draw only.
-    const WRITTEN: [Hue; 10] = [
+    const ALL: [Hue; 12] = [
         Hue::Red,
+        Hue::Orange,
         Hue::Brown,
         Hue::Yellow,
+        Hue::Lime,
         Hue::Green,
         Hue::Teal,
         Hue::Cyan,
@@ -334,6 +319,20 @@ mod tests {
         Hue::Magenta,
         Hue::Grey,
     ];
+
+    /// Hues in which something is drawn: brown is orange where that is written.
+    fn drawn() -> Vec<Hue> {
+        ALL.into_iter().filter(|hue| *hue != Hue::Brown).collect()
+    }
+
+    /// Hues in which something is written: names of links and of the driver, sizes of forces, notices, what is told
+    /// quietly. Orange and lime draw only.
+    fn written() -> Vec<Hue> {
+        let drawn_only = [Hue::Orange, Hue::Lime];
+        ALL.into_iter()
+            .filter(|hue| !drawn_only.contains(hue))
+            .collect()
+    }
 
     fn worst(hues: &[Hue], theme: Theme, exact: bool, grounds: &[Color]) -> f64 {
         let colours = hues.iter().map(|hue| hue.colour(theme, exact));
@@ -372,7 +371,7 @@ mod tests {
     #[test]
     fn colours_read_well_on_any_ground() {
         assert!(worst(&EXACT, Theme::Auto, true, &[BLACK, WHITE]) >= 4.5);
-        let worst = |exact, grounds: &[Color]| worst(&WRITTEN, Theme::Auto, exact, grounds);
+        let worst = |exact, grounds: &[Color]| worst(&written(), Theme::Auto, exact, grounds);
         assert!(worst(true, &[BLACK, WHITE]) >= 4.3);
         assert!(worst(false, &[BLACK, WHITE]) >= 4.3);
         assert!(worst(true, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
@@ -382,8 +381,8 @@ mod tests {
     #[test]
     fn colours_read_better_on_a_ground_that_is_known() {
         for exact in [false, true] {
-            assert!(worst(&WRITTEN, Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
-            assert!(worst(&WRITTEN, Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
+            assert!(worst(&written(), Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
+            assert!(worst(&written(), Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
         }
     }
 
@@ -396,7 +395,7 @@ mod tests {
             (Theme::Dark, &[BLACK, SOFT_BLACK]),
         ] {
             for exact in [false, true] {
-                let worst = worst(&Hue::DRAWN, theme, exact, grounds);
+                let worst = worst(&drawn(), theme, exact, grounds);
                 assert!(worst >= 3.0, "{theme:?}, {exact}: {worst}");
             }
         }
@@ -404,10 +403,11 @@ mod tests {
 
     #[test]
     fn hues_can_be_told_apart() {
+        let drawn = drawn();
         for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
             for exact in [false, true] {
-                for (k, a) in Hue::DRAWN.iter().enumerate() {
-                    for b in &Hue::DRAWN[k + 1..] {
+                for (k, a) in drawn.iter().enumerate() {
+                    for b in &drawn[k + 1..] {
                         let apart = distance(a.colour(theme, exact), b.colour(theme, exact));
                         assert!(
                             apart >= 0.06,
@@ -427,14 +427,14 @@ mod tests {
         let texts = links.chain(others).map(theme::role);
         for style in texts.chain([theme::part(ScreenPart::Warning)]) {
             let hue = style.fg.and_then(Hue::meant);
-            assert!(hue.is_none_or(|hue| WRITTEN.contains(&hue)), "{style:?}");
+            assert!(hue.is_none_or(|hue| written().contains(&hue)), "{style:?}");
         }
     }
 
     /// Yellow on white is hardly seen, whatever a palette makes of the name.
     #[test]
     fn nothing_is_yellow_or_bright_in_sixteen_colours_on_a_light_ground() {
-        for hue in Hue::DRAWN.iter().chain(&WRITTEN) {
+        for hue in ALL {
             let read = [
                 Color::Reset,
                 Color::Red,
@@ -469,7 +469,7 @@ mod tests {
 
     #[test]
     fn a_hue_is_asked_for_by_a_name_of_its_own() {
-        for hue in Hue::DRAWN.into_iter().chain(WRITTEN) {
+        for hue in ALL {
             assert_eq!(Hue::meant(hue.named()), Some(hue));
         }
     }

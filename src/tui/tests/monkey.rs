@@ -6,7 +6,7 @@
 //! files where it can: it works in a process of its own, in an empty folder.
 
 use crate::capability::{Capability, Colours};
-use crate::drawing::{Blocks, Glyphs};
+use crate::drawing::Glyphs;
 use crate::scene::{is_harmful, presets};
 use crate::tests::{Chance, Fuzz, shape};
 use crate::tui::app::{App, Effect, Mode, View};
@@ -120,14 +120,7 @@ enum MonkeyDeed {
 
 fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
     let preset = chance.one_of(presets::all());
-    let glyphs = *chance.one_of(&[
-        Glyphs::Ascii,
-        Glyphs::Line,
-        Glyphs::Braille,
-        Glyphs::Blocks(Blocks::Quadrants),
-        Glyphs::Blocks(Blocks::Sextants),
-        Glyphs::Blocks(Blocks::Octants),
-    ]);
+    let glyphs = *chance.one_of(&Glyphs::ALL);
     let colours = *chance.one_of(&[
         Colours::None,
         Colours::Sixteen,

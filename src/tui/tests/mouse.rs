@@ -1,5 +1,7 @@
 //! What the mouse does on a whole screen.
 
+mod ends;
+
 use crate::Vec2;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -10,6 +12,7 @@ use crate::tui::config::Config;
 use crate::tui::document::opening;
 use crate::tui::views::SeenPlace;
 use crate::tui::workbench::Workbench;
+use crate::tui::{Opened, Origin};
 use ratatui::layout::{Position, Size};
 
 const COLS: u16 = 80;
@@ -25,9 +28,13 @@ fn bench(preset: &str, keys: &str) -> Workbench {
 
 fn bench_on(preset: &str, keys: &str, size: Size) -> Workbench {
     let opened = opening::preset(presets::find(preset).unwrap()).unwrap();
+    bench_of(opened, keys, size, Colours::Sixteen)
+}
+
+fn bench_of(opened: Opened, keys: &str, size: Size, colours: Colours) -> Workbench {
     let capability = Capability {
         glyphs: Glyphs::Braille,
-        colours: Colours::Sixteen,
+        colours,
         modern: true,
     };
     let mut bench = Workbench::on(opened, None, capability, size);

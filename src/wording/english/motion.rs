@@ -12,6 +12,9 @@ catalogue! {
         taken_as(at: &str, unit: &str) = "taken as {at} {unit}";
         out_of_reach(low: &str, high: &str, unit: &str) = "out of reach: {low} to {high} {unit}";
         no_longer_in_reach(at: &str, unit: &str) = "{at} {unit} is out of reach now";
+        begins_a_frame(point: &str, link: &str) = {
+            format!("{point} is where {link} begins, and its frame with it: its length is changed in the list")
+        };
         whole_turns(turns: &str, is_one: bool) = {
             format!("{turns} turn{}", if is_one { "" } else { "s" })
         };
