@@ -19,10 +19,16 @@ use crate::{Body, Input, Load, Mechanism, PointId, Vec2};
 pub(super) struct ForceArrows {
     /// Of newtons.
     scale: Option<ArrowScale>,
+    /// A smaller moment is what rounding leaves of one that is 0, in N m.
+    least_moment: f64,
 }
 
 /// A smaller part of the longest arrow is too short to tell its size.
 const TELLING: f64 = 0.05;
+
+/// A moment is none where it is so small a part of the longest force at the length of the whole, or of the largest
+/// moment.
+const NO_MOMENT: f64 = 1e-9;
 
 /// What acts at a state.
 #[derive(Default)]
@@ -43,14 +49,21 @@ impl ForceArrows {
     ) -> ForceArrows {
         let mut state = solver.state();
         let mut all: Vec<MovingArrow> = Vec::new();
+        let mut most_moment: f64 = 0.0;
         for at in course(scene, solver) {
             if has_rates(solver.solve(at, Order::Force, &mut state)) {
-                let forces = found(&scene.mechanism, solver, &state).forces;
+                let Found { forces, moments } = found(&scene.mechanism, solver, &state);
                 all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
+                let sizes = moments.iter().map(|(_, moment)| moment.abs());
+                most_moment = sizes.fold(most_moment, f64::max);
             }
         }
         let scale = ArrowScale::of_motion(&all, scale::longest(reach), tips);
-        ForceArrows { scale: Some(scale) }
+        let lever = reach.bounds().size().norm() * scene.unit.metres();
+        ForceArrows {
+            scale: Some(scale),
+            least_moment: NO_MOMENT * most_moment.max(scale.most() * lever),
+        }
     }
 
     /// Adds those of a state that was solved to its forces.
@@ -79,7 +92,8 @@ impl ForceArrows {
                 figure.add(Shape::Label { at, text, role });
             }
         }
-        for (at, moment) in moments.into_iter().filter(|(_, moment)| *moment != 0.0) {
+        let is_one = |(_, moment): &(Vec2, f64)| moment.abs() > self.least_moment;
+        for (at, moment) in moments.into_iter().filter(is_one) {
             let is_left = moment > 0.0;
             figure.add(Shape::Moment { at, is_left });
             let text = format!("{} N m", rounded(moment.abs()));
@@ -111,7 +125,9 @@ fn joints(mechanism: &Mechanism, state: &State, found: &mut Found) {
         for point in mechanism.pins(link) {
             let is_told = match mechanism.partner(link, point) {
                 Some(Body::Link(other)) => link < other,
-                Some(Body::Ground) | None => true,
+                Some(Body::Ground) => true,
+                // The arrows of guides and of the driver tell it already.
+                None => !mechanism.is_guided_alone(point),
             };
             let force = state.joint_force(link, point).filter(|_| is_told);
             found.forces.extend(state.position(point).zip(force));
@@ -125,6 +141,8 @@ fn guides(mechanism: &Mechanism, state: &State, found: &mut Found) {
             let at = state.position(slide.slider.point());
             let force = travel.guide.perp() * normal;
             found.forces.extend(at.map(|at| (at, force)));
+            // What does not turn on its guide is held by it.
+            found.moments.extend(at.zip(state.moment(id)));
         }
     }
 }
@@ -279,6 +297,51 @@ mod tests {
             assert!(shapes.iter().any(|shape| turns(&shape)), "{shapes:?}");
             assert!(sizes(&shapes).contains(&"5.00 N m"), "{shapes:?}");
         }
+    }
+
+    /// What a pin feels from its guide alone is the guide's arrow, and with what drives it, the driver's.
+    #[test]
+    fn no_force_is_drawn_twice() {
+        let torque = "\n[[loads]]\nlink = \"r3\"\ntorque = 5\n";
+        let slider_crank = presets::find("slider-crank").unwrap().text.to_owned() + torque;
+        let loaded = DrawingStage::of("slider-crank", &slider_crank);
+        for stage in DrawingStage::presets().chain([loaded]) {
+            let at = stage.scene.mechanism.driver().start;
+            let found = found(&stage.scene.mechanism, &stage.solver, &stage.state(at)).forces;
+            for (k, (at, force)) in found.iter().enumerate() {
+                let here = found[k + 1..]
+                    .iter()
+                    .filter(|(other, _)| (*other - *at).norm() < 1e-9);
+                let same = |other: Vec2| (other - *force).norm() < 1e-6 * force.norm();
+                let twice = here.clone().any(|(_, other)| same(*other));
+                assert!(!twice, "{}: {at:?} {force:?}", stage.name);
+            }
+        }
+    }
+
+    /// A level slider does not feel an upright load along its way, and what rounding makes of that is no torque. A slider
+    /// that does not turn is held by a moment.
+    #[test]
+    fn moments_are_those_that_are_there() {
+        let upright = "\n[[loads]]\npoint = \"C\"\nforce = [0, -100]\n";
+        let text = presets::find("slider-crank").unwrap().text.to_owned() + upright;
+        let stage = DrawingStage::of("an upright load", &text);
+        for at in [30.0, 61.0, 200.0] {
+            let shapes = added(&stage, &stage.state(at));
+            let turns = |shape: &Shape| matches!(shape, Shape::Moment { .. });
+            assert!(!shapes.iter().any(turns), "{shapes:?}");
+        }
+        let sideways = "\n[[loads]]\npoint = \"tool\"\nforce = [-50, 0]\n";
+        let text = presets::find("press-ram").unwrap().text.to_owned() + sideways;
+        let stage = DrawingStage::of("a sideways load", &text);
+        let state = stage.state(stage.scene.mechanism.driver().start);
+        let mut slides = stage.scene.mechanism.slide_ids();
+        let moment = slides.find_map(|slide| state.moment(slide)).unwrap();
+        let told = format!("{} N m", rounded(moment.abs()));
+        assert!(
+            sizes(&added(&stage, &state)).contains(&told.as_str()),
+            "{told}"
+        );
     }
 
     /// Of forces that are withheld none is drawn; what the scene gives stands as ever.

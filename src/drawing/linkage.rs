@@ -259,9 +259,14 @@ impl LinkageSketch<'_> {
     fn cylinder(&mut self, id: SlideId, on: LinkId, mouth: f64) {
         let (foot, rim) = (self.on_guide(id, 0.0), self.on_guide(id, mouth));
         let eye = self.state.position(self.mechanism.slide(id).slider.point());
-        let (from, to, role) = (rim, eye, Role::Driver);
+        let role = self.lit_or(Role::Driver, Subject::Slide(id));
+        let (from, to) = (rim, eye);
         self.figure.add(Shape::Line { from, to, role });
-        let (from, to, role) = (foot, rim, Role::Driver);
+        let role = match role {
+            Role::Lit => role,
+            _ => self.lit_or(role, Subject::Link(on)),
+        };
+        let (from, to) = (foot, rim);
         self.figure.add(Shape::Barrel { from, to, role });
         self.join(on, foot, rim);
     }

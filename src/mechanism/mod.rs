@@ -312,16 +312,7 @@ impl Mechanism {
     /// The only other body at a pin of a link, where nothing but the two acts on the pin.
     #[must_use]
     pub fn partner(&self, link: LinkId, point: PointId) -> Option<Body> {
-        let acts = |load: &Load| match *load {
-            Load::Force { point: at, .. } => at == point,
-            Load::Spring { from, to, .. } => from == point || to == point,
-            // Of a link that slides it presses on the link.
-            Load::Press { slide, .. } => self.slide(slide).slider == Slider::Pin(point),
-            Load::Torque { .. } => false,
-        };
-        // A guide presses on the pin in its slot; of a link that slides it holds the link.
-        let slides = |slide: &Slide| slide.slider == Slider::Pin(point);
-        if self.loads().iter().any(acts) || self.slides().iter().any(slides) {
+        if self.is_loaded(point) || self.is_guided(point) {
             return None;
         }
         let given = self.point(point);
@@ -331,6 +322,33 @@ impl Mechanism {
             (Some(&other), None, None) => Some(Body::Link(other)),
             _ => None,
         }
+    }
+
+    /// Whether a load acts on a point itself.
+    fn is_loaded(&self, point: PointId) -> bool {
+        let acts = |load: &Load| match *load {
+            Load::Force { point: at, .. } => at == point,
+            Load::Spring { from, to, .. } => from == point || to == point,
+            // Of a link that slides it presses on the link.
+            Load::Press { slide, .. } => self.slide(slide).slider == Slider::Pin(point),
+            Load::Torque { .. } => false,
+        };
+        self.loads().iter().any(acts)
+    }
+
+    /// Whether a guide presses on a point, as on the pin in its slot; of a link that slides it holds the link.
+    fn is_guided(&self, point: PointId) -> bool {
+        let slides = |slide: &Slide| slide.slider == Slider::Pin(point);
+        self.slides().iter().any(slides)
+    }
+
+    /// Whether all that a link feels at a pin comes from the guides that the pin slides along: what these bear, and
+    /// what drives it along them, is that force.
+    #[must_use]
+    pub fn is_guided_alone(&self, point: PointId) -> bool {
+        let given = self.point(point);
+        let alone = given.links.len() == 1 && given.ground.is_none();
+        alone && self.is_guided(point) && !self.is_loaded(point)
     }
 
     /// Whether a point is of one moving link alone: no joint, not in a slot, and no guide runs through it because it is

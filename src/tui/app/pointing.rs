@@ -61,11 +61,12 @@ impl App {
         match (mouse.deed, under) {
             (MouseDeed::WheelUp, under) => return self.roll(-WHEEL, &under, now),
             (MouseDeed::WheelDown, under) => return self.roll(WHEEL, &under, now),
+            // Whatever has come up meanwhile.
+            (MouseDeed::Release, _) => self.let_go(),
             // What is chosen or asked is answered by its keys.
             _ if self.shell.mode != Mode::Normal => {}
             (MouseDeed::Press, under) => self.press(under, now),
             (MouseDeed::Drag, under) => self.drag(&under, now),
-            (MouseDeed::Release, _) => self.let_go(),
         }
         Effect::Show
     }

@@ -179,6 +179,40 @@ fn a_pin_of_the_ground_is_drawn_elsewhere_and_one_undo_takes_it_back() {
     assert_eq!(bench.app().open_scene().scene().text(), text);
 }
 
+/// The window does not run away from the hand, though what the scene needs grows with every step.
+#[test]
+fn a_pin_that_is_dragged_stays_under_the_pointer() {
+    let mut bench = bench("four-bar", "M 6");
+    let (from, near) = cell(&bench, Vec2::new(400.0, 0.0));
+    point(&mut bench, MouseDeed::Press, from);
+    for right in 1..=3 {
+        let to = Position::new(from.x + right, from.y);
+        let wanted = bench.place(to).unwrap().place;
+        point(&mut bench, MouseDeed::Drag, to);
+        let mechanism = &bench.app().open_scene().scene().mechanism;
+        let mut pins = mechanism.points().iter().filter_map(|point| point.ground);
+        assert!(pins.any(|pin| (pin - wanted).norm() < near), "{right}");
+        let seen = bench.place(to).unwrap().place;
+        assert!((seen - wanted).norm() < 1e-9, "{right}");
+    }
+}
+
+/// What was held when something came up is held no more behind it.
+#[test]
+fn a_button_that_is_released_while_help_is_read_holds_nothing() {
+    let mut bench = bench("four-bar", "M");
+    let (from, _) = cell(&bench, Vec2::new(50.0, 86.0));
+    point(&mut bench, MouseDeed::Press, from);
+    bench.press("?");
+    point(&mut bench, MouseDeed::Release, from);
+    bench.press("Esc");
+    bench.paint();
+    let at = bench.app().open_scene().at();
+    let (to, _) = cell(&bench, Vec2::new(-50.0, 86.0));
+    point(&mut bench, MouseDeed::Drag, to);
+    assert_eq!(bench.app().open_scene().at(), at);
+}
+
 #[test]
 fn a_plot_leads_the_driver() {
     let mut bench = bench("four-bar", "M 3");
