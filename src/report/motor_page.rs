@@ -525,7 +525,15 @@ fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
     match (asked.is_enough(), share.is_finite()) {
         (true, true) => words().has_left_by_times(&has, &wants, &left, &significant(share, 3)),
         (true, false) => words().has_left(&has, &wants, &left),
-        (false, _) => words().has_a_share(&has, &wants, &concise(100.0 * share, 2)),
+        (false, _) => words().has_a_share(&has, &wants, &percent(share)),
+    }
+}
+
+/// What is less than the whole is never told as 100 %.
+fn percent(share: f64) -> String {
+    match share {
+        0.1.. => concise((1000.0 * share).floor() / 10.0, 3),
+        _ => concise(100.0 * share, 2),
     }
 }
 
@@ -551,5 +559,24 @@ fn rule_text(cycle: &Cycle, what: &str) -> String {
     match cycle.rule {
         Rule::Periodic(places) => words().trapezoids(&places, &error, what),
         Rule::Pieces(pieces) => words().polynomials(&pieces, &error, what),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_enough_is_less_than_the_whole() {
+        for (share, told) in [
+            (0.998, "99.8"),
+            (0.9999, "99.9"),
+            (0.5, "50"),
+            (0.1234, "12.3"),
+            (0.0567, "5.7"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(percent(share), told);
+        }
     }
 }
