@@ -90,6 +90,7 @@ pub mod cli;
 mod document;
 pub mod drawing;
 mod explain;
+mod expression;
 mod files;
 pub mod guide;
 mod manual;

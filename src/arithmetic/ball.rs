@@ -203,7 +203,8 @@ impl Number for Ball {
         Vec2::new(ball(x, y), ball(y, x))
     }
 
-    /// Along an axis the length is the component, exactly.
+    /// Along an axis the length is the component, exactly. A vector that may be 0 is no further from another in
+    /// length than the two are apart: | |a| - |b| | <= |a - b|.
     #[inline]
     fn norm(vector: Vec2<Ball>) -> Ball {
         let Vec2 { x, y } = vector;
@@ -212,7 +213,14 @@ impl Number for Ball {
         } else if x == Ball::default() {
             y.abs()
         } else {
-            vector.norm2().sqrt()
+            let root = vector.norm2().sqrt();
+            if root.radius.is_finite() {
+                return root;
+            }
+            let mid = x.mid.hypot(y.mid);
+            // The platform's hypot is right to an ulp.
+            let apart = x.radius.hypot(y.radius) * INFLATION;
+            Ball::new(mid, apart + 4.0 * half_ulp(mid) + TINY)
         }
     }
 

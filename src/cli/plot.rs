@@ -7,10 +7,10 @@ use super::output::write_text;
 use super::picture::{self, ASPECT};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use super::sweep::{figures, first, last};
+use super::sweep::{figures, first, last, named};
 use crate::Vec2;
 use crate::drawing::plot::{Plot, PlotStyle};
-use crate::quantity::{Abscissa, Catalogue, Curves, Quantity, UnknownColumn};
+use crate::quantity::{Abscissa, Catalogue, Curves, Quantity};
 use crate::report::limits_text;
 use crate::solver::{Condition, Range};
 use crate::wording::words;
@@ -24,8 +24,8 @@ const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
 pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    let catalogue = Catalogue::new(&scene);
-    let figures = figures(&catalogue, &args.columns)?;
+    let mut catalogue = Catalogue::new(&scene);
+    let figures = figures(&mut catalogue, &args.columns)?;
     let figures: Vec<Quantity> = figures
         .into_iter()
         .filter(|q| q != catalogue.driver())
@@ -33,7 +33,7 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     if figures.is_empty() {
         return Err(Failure::Usage(words().no_figures_to_plot().into()));
     }
-    let abscissa = abscissa(&catalogue, &args.against)?;
+    let abscissa = abscissa(&mut catalogue, &args.against)?;
     let range = solver.motion().range;
     let window = window(args, range)?;
     let curves = Curves::new(&scene, &solver, &figures, abscissa, window).map_err(|e| {
@@ -83,7 +83,7 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
 }
 
 /// What stands along x.
-fn abscissa(catalogue: &Catalogue, name: &str) -> Result<Abscissa, Failure> {
+fn abscissa(catalogue: &mut Catalogue, name: &str) -> Result<Abscissa, Failure> {
     let name = name.trim();
     if name == "driver" || name == catalogue.driver().name {
         return Ok(Abscissa::Driver);
@@ -91,8 +91,7 @@ fn abscissa(catalogue: &Catalogue, name: &str) -> Result<Abscissa, Failure> {
     if name == "time" {
         return Ok(Abscissa::Time);
     }
-    let unknown = |e: UnknownColumn| Failure::Usage(words().of_option("--against", &e));
-    let mut named = catalogue.select(&[name]).map_err(unknown)?;
+    let mut named = named(catalogue, "--against", name)?;
     match (named.pop(), named.len()) {
         (Some(figure), 0) => Ok(Abscissa::Figure(figure)),
         (_, more) => Err(Failure::Usage(words().one_along_x(name, more + 1))),

@@ -6,6 +6,7 @@ use super::output;
 use crate::assembly::Wish;
 use crate::files::{is_same_file, limited, read_any};
 use crate::nearest::nearest;
+use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Fault, Plan, Solver};
@@ -47,6 +48,7 @@ pub(super) fn open_for(
 /// The scene of a source, checked and assembled.
 pub(super) fn load(source: &SceneSource, wishes: &[Wish]) -> Result<SolvableScene, Failure> {
     let scene = read(source)?;
+    check_figures(&scene).map_err(Failure::Scene)?;
     let solver = assembled(&scene, wishes)?;
     Ok(SolvableScene { scene, solver })
 }

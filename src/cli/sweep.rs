@@ -23,8 +23,8 @@ const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    let catalogue = Catalogue::new(&scene);
-    let figures = figures(&catalogue, &args.columns)?;
+    let mut catalogue = Catalogue::new(&scene);
+    let figures = figures(&mut catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
     let beside = Beside {
         bounds: args.figures.bounds,
@@ -75,19 +75,53 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// The figures that the patterns name; all where there are none. The driver and the state may be
+/// The figures that the patterns name or define; all where there are none. The driver and the state may be
 /// named: they have their columns anyway.
 pub(super) fn figures(
-    catalogue: &Catalogue,
+    catalogue: &mut Catalogue,
     patterns: &[String],
 ) -> Result<Vec<Quantity>, Failure> {
     if patterns.is_empty() {
         return Ok(catalogue.all().to_vec());
     }
-    let patterns = patterns.iter().map(|p| p.trim());
-    let named: Vec<_> = patterns.filter(|p| *p != "state").collect();
-    let unknown = |e: UnknownColumn| Failure::Usage(words().of_option("--columns", &e));
-    catalogue.select(&named).map_err(unknown)
+    let mut figures = Vec::new();
+    let patterns = patterns.iter().flat_map(|list| entries(list));
+    for pattern in patterns.map(str::trim).filter(|p| *p != "state") {
+        for figure in named(catalogue, "--columns", pattern)? {
+            if !figures.contains(&figure) {
+                figures.push(figure);
+            }
+        }
+    }
+    Ok(figures)
+}
+
+/// What a pattern names; behind `=` stands a formula, and the figure has its name from then on.
+pub(super) fn named(
+    catalogue: &mut Catalogue,
+    option: &str,
+    pattern: &str,
+) -> Result<Vec<Quantity>, Failure> {
+    if pattern.contains('=') {
+        let defined = catalogue.define(pattern);
+        let wrong = |why: String| Failure::Usage(words().of_option(option, &why));
+        return Ok(vec![defined.map_err(wrong)?]);
+    }
+    let unknown = |e: UnknownColumn| Failure::Usage(words().of_option(option, &e));
+    catalogue.select(&[pattern]).map_err(unknown)
+}
+
+/// What stands between commas: those in brackets belong to a formula.
+fn entries(list: &str) -> impl Iterator<Item = &str> {
+    let mut depth = 0_usize;
+    list.split(move |c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    })
 }
 
 /// Says which rows have no values; a sweep without any has failed.
@@ -148,7 +182,7 @@ fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure
 /// What a sweep covers that was not told: the motion, and where forces are among the figures, as many of its
 /// periods as the loads take to repeat.
 fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
-    let has_forces = figures.iter().any(|q| q.aspect.order() == Order::Force);
+    let has_forces = figures.iter().any(|q| q.order() == Order::Force);
     let repeats = motor::repeats(&scene.mechanism, range).filter(|_| has_forces);
     match (range, repeats) {
         (Range::Full { period }, Some(times)) => Range::Full {
@@ -202,6 +236,13 @@ fn slide_step(from: f64, to: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commas_in_brackets_belong_to_a_formula() {
+        let found: Vec<&str> = entries("C.x,d = hypot(C.x, min(C.y, D.y)),,*").collect();
+        assert_eq!(found, ["C.x", "d = hypot(C.x, min(C.y, D.y))", "", "*"]);
+        assert_eq!(entries("),a").collect::<Vec<_>>(), [")", "a"]);
+    }
 
     #[test]
     fn a_slide_takes_round_steps() {

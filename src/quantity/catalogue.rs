@@ -1,6 +1,7 @@
 //! All figures of a scene, by name.
 
-use super::{Aspect, Quantity, Share, Subject};
+use super::{Aspect, FigureSource, Quantity, Share, Subject, magnitude};
+use crate::expression::LengthScale;
 use crate::nearest::nearest;
 use crate::scene::Scene;
 use crate::solver::Order;
@@ -8,9 +9,15 @@ use crate::{Input, Slider};
 use thiserror::Error;
 
 /// All quantities of a scene, in the order of the file.
+///
+/// Beside those that are listed there are others, which come only when they are named: what the scene makes of
+/// them by formulas, and the sizes and directions of what has components.
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     quantities: Vec<Quantity>,
+    /// What is made of them by formulas.
+    pub(super) defined: Vec<Quantity>,
+    pub(super) length: LengthScale,
 }
 
 /// A column pattern that names nothing in the scene.
@@ -23,6 +30,8 @@ pub struct UnknownColumn {
     pub nearest: Option<String>,
     /// Whether it asks for a force of a scene on which nothing acts.
     pub nothing_acts: bool,
+    /// Why there is none, where that can be told.
+    pub why: Option<String>,
 }
 
 impl UnknownColumn {
@@ -42,6 +51,9 @@ impl UnknownColumn {
                 return format!("; name `{name}`, and {option} puts `{name}.{kind}` behind it");
             }
         }
+        if let Some(why) = &self.why {
+            return format!("; {why}");
+        }
         let nearest = self.nearest.as_ref();
         nearest.map_or_else(String::new, |n| format!("; did you mean `{n}`?"))
     }
@@ -51,8 +63,21 @@ impl Catalogue {
     /// Lists what a scene can show: the driver, every vector, every named point, every centre of mass.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
+        let mut catalogue = Catalogue::without_formulas(scene);
+        // What is wrong with one is told where the scene is opened.
+        let _ = catalogue.define_all(&scene.figures);
+        catalogue
+    }
+
+    /// The same without what the scene makes of them by formulas.
+    pub(super) fn without_formulas(scene: &Scene) -> Self {
         let mut catalogue = Catalogue {
             quantities: Vec::new(),
+            defined: Vec::new(),
+            length: LengthScale {
+                symbol: scene.unit.symbol(),
+                tenths_of_mm: scene.unit.tenths_of_mm(),
+            },
         };
         let driver_aspects = match scene.mechanism.driver().input {
             Input::Turn(_) => &[Aspect::Angle][..],
@@ -144,12 +169,11 @@ impl Catalogue {
         self.quantities.push(Quantity {
             name,
             unit: aspect.unit(scene.unit.symbol()),
-            subject,
-            aspect,
+            source: FigureSource::Solved(subject, aspect),
         });
     }
 
-    /// All of them, the driver's coordinate first.
+    /// All that are listed, the driver's coordinate first.
     #[must_use]
     pub fn all(&self) -> &[Quantity] {
         &self.quantities
@@ -165,14 +189,27 @@ impl Catalogue {
     #[must_use]
     pub fn figures(&self) -> Vec<Quantity> {
         let figures = self.quantities.iter();
-        figures
-            .filter(|q| q.subject != Subject::Driver)
-            .cloned()
-            .collect()
+        figures.filter(|q| !q.is_driver()).cloned().collect()
+    }
+
+    /// Those that come only when they are named, but for the rates of formulas: first what the scene makes of
+    /// others, then sizes and directions in the order of their components.
+    #[must_use]
+    pub fn unlisted(&self) -> Vec<Quantity> {
+        let defined = self.defined.iter().cloned();
+        defined.chain(magnitude::all(&self.quantities)).collect()
+    }
+
+    /// The quantity of this name, listed or not.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<Quantity> {
+        let listed = self.quantities.iter().find(|q| q.name == name);
+        listed.cloned().or_else(|| self.made(name).ok())
     }
 
     /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands
-    /// for any run of characters. The driver's coordinate is left out: it always comes first.
+    /// for any run of characters of what is listed; what is not comes by its name. The driver's coordinate is left
+    /// out: it always comes first.
     ///
     /// # Errors
     /// The first pattern that matches nothing, with the nearest name.
@@ -183,12 +220,18 @@ impl Catalogue {
             let mut any = false;
             for quantity in self.quantities.iter().filter(|q| matches(pattern, &q.name)) {
                 any = true;
-                if quantity.subject != Subject::Driver && !selected.contains(quantity) {
+                if !quantity.is_driver() && !selected.contains(quantity) {
                     selected.push(quantity.clone());
                 }
             }
-            if !any {
-                return Err(self.unknown(pattern));
+            if any {
+                continue;
+            }
+            let made = self
+                .made(pattern)
+                .map_err(|why| self.unknown(pattern, why))?;
+            if !selected.contains(&made) {
+                selected.push(made);
             }
         }
         Ok(selected)
@@ -197,16 +240,19 @@ impl Catalogue {
     /// Whether a pattern asks for a force, and there are none.
     fn has_no(&self, pattern: &str) -> bool {
         let is_force = |aspect: &Aspect| aspect.order() == Order::Force;
-        let mut own = self.quantities.iter().map(|q| q.aspect);
+        let mut own = self.quantities.iter().filter_map(Quantity::aspect);
         let asked = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
         let asked = asked.into_iter().chain(Aspect::FRAME);
         let mut asked = asked.map(|aspect| format!(".{}", aspect.name()));
         !own.any(|aspect| is_force(&aspect)) && asked.any(|name| pattern.contains(&name))
     }
 
-    fn unknown(&self, pattern: &str) -> UnknownColumn {
-        let names = self.quantities.iter().map(|q| q.name.as_str());
+    fn unknown(&self, pattern: &str, why: Option<String>) -> UnknownColumn {
+        let unlisted = self.unlisted();
+        let names = self.quantities.iter().chain(&unlisted);
+        let names = names.map(|q| q.name.as_str());
         UnknownColumn {
+            why,
             pattern: pattern.into(),
             nearest: nearest(pattern, names).map(str::to_owned),
             nothing_acts: self.has_no(pattern),
@@ -296,6 +342,30 @@ mod tests {
         assert_eq!(unknown.nearest.as_deref(), Some("C.x"));
         let nothing = catalogue.select(&["driver.torque"]).unwrap_err();
         assert!(nothing.to_string().contains("nothing acts"), "{nothing}");
+    }
+
+    /// They are found by their names, offered beside other names, and never by a star.
+    #[test]
+    fn what_is_not_listed_comes_by_its_name() {
+        let mut catalogue = Catalogue::new(&slider_crank());
+        let listed = catalogue.all().len();
+        catalogue.define("way = hypot(C.x, C.y)").unwrap();
+        assert_eq!(catalogue.all().len(), listed);
+        for name in ["C.v", "r3.com.a.n", "A.v.angle", "way", "way.rate"] {
+            let selected = catalogue.select(&[name, "C.x", name]).unwrap();
+            let names: Vec<_> = selected.iter().map(|q| q.name.as_str()).collect();
+            assert_eq!(names, [name, "C.x"]);
+        }
+        let starred = catalogue.select(&["*"]).unwrap();
+        assert_eq!(starred, catalogue.figures());
+        assert!(catalogue.select(&["way*"]).is_err());
+        let unlisted = catalogue.unlisted();
+        assert_eq!(unlisted[0].name, "way");
+        for quantity in &unlisted {
+            assert_eq!(catalogue.find(&quantity.name).as_ref(), Some(quantity));
+        }
+        let near = catalogue.select(&["C.a.angel"]).unwrap_err().nearest;
+        assert_eq!(near.as_deref(), Some("C.a.angle"));
     }
 
     /// What a pattern means, tried out in full.

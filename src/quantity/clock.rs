@@ -6,8 +6,8 @@
 //! an acceleration the two differ, and a curve over time has the rates that belong to its own speed, so
 //! that the slope of a position over time is the velocity that stands beside it.
 
-use super::{Aspect, Quantity, Subject, value};
-use crate::solver::{Range, State};
+use super::{Aspect, FigureSource, Quantity, Subject, value};
+use crate::solver::{Order, Range, State};
 use crate::{Driver, Input};
 
 /// Where the driver is at a time, in seconds from where the scene opens.
@@ -131,13 +131,31 @@ impl Clock {
 /// The value of a quantity where the driver runs at another pace than the scene's: rates are K q' and
 /// K q'' + K' q'^2, of which the state has those for the scene's own q' and q''.
 pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> Option<f64> {
-    let plain = quantity.value(state)?;
-    let (Some(pace), false) = (pace, quantity.subject == Subject::Driver) else {
-        return Some(plain);
+    let Some(pace) = pace else {
+        return quantity.value(state);
     };
-    let first = |aspect| value(quantity.subject, aspect, state).map(|rate| rate * pace.drift);
+    let paced = match &quantity.source {
+        FigureSource::Solved(subject, aspect) => solved(*subject, *aspect, state, pace),
+        FigureSource::Derived(derived) => {
+            derived.run(|subject, aspect| solved(subject, aspect, state, pace))
+        }
+    };
+    paced.filter(|value| value.is_finite())
+}
+
+/// The same of what the solver finds.
+fn solved(subject: Subject, aspect: Aspect, state: &State, pace: Pace) -> Option<f64> {
+    let plain = value(subject, aspect, state)?;
+    if subject == Subject::Driver {
+        // What it does at its own pace is given.
+        return Some(match aspect.order() {
+            Order::Velocity => plain * pace.ratio,
+            _ => plain,
+        });
+    }
+    let first = |aspect| value(subject, aspect, state).map(|rate| rate * pace.drift);
     let second = |driven: f64| driven + (plain - driven) * pace.ratio * pace.ratio;
-    let paced = match quantity.aspect {
+    let paced = match aspect {
         Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => plain,
         Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => plain * pace.ratio,
         Aspect::Ax => second(first(Aspect::Vx)?),
@@ -153,7 +171,7 @@ pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> O
         | Aspect::Normal
         | Aspect::Moment => return None,
     };
-    paced.is_finite().then_some(paced)
+    Some(paced)
 }
 
 #[cfg(test)]

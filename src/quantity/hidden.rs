@@ -1,6 +1,6 @@
 //! Figures that exist in a state and are not shown: what does not balance, and what no double holds.
 
-use super::{Aspect, Quantity, Share, Subject};
+use super::{Aspect, FigureSource, Quantity, Share, Subject};
 use crate::solver::{ForceCheck, Order, State, Withheld};
 use crate::wording::words;
 
@@ -39,7 +39,7 @@ impl Hidden {
         state: &State,
     ) -> Option<Hidden> {
         quantities.into_iter().find_map(|quantity| {
-            if quantity.aspect.order() == Order::Force
+            if quantity.order() == Order::Force
                 && let Some(hidden) = Hidden::of_forces(state)
             {
                 return Some(hidden);
@@ -109,11 +109,14 @@ fn residual(check: ForceCheck, state: &State) -> [String; 2] {
 impl Quantity {
     /// Whether the figure exists in this state and is too large for a double.
     pub(crate) fn overflows(&self, state: &State) -> bool {
-        let found = super::value::found(self.subject, self.aspect, state);
-        match self.subject {
-            // Of two points in one place no direction exists: that is no number, and none too large.
-            Subject::Between(..) => found.is_some_and(f64::is_infinite),
-            _ => found.is_some_and(|value| !value.is_finite()),
+        let found = self.found(state);
+        match self.source {
+            // Of two points in one place no direction exists: that is no number, and none too large. So it is with
+            // what a formula leaves open.
+            FigureSource::Solved(Subject::Between(..), _) | FigureSource::Derived(_) => {
+                found.is_some_and(f64::is_infinite)
+            }
+            FigureSource::Solved(..) => found.is_some_and(|value| !value.is_finite()),
         }
     }
 }

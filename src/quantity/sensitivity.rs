@@ -5,10 +5,11 @@
 //! rounding; the two are never mixed. The derivatives are those of the solver's own formulas, see
 //! [`ByLength`](crate::solver::ByLength): nothing is changed by a finite amount.
 
-use super::{Aspect, Quantity};
+use super::Quantity;
 use crate::scene::Scene;
 use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace};
 use crate::{CoordinateAxis, Dual, Length};
+use std::collections::HashMap;
 
 /// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
 const ROUNDING: f64 = 128.0 * f64::EPSILON;
@@ -21,6 +22,8 @@ const MOST_KEPT: usize = 1 << 16;
 pub struct Sensitivity {
     solver: Solver,
     figures: Vec<Quantity>,
+    /// For each figure the first one of its unit.
+    alike: Vec<usize>,
     lengths: Vec<Length>,
     names: Vec<String>,
     demand: Demand,
@@ -89,6 +92,7 @@ impl Sensitivity {
         Sensitivity {
             solver: solver.clone(),
             figures: figures.to_vec(),
+            alike: of_one_unit(figures),
             ready: vec![None; lengths.len()],
             lengths,
             names,
@@ -161,47 +165,35 @@ impl Sensitivity {
     /// What rounding has left of derivatives that are nothing is nothing.
     fn round(&self, numbers: &mut [f64]) {
         let count = self.lengths.len().max(1);
-        let mut sizes = [0.0_f64; UnitClass::COUNT];
-        for (figure, all) in self.figures.iter().zip(numbers.chunks(count)) {
-            let value = figure.value(self.base.state()).map_or(0.0, f64::abs);
-            let size = &mut sizes[UnitClass::of(figure)];
+        let mut sizes = vec![0.0_f64; self.figures.len()];
+        for (i, all) in numbers.chunks(count).enumerate().take(self.figures.len()) {
+            let value = self.figures[i]
+                .value(self.base.state())
+                .map_or(0.0, f64::abs);
+            let size = &mut sizes[self.alike[i]];
             *size = size.max(value / self.solver.scale());
             *size = all.iter().fold(*size, |size, d| size.max(d.abs()));
         }
-        for (figure, all) in self.figures.iter().zip(numbers.chunks_mut(count)) {
-            let nothing = ROUNDING * sizes[UnitClass::of(figure)];
+        for (&alike, all) in self.alike.iter().zip(numbers.chunks_mut(count)) {
+            let nothing = ROUNDING * sizes[alike];
             let small = all.iter_mut().filter(|d| d.abs() <= nothing);
             small.for_each(|d| *d = 0.0);
         }
     }
 }
 
-/// The derivative of a figure.
-fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
-    super::value(figure.subject, figure.aspect, state).map(|dual| dual.slope)
+/// For each figure the first one of its unit: their derivatives are measured by the largest.
+fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
+    let mut first: HashMap<&str, usize> = HashMap::new();
+    let numbers = figures.iter().enumerate();
+    numbers
+        .map(|(i, figure)| *first.entry(&figure.unit).or_insert(i))
+        .collect()
 }
 
-/// Figures of one unit: their derivatives are measured by the largest.
-struct UnitClass;
-
-impl UnitClass {
-    const COUNT: usize = 9;
-
-    fn of(figure: &Quantity) -> usize {
-        let order = match figure.aspect.order() {
-            Order::Position => 0,
-            Order::Velocity => 1,
-            Order::Acceleration | Order::Force => 2,
-        };
-        match figure.aspect {
-            Aspect::Angle | Aspect::Omega | Aspect::Alpha => 3 + order,
-            Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => order,
-            Aspect::Length | Aspect::Rate | Aspect::Accel => order,
-            Aspect::Torque | Aspect::Moment => 6,
-            Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => 7,
-            Aspect::Power => 8,
-        }
-    }
+/// The derivative of a figure.
+fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
+    figure.value(state).map(|dual| dual.slope)
 }
 
 /// As the scene names it.

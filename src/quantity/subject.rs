@@ -1,5 +1,6 @@
 //! What a figure is about, and which figure it is.
 
+use crate::expression::{Dimension, Kind, Revolution};
 use crate::scene::VectorKind;
 use crate::solver::Order;
 use crate::{LinkId, PointId, SlideId};
@@ -199,19 +200,35 @@ impl Aspect {
         }
     }
 
+    /// What it measures.
+    pub(super) fn dimension(self) -> Dimension {
+        let rate = |times: usize, of: Dimension| (0..times).fold(of, |of, _| of.rate());
+        match self {
+            Aspect::Angle => Dimension::DEGREES,
+            Aspect::Omega => rate(1, Dimension::DEGREES),
+            Aspect::Alpha => rate(2, Dimension::DEGREES),
+            Aspect::X | Aspect::Y | Aspect::Length => Dimension::LENGTH,
+            Aspect::Vx | Aspect::Vy | Aspect::Rate => rate(1, Dimension::LENGTH),
+            Aspect::Ax | Aspect::Ay | Aspect::Accel => rate(2, Dimension::LENGTH),
+            Aspect::Torque | Aspect::Moment => Dimension::MOMENT,
+            Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => Dimension::FORCE,
+            Aspect::Power => rate(1, Dimension::MOMENT),
+        }
+    }
+
+    /// What it is in a formula.
+    pub(super) fn kind(self, subject: Subject) -> Kind {
+        match (self, subject) {
+            // The driver's angle counts its turns.
+            (Aspect::Angle, Subject::Driver) => Kind::direction(Revolution::Counted),
+            (Aspect::Angle, _) => Kind::direction(Revolution::Wrapped),
+            _ => Kind::plain(self.dimension()),
+        }
+    }
+
     /// Its unit, in a scene whose lengths are in `length`.
     #[must_use]
     pub fn unit(self, length: &str) -> String {
-        match self {
-            Aspect::Angle => "deg".into(),
-            Aspect::Omega => "rad/s".into(),
-            Aspect::Alpha => "rad/s^2".into(),
-            Aspect::X | Aspect::Y | Aspect::Length => length.into(),
-            Aspect::Vx | Aspect::Vy | Aspect::Rate => format!("{length}/s"),
-            Aspect::Ax | Aspect::Ay | Aspect::Accel => format!("{length}/s^2"),
-            Aspect::Torque | Aspect::Moment => "N m".into(),
-            Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => "N".into(),
-            Aspect::Power => "W".into(),
-        }
+        self.dimension().symbol(length)
     }
 }

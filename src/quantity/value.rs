@@ -46,8 +46,13 @@ pub fn bound(
 ) -> Option<f64> {
     let value = value(subject, aspect, state)?;
     let ball = self::value(subject, aspect, enclosure)?;
+    apart(value, ball, aspect == Aspect::Angle)
+}
+
+/// How far a figure can be from the truth, which a ball holds.
+pub(super) fn apart(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
     // Directions just before and just after a full turn are close.
-    let turn = if aspect == Aspect::Angle && (value - ball.mid).abs() > angle::TURN / 2.0 {
+    let turn = if is_direction && (value - ball.mid).abs() > angle::TURN / 2.0 {
         angle::TURN.copysign(ball.mid - value)
     } else {
         0.0

@@ -1,7 +1,7 @@
 //! The columns of a sweep: figures, and behind each what is known of its errors.
 
 use super::answers::per;
-use crate::quantity::{Quantity, Subject};
+use crate::quantity::Quantity;
 
 /// What a sweep says of each figure beside its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl Columns {
     /// The driver's coordinate and these figures; the headers bear units if asked.
     #[must_use]
     pub fn new(driver: &Quantity, figures: &[Quantity], units: bool) -> Self {
-        let figures = figures.iter().filter(|q| q.subject != Subject::Driver);
+        let figures = figures.iter().filter(|q| !q.is_driver());
         let figures: Vec<Quantity> = figures.cloned().collect();
         let quantities: Vec<Quantity> = std::iter::once(driver).chain(&figures).cloned().collect();
         Columns {

@@ -4,7 +4,7 @@
 use super::columns::{CellSource, Columns};
 use super::tables::{seen, seen_bound};
 use crate::Ball;
-use crate::quantity::{Quantity, Sensitivity, Subject};
+use crate::quantity::{Quantity, Sensitivity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 
@@ -70,16 +70,14 @@ impl<'a> ErrorCells<'a> {
     fn bound(&self, quantity: &Quantity, state: &State) -> Option<f64> {
         let bound = quantity.bound(state, &self.enclosure);
         match quantity.value(state) {
-            Some(value) if self.rounded && quantity.subject != Subject::Driver => {
-                seen_bound(value, bound)
-            }
+            Some(value) if self.rounded && !quantity.is_driver() => seen_bound(value, bound),
             _ => bound,
         }
     }
 
     fn figure(&mut self, quantity: &Quantity, state: &State) -> Option<f64> {
         let value = quantity.value(state)?;
-        if quantity.subject == Subject::Driver {
+        if quantity.is_driver() {
             return Some(value);
         }
         let bound = quantity.bound(state, &self.enclosure);

@@ -5,7 +5,7 @@
 
 use super::columns::{CellSource, Columns};
 use super::number::{direction, shortest, significant, upwards};
-use crate::quantity::{Aspect, Quantity, Subject, state_word};
+use crate::quantity::{Quantity, state_word};
 use crate::solver::Condition;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -182,8 +182,7 @@ const BOUND_DIGITS: usize = 2;
 
 /// A figure in a text table; the driver's angle counts turns and is never taken for a direction.
 fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {
-    let turns = quantity.subject == Subject::Driver;
-    if quantity.aspect == Aspect::Angle && !turns {
+    if quantity.is_direction() {
         direction(value, digits)
     } else {
         significant(value, digits)

@@ -1,6 +1,7 @@
 //! What the file says, element by element, before names are joined.
 
 use super::Unit;
+use super::figures::{self, DraftFigure, FigureEntries};
 use super::input::{self, DraftDriver};
 use super::link::{self, DraftLink, Links};
 use super::loads::{self, DraftLoad, DraftSpring, Loads, Springs};
@@ -30,6 +31,7 @@ pub(super) struct SceneFile {
     loads: Option<Loads>,
     springs: Option<Springs>,
     gravity: Option<CoordinatePair>,
+    figures: Option<FigureEntries>,
     motor: Option<Lenient<motor::MotorTable>>,
     redundant: Option<Lenient<redundant::RedundantTable>>,
 }
@@ -55,6 +57,7 @@ pub(super) struct SceneDraft<'t> {
     pub(super) springs: Vec<DraftSpring<'t>>,
     pub(super) motor: Option<Motor>,
     pub(super) gravity: Vec2,
+    pub(super) figures: Vec<DraftFigure<'t>>,
     pub(super) redundant: Redundant,
     /// Whether a section could not be read at all: its names are missing everywhere.
     pub(super) unreadable: bool,
@@ -86,6 +89,9 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     if let Some(value) = &file.redundant {
         draft.redundant = redundant::read(reader, draft.unit, value);
         draft.unreadable |= value.get().is_none();
+    }
+    if let Some(value) = &file.figures {
+        draft.figures = figures::figures(reader, value);
     }
     if let Some(value) = &file.motor {
         let driven = draft.driver.as_ref().map(|driver| &driver.input);

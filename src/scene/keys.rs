@@ -38,6 +38,8 @@ pub(super) enum KeyKind {
     List(&'static [SceneKey]),
     /// Named pairs of names.
     Vectors,
+    /// Named texts.
+    Formulas,
 }
 
 /// What a number measures.
@@ -76,7 +78,7 @@ macro_rules! keys {
     };
 }
 
-use KeyKind::{Each, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
+use KeyKind::{Each, Formulas, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
 use NumberMeasure::{Driver, Effort, Of};
 
 keys! {
@@ -95,6 +97,7 @@ SCENE =
     "loads": List(LOAD), [], "any number of loads, each a force, a torque or a press", "none";
     "springs": List(SPRING), [], "any number of springs and dampers between points", "none";
     "gravity": Pair(Of(Measure::Gravity)), [], "acceleration of free fall `[x, y]` in m/s^2", "`[0, 0]`";
+    "figures": Formulas, [], "figures made of others, by formulas: `swing = \"r4.angle - r3.angle\"`", "none";
     "motor": Table(MOTOR), [], "what is to drive the scene; it changes no motion", "none";
     "redundant": Table(REDUNDANT), [], "what is asked of constraints that repeat others", "none";
 
@@ -205,7 +208,7 @@ impl SceneKey {
         let name = self.name;
         match self.kind {
             Text | Number(_) | Pair(_) | Rate(_) | Knots(..) => None,
-            Points(_) | Vectors => Some((format!("[{name}]"), &[])),
+            Points(_) | Vectors | Formulas => Some((format!("[{name}]"), &[])),
             Table(keys) | Each(keys) => Some((format!("[{name}]"), keys)),
             List(keys) => Some((format!("[[{name}]]"), keys)),
         }

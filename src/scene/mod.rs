@@ -45,6 +45,7 @@
 
 mod defect;
 mod draft;
+mod figures;
 mod guide;
 mod input;
 mod keys;
@@ -69,10 +70,12 @@ mod unit;
 mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub use figures::NamedFormula;
 pub(crate) use input::coordinate_key;
 pub use keys::reference;
 pub use measure::Measure;
 pub use motor::Motor;
+pub(crate) use names::is_figure_name;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
@@ -103,6 +106,8 @@ pub struct Scene {
     pub mechanism: Mechanism,
     /// The vectors of the tables in the order of the file: links with two ends, slides, `[vectors]`.
     pub vectors: Vec<Vector>,
+    /// The figures that are made of others (`[figures]`), in the order of the file.
+    pub figures: Vec<NamedFormula>,
     /// The motor that is to drive it (`[motor]`).
     pub motor: Option<Motor>,
     pub(crate) point_names: Vec<Option<String>>,
@@ -172,6 +177,7 @@ impl Scene {
         let scene = root.and_then(|root| {
             let draft = draft::read(&mut reader, &root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
+            let figures = draft.figures.into_iter();
             Some(Scene {
                 name: draft.name.unwrap_or_else(|| stem(origin)),
                 source: draft.source,
@@ -179,6 +185,7 @@ impl Scene {
                 unit: draft.unit,
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
+                figures: figures.filter_map(|figure| figure.formula).collect(),
                 motor: draft.motor,
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,

@@ -10,6 +10,8 @@ use std::collections::{HashMap, HashSet};
 
 /// Names with a meaning of their own in columns.
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
+/// What figures may not be called beside that: what stands along x, and a number of mathematics.
+const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
 /// Characters in a name: columns are named by it.
 const LONGEST: usize = 64;
 /// Names that a help lists at most.
@@ -22,10 +24,18 @@ pub(super) enum Sort {
     Link,
     Slide,
     Vector,
+    Figure,
 }
 
 impl Sort {
-    const ALL: [Sort; 4] = [Sort::Point, Sort::Link, Sort::Slide, Sort::Vector];
+    const ALL: [Sort; Sort::COUNT] = [
+        Sort::Point,
+        Sort::Link,
+        Sort::Slide,
+        Sort::Vector,
+        Sort::Figure,
+    ];
+    const COUNT: usize = 5;
 
     fn noun(self) -> &'static str {
         match self {
@@ -33,6 +43,7 @@ impl Sort {
             Sort::Link => "link",
             Sort::Slide => "slide",
             Sort::Vector => "vector",
+            Sort::Figure => "figure",
         }
     }
 }
@@ -46,7 +57,7 @@ struct Symbol {
 /// All names of a scene.
 pub(super) struct Names<'t> {
     /// By [`Sort`]: a name with two meanings, once reported, has both.
-    symbols: HashMap<&'t str, [Option<Symbol>; 4]>,
+    symbols: HashMap<&'t str, [Option<Symbol>; Sort::COUNT]>,
     points: Vec<(&'t str, ByteSpan)>,
     lost_points: bool,
 }
@@ -108,7 +119,7 @@ impl<'t> Names<'t> {
                 .at(name.span.clone(), format!("a {one} here"))
                 .and(known.span.clone(), format!("a {other} here"))
                 .help(
-                    "points, links, slides and vectors share one set of names: rename one of them",
+                    "points, links, slides, vectors and figures share one set of names: rename one of them",
                 ),
         )
     }
@@ -199,7 +210,16 @@ fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize
     for (i, vector) in draft.vectors.iter().enumerate() {
         all.push((&vector.name, Sort::Vector, i));
     }
+    for (i, figure) in draft.figures.iter().enumerate() {
+        all.push((&figure.name, Sort::Figure, i));
+    }
     all
+}
+
+/// Whether a figure may be called so, as far as its name by itself tells.
+pub(crate) fn is_figure_name(text: &str) -> bool {
+    let name = Name { text, span: 0..0 };
+    bad(&name, Sort::Figure).is_none()
 }
 
 /// What is wrong with a name by itself.
@@ -208,8 +228,12 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
         |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
-    if RESERVED.contains(&text) {
-        let list = RESERVED.join("`, `");
+    let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
+        Sort::Figure => RESERVED_IN_FORMULAS.len(),
+        _ => 0,
+    }];
+    if RESERVED.contains(&text) || of_formulas.contains(&text) {
+        let list = [&RESERVED, of_formulas].concat().join("`, `");
         let fault = fault(format!("the name {name} is reserved"), "reserved").help(format!(
             "columns use `{list}` with a meaning of their own: choose another name"
         ));

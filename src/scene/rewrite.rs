@@ -277,6 +277,20 @@ mod tests {
     }
 
     #[test]
+    fn figures_stay_and_are_read_again() {
+        let figures = "[figures]\nswing = 'r4.angle - r3.angle' # deg\nfast = \"swing.rate\"\n";
+        let new = rewritten(&format!("{figures}{BODY}"));
+        assert!(new.starts_with(figures), "{new}");
+        let scene = Scene::parse(&new, "test").unwrap();
+        let read = scene.figures.iter().map(|f| [&*f.name, &*f.text]);
+        let read: Vec<_> = read.collect();
+        assert_eq!(
+            read,
+            [["swing", "r4.angle - r3.angle"], ["fast", "swing.rate"]]
+        );
+    }
+
+    #[test]
     fn the_opening_moves_where_it_is_asked_to() {
         let scene = Scene::parse(BODY, "test").unwrap();
         let moved = scene.rewritten(&[], Some(0.1 + 0.2), Precision::Rough);

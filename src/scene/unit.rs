@@ -43,7 +43,7 @@ impl Unit {
 
     /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
     /// operation.
-    pub(super) fn tenths_of_mm(self) -> f64 {
+    pub(crate) fn tenths_of_mm(self) -> f64 {
         self.whole_tenths_of_mm().into()
     }
 

@@ -166,7 +166,7 @@ impl Collector<'_> {
     ) {
         let name = join(of, name);
         match key.kind {
-            KeyKind::Text | KeyKind::Vectors => {}
+            KeyKind::Text | KeyKind::Vectors | KeyKind::Formulas => {}
             KeyKind::Number(size) => self.number(name + again, size, value),
             // A point by its name has no coordinates here.
             KeyKind::Pair(size) => self.pair(&name, again, size, value),

@@ -2,6 +2,7 @@
 //! shown.
 
 use super::fuzz::{Fuzz, shape};
+use crate::quantity::check_figures;
 use crate::report::{Forces, Working};
 use crate::scene::{Diagnostics, Scene, is_harmful};
 use crate::solver::{Condition, Order, Solver};
@@ -19,6 +20,8 @@ const WORDS: &[&str] = &[
     "[vectors]\n",
     "[[loads]]\n",
     "[links.r2]\n",
+    "[figures]\n",
+    "swing = \"r4.angle - r3.angle\"\n",
     "A",
     "B",
     "C",
@@ -119,6 +122,9 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
         Ok(solver) => solver,
         Err(fault) => return refused(&scene.explain(&fault), outcome),
     };
+    if let Err(faults) = check_figures(scene) {
+        return refused(&faults, outcome);
+    }
     let (links, points) = (mechanism.links().len(), mechanism.points().len());
     (links.min(8), points.min(12), solver.plan().groups.len()).hash(outcome);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());

@@ -16,14 +16,14 @@ fn acted() -> impl Iterator<Item = (&'static str, Scene)> {
 
 fn forces(scene: &Scene) -> Vec<Quantity> {
     let all = Catalogue::new(scene).all().to_vec();
-    let is_force = |q: &Quantity| q.aspect.order() == Order::Force;
+    let is_force = |q: &Quantity| q.order() == Order::Force;
     all.into_iter().filter(is_force).collect()
 }
 
 fn is_residual(quantity: &Quantity) -> bool {
     matches!(
-        quantity.subject,
-        Subject::FrameResidual | Subject::Drive(Share::Residual)
+        quantity.subject(),
+        Some(Subject::FrameResidual | Subject::Drive(Share::Residual))
     )
 }
 

@@ -27,6 +27,7 @@ pub(crate) trait Words:
     + FiguresWords
     + FilesWords
     + ForcesWords
+    + FormulasWords
     + HelpingWords
     + HintsWords
     + ManualWords

@@ -1,6 +1,6 @@
 //! `sweep`: columns, rows and numbers.
 
-use super::{Run, command, done, json, krank, refused, rows, run};
+use super::{Run, command, done, folder, json, krank, refused, rows, run};
 
 fn header(csv: &str) -> &str {
     csv.lines().next().unwrap()
@@ -394,4 +394,136 @@ fn too_many_derivatives_are_refused() {
         assert_eq!(heard.code, 2, "{}", heard.err);
         assert!(heard.err.contains("are too many"), "{}", heard.err);
     }
+}
+
+/// Patterns mean what they meant before there were figures that come by their names.
+#[test]
+fn what_is_made_of_others_comes_when_it_is_named() {
+    let all = done(&["sweep", "four-bar-load", "--to", "0", "--no-units"]);
+    let starred = [
+        "sweep",
+        "four-bar-load",
+        "--to",
+        "0",
+        "--no-units",
+        "--columns",
+        "*",
+    ];
+    assert_eq!(header(&done(&starred)), header(&all));
+    for column in ["C.v", "C.a.t", "ground.f", "r3.com.a.angle"] {
+        assert!(!header(&all).split(',').any(|name| name == column));
+        let args = [
+            "sweep",
+            "four-bar-load",
+            "--to",
+            "0",
+            "--no-units",
+            "--columns",
+        ];
+        let csv = done(&[&args[..], &[column]].concat());
+        assert_eq!(header(&csv), format!("driver.angle,{column},state"));
+    }
+    let sweep = ["sweep", "four-bar", "--to", "0", "--columns"];
+    assert!(refused(2, &[&sweep[..], &["C.u.angle"]].concat()).contains("C.v.angle"));
+    assert!(refused(2, &[&sweep[..], &["ground.f"]].concat()).contains("nothing acts"));
+}
+
+/// A formula is the arithmetic that a spreadsheet would do with the cells beside it.
+#[test]
+fn a_formula_is_the_arithmetic_of_the_cells() {
+    let csv = done(&[
+        "sweep",
+        "four-bar",
+        "--step",
+        "7",
+        "--columns",
+        "r3.angle,r4.angle,C.x,C.vx,C.vy,swing = r3.angle - r4.angle,v = hypot(C.vx, C.vy),C.v",
+        "--columns",
+        "time-of-way = (C.x - 1 cm) / v",
+    ]);
+    assert!(header(&csv).ends_with("swing [deg],v [mm/s],C.v [mm/s],time-of-way [s],state"));
+    let mut turns = 0;
+    for row in rows(&csv) {
+        let cell = |i: usize| row[i].parse::<f64>().unwrap();
+        let [three, four, x, vx, vy] = [1, 2, 3, 4, 5].map(cell);
+        let apart = three - four;
+        let way = apart - 360.0 * ((apart - 180.0) / 360.0).ceil();
+        turns += usize::from(way != apart);
+        assert_eq!(cell(6), way);
+        assert_eq!(cell(7), vx.hypot(vy));
+        assert_eq!(cell(8), cell(7));
+        assert_eq!(cell(9), (x - 10.0) / vx.hypot(vy));
+    }
+    assert!(turns > 5, "{turns}");
+}
+
+#[test]
+fn formulas_that_are_wrong_say_why() {
+    let sweep = |columns| refused(2, &["sweep", "four-bar", "--to", "0", "--columns", columns]);
+    for (columns, phrase) in [
+        ("x = C.x + C.vx", "`C.x` is in mm and `C.vx` is in mm/s"),
+        ("x = r4.angle + 90", "write a unit behind the number"),
+        ("x = C.x-C.y", "between blanks"),
+        ("x = r4.omgea * 2", "did you mean `r4.omega`?"),
+        ("C = C.x", "names something else already"),
+        ("x = C.ax,x.rate", "no rate of C.ax is known"),
+        ("= C.x", "behind a name and `=`"),
+        ("pi = C.x", "is no name for a figure"),
+    ] {
+        let told = sweep(columns);
+        assert!(
+            told.contains(phrase) && told.contains("--columns"),
+            "{columns}: {told}"
+        );
+    }
+}
+
+#[test]
+fn figures_of_a_scene_are_known_to_every_command() {
+    let scene = include_str!("../../presets/four-bar.toml");
+    let figures = "\n[figures]\nfast = \"2 * swing.rate\"\nswing = \"r4.angle - r3.angle\"\n";
+    let path = folder("figures").join("scene.toml");
+    std::fs::write(&path, [scene, figures].concat()).unwrap();
+    let path = path.to_str().unwrap();
+    let csv = done(&[
+        "sweep",
+        path,
+        "--from",
+        "60",
+        "--to",
+        "60",
+        "--columns",
+        "swing,fast,swing.accel",
+        "--bounds",
+    ]);
+    assert_eq!(
+        header(&csv),
+        "driver.angle [deg],swing [deg],swing.bound [deg],fast [rad/s],fast.bound [rad/s],swing.accel [rad/s^2],\
+         swing.accel.bound [rad/s^2],state"
+    );
+    let row = &rows(&csv)[0];
+    assert!(row.iter().all(|cell| !cell.is_empty()), "{row:?}");
+    let all = done(&["sweep", path, "--to", "0"]);
+    assert!(!header(&all).contains("swing"));
+    let plot = done(&[
+        "plot",
+        path,
+        "--columns",
+        "swing",
+        "--against",
+        "fast",
+        "--size",
+        "60x20",
+    ]);
+    assert!(
+        plot.contains("swing") && plot.contains("over fast"),
+        "{plot}"
+    );
+    let wrong = "[figures]\nswing = \"r4.angle - r5.angle\"\n";
+    std::fs::write(path, [scene, wrong].concat()).unwrap();
+    let told = refused(2, &["check", path]);
+    assert!(
+        told.contains("no quantity is named `r5.angle`") && told.contains("scene.toml"),
+        "{told}"
+    );
 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 23] = [
+const PLACES: [(&str, u8); 24] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -22,6 +22,7 @@ const PLACES: [(&str, u8); 23] = [
     ("pixels", 1),
     ("files", 1),
     ("document", 2),
+    ("expression", 3),
     ("page", 3),
     ("mechanism", 3),
     ("scene", 4),

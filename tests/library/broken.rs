@@ -1,6 +1,7 @@
 //! Every file of `tests/broken` is refused, with the phrases and at the places that its head names:
 //! `# expect: a phrase of the message` and `# at: LINE:COLUMN`, each as often as wanted.
 
+use krank::quantity::check_figures;
 use krank::scene::{Diagnostics, Scene};
 use krank::solver::Solver;
 use std::collections::BTreeSet;
@@ -19,8 +20,9 @@ fn faults(bytes: &[u8], origin: &str) -> Option<Diagnostics> {
     match Scene::read(bytes, origin) {
         Err(faults) => Some(faults),
         Ok(scene) => {
-            let fault = Solver::new(&scene.mechanism).err()?;
-            Some(scene.explain(&fault))
+            let fault = Solver::new(&scene.mechanism).err();
+            let wrong = check_figures(&scene).err();
+            wrong.or_else(|| Some(scene.explain(&fault?)))
         }
     }
 }

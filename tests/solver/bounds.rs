@@ -60,7 +60,10 @@ const LINK: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
 impl Trial {
     fn of_scene(scene: &Scene) -> Trial {
         let catalogue = Catalogue::new(scene);
-        let figures = catalogue.all().iter().map(|q| (q.subject, q.aspect));
+        let figures = catalogue
+            .all()
+            .iter()
+            .filter_map(|q| Some((q.subject()?, q.aspect()?)));
         let solver = Solver::new(&scene.mechanism).unwrap();
         Trial::new(solver, figures.collect())
     }

@@ -400,7 +400,7 @@ fn a_scene_on_which_nothing_acts_has_no_forces() {
     let solver = Solver::new(&scene.mechanism).unwrap();
     assert!(!solver.has_forces());
     let names = Catalogue::new(&scene);
-    assert!(names.all().iter().all(|q| q.aspect.order() < Order::Force));
+    assert!(names.all().iter().all(|q| q.order() < Order::Force));
     let mut state = solver.state();
     let _ = solver.solve(60.0, Order::Force, &mut state);
     assert_eq!(state.drive(), None);

@@ -11,6 +11,7 @@ mod typed;
 mod assemblies;
 mod bounds;
 mod coupled_assemblies;
+mod derived;
 mod forces;
 mod reference;
 mod sensitivity;

@@ -86,7 +86,7 @@ pub(in crate::cli) struct SweepArgs {
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
     pub(in crate::cli) step: Option<WrittenDecimal>,
     #[arg(help = words().columns_or_all())]
-    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    #[arg(long, value_name = "PATTERNS")]
     pub(in crate::cli) columns: Vec<String>,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]

@@ -168,7 +168,7 @@ pub(in crate::cli) struct PlotArgs {
     #[command(flatten)]
     pub(in crate::cli) scene: SceneArgs,
     #[arg(help = words().columns_to_plot())]
-    #[arg(long, value_name = "PATTERNS", value_delimiter = ',', required = true)]
+    #[arg(long, value_name = "PATTERNS", required = true)]
     pub(in crate::cli) columns: Vec<String>,
     #[arg(help = words().plot_against())]
     #[arg(long, value_name = "NAME", default_value = "driver")]

@@ -32,7 +32,7 @@ use crate::Vec2;
 use crate::drawing::Glyphs;
 use crate::drawing::figure::Role;
 use crate::drawing::roles::{link_of, link_roles};
-use crate::quantity::{Abscissa, Aspect, Curves, Quantity, Subject};
+use crate::quantity::{Abscissa, Aspect, Curves, FigureSource, Quantity, Subject};
 
 /// Curves against an axis, in panels.
 #[derive(Clone, Debug, PartialEq)]
@@ -199,7 +199,7 @@ impl Plot {
         let links = link_roles(mechanism);
         let role = |line: &PlotCurve| {
             let curve = curves.curves.get(line.figure?)?;
-            let link = link_of(mechanism, curve.quantity.subject)?;
+            let link = link_of(mechanism, curve.quantity.subject()?)?;
             Some(links[link.index()])
         };
         for panel in &mut self.panels {
@@ -301,8 +301,10 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
 /// Whether both axes are places in the plane, in one unit.
 fn is_true(curves: &Curves) -> bool {
     let is_place = |quantity: &Quantity| {
-        matches!(quantity.subject, Subject::Point(_))
-            && matches!(quantity.aspect, Aspect::X | Aspect::Y)
+        matches!(
+            quantity.source,
+            FigureSource::Solved(Subject::Point(_), Aspect::X | Aspect::Y)
+        )
     };
     match &curves.abscissa {
         Abscissa::Figure(along) => {

@@ -12,7 +12,7 @@ use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
 pub use extrema::Extremum;
-use probe::{Probe, beside, wraps};
+use probe::{Probe, beside};
 use span::{NEAR, shown};
 use thiserror::Error;
 
@@ -288,7 +288,7 @@ impl Curves {
         let value = |curve: &Curve| {
             let value = paced(&curve.quantity, state, pace)?;
             Some(match curve.level {
-                Some(level) if wraps(&curve.quantity) => beside(level, value),
+                Some(level) if curve.quantity.is_direction() => beside(level, value),
                 Some(_) | None => value,
             })
         };

@@ -1,7 +1,7 @@
 //! Reading quantities anywhere on the way: samples, slopes, and jumps between samples.
 
 use super::super::clock::{Clock, Pace, paced};
-use super::super::{Aspect, Hidden, Quantity, Subject, demand};
+use super::super::{Hidden, Quantity, demand};
 use super::span::usual;
 use crate::angle::{self, TURN};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
@@ -20,11 +20,6 @@ const DOUBT: f64 = 4.0;
 const BESIDE: f64 = 1e-12;
 /// The places at which errors are looked at, to tell such a change.
 const WITNESSES: usize = 16;
-
-/// Whether a quantity is a direction, which goes on at 0 where it comes to 360 deg.
-pub(super) fn wraps(quantity: &Quantity) -> bool {
-    quantity.aspect == Aspect::Angle && quantity.subject != Subject::Driver
-}
 
 /// A direction as it is counted by whoever counts from another one: within half a turn of that.
 pub(super) fn beside(other: f64, direction: f64) -> f64 {
@@ -111,7 +106,7 @@ impl Probe {
         let rate = self.columns[column].rate()?;
         let (at, pace) = (self.coordinate(place), self.pace(place));
         let (solver, state) = &mut self.slopes;
-        let _ = solver.solve(at, rate.aspect.order(), state);
+        let _ = solver.solve(at, rate.order(), state);
         paced(&rate, state, pace)
     }
 
@@ -168,7 +163,7 @@ impl Probe {
         places: &[f64],
         values: &[Option<f64>],
     ) -> Vec<bool> {
-        let wraps = wraps(&self.columns[column]);
+        let wraps = self.columns[column].is_direction();
         let size = usual(values).map_or(0.0, |(low, high)| high - low);
         let pairs = values.windows(2).zip(places.windows(2));
         pairs
@@ -220,7 +215,7 @@ impl Probe {
         let firm = firm.filter(|(_, (_, condition))| **condition != Condition::DeadPoint);
         let mut firm: Vec<(usize, f64)> = firm.filter_map(|(i, (v, _))| Some((i, (*v)?))).collect();
         let mut level = firm.first()?.1;
-        if wraps(&self.columns[column]) {
+        if self.columns[column].is_direction() {
             level = beside(0.0, level);
             firm.iter_mut().for_each(|(_, v)| *v = beside(level, *v));
         }
@@ -248,7 +243,7 @@ impl Probe {
                 level = 0.0;
             }
         }
-        Some(if wraps(&self.columns[column]) {
+        Some(if self.columns[column].is_direction() {
             angle::wrapped(level)
         } else {
             level

@@ -1,4 +1,3 @@
-use super::super::Aspect;
 use super::extrema::LEAST_TURN;
 use super::span::ends;
 use super::*;
@@ -208,11 +207,11 @@ fn directions_jump_at_360_deg_and_nothing_else_does() {
         for piece in curves.pieces(i) {
             let steps = piece.windows(2).map(|p| (p[1][1] - p[0][1]).abs());
             let most = steps.fold(0.0, f64::max);
-            if curve.quantity.aspect == Aspect::Angle {
+            if curve.quantity.is_direction() {
                 assert!(most < 180.0, "{} {most}", curve.quantity.name);
             }
         }
-        if curve.quantity.aspect != Aspect::Angle {
+        if !curve.quantity.is_direction() {
             assert_eq!(curves.pieces(i).len(), 1, "{}", curve.quantity.name);
         }
     }

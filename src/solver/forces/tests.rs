@@ -630,7 +630,7 @@ fn no_bound_of_a_force_is_smaller_than_its_error() {
         let scene = Scene::parse(&text, name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let figures = Catalogue::new(&scene);
-        let is_force = |q: &&Quantity| q.aspect.order() == Order::Force;
+        let is_force = |q: &&Quantity| q.order() == Order::Force;
         let figures: Vec<&Quantity> = figures.all().iter().filter(is_force).collect();
         let (mut state, mut balls) = (solver.state(), solver.enclosure());
         let mut truth = solver.twice();

@@ -1,6 +1,7 @@
 //! Opening scenes from inside the workbench: what is wrong with one is said in a line.
 
 use crate::files::read_file;
+use crate::quantity::check_figures;
 use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
 use crate::solver::Solver;
@@ -64,6 +65,7 @@ pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
 
 /// The scene with its solver.
 pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
+    check_figures(&scene)?;
     match Solver::new(&scene.mechanism) {
         Ok(solver) => Ok((scene, solver)),
         Err(fault) => Err(scene.explain(&fault)),

@@ -80,12 +80,14 @@ Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
   krank sweep four-bar --columns 'C.*,*.omega' --format json
   krank sweep press-ram --step 0.1 -o press.csv
+  krank sweep four-bar --columns 'C.v,C.a.t,swing = r4.angle - r3.angle,swing.rate'
 
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
 krank sweep SCENE | head -n 1 shows all of a scene's. Where anything acts there
 are driver.torque, driver.power, r3.B.fx (the force on link r3 at pin B),
 r4.normal, r6.moment, ground.fx, and the residuals of two checks, which would be
-zero but for rounding. The driver's coordinate always comes first and the state
+zero but for rounding. C.v, C.a.angle, C.a.t, r3.B.f and the like come when they
+are named, and behind = stands a formula (krank help columns). The driver's coordinate always comes first and the state
 last: ok, change-point, dead-point or no-assembly. A value that does not exist
 is an empty cell (null in JSON).
 --bounds puts C.x.bound behind each C.x, in the same unit: what the error of

@@ -102,7 +102,7 @@ impl Plots {
             return usual(scene);
         };
         let catalogue = Catalogue::new(scene);
-        let known = |name: &&String| catalogue.all().iter().any(|q| q.name == **name);
+        let known = |name: &&String| catalogue.find(name).is_some();
         chosen.iter().filter(known).cloned().collect()
     }
 
@@ -185,7 +185,7 @@ impl Plots {
         };
         let (scene, solver) = (compared.scene(), compared.solver());
         let catalogue = Catalogue::new(scene);
-        let known = |name: &String| catalogue.all().iter().any(|q| q.name == *name);
+        let known = |name: &String| catalogue.find(name).is_some();
         let along = match &self.along {
             Along::Driver | Along::Time => true,
             Along::Figure(name) => known(name),
@@ -244,7 +244,7 @@ fn sampled(
     along: &Along,
 ) -> Result<Curves, String> {
     let catalogue = Catalogue::new(scene);
-    let find = |name: &String| catalogue.all().iter().find(|q| q.name == *name).cloned();
+    let find = |name: &String| catalogue.find(name);
     let mut figures: Vec<Quantity> = names.iter().filter_map(find).collect();
     let abscissa = match along {
         Along::Driver => Abscissa::Driver,

@@ -18,7 +18,9 @@ pub(crate) struct PlotList {
 impl PlotList {
     /// The quantities of a scene, with the cursor on the first of those for which `is_chosen` holds.
     pub(crate) fn new(scene: &Scene, is_chosen: impl Fn(&str) -> bool) -> Self {
-        let all = Catalogue::new(scene).figures();
+        let catalogue = Catalogue::new(scene);
+        let mut all = catalogue.figures();
+        all.extend(catalogue.unlisted());
         let cursor = all.iter().position(|q| is_chosen(&q.name));
         PlotList {
             found: (0..all.len()).collect(),
@@ -63,7 +65,7 @@ impl PlotList {
     /// What the quantity under the cursor is about.
     pub(crate) fn subject(&self) -> Option<Subject> {
         let current = self.all.get(*self.found.get(self.cursor)?)?;
-        Some(current.subject)
+        current.subject()
     }
 
     /// What is searched for, and whether keys are typed into it; `None` where nothing is.

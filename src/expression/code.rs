@@ -1,0 +1,236 @@
+//! A checked formula, as steps over a stack: run over any arithmetic, without allocating.
+
+use super::jet::{Jet, pi};
+use crate::{Constant, Number};
+
+/// A step. It takes its figures from the stack and puts its own there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Op {
+    Number(f64),
+    Pi,
+    /// A figure that is asked for, by its number.
+    Leaf(u16),
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Negate,
+    Power(i8),
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Hypot,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    /// Of y, then x.
+    Atan2,
+    /// Times a quotient of whole numbers.
+    Scale(f64, f64),
+    Radians,
+    Degrees,
+    /// An angle as it is turned the short way: from above -180 to 180 deg.
+    ShortWay,
+    /// An angle as a direction, from 0 to below 360 deg.
+    Wrap,
+    /// A direction as a number: where it may be on either side of 360 deg nothing is known of it.
+    Uncut,
+    Rate,
+}
+
+impl Op {
+    /// How many figures it takes.
+    fn takes(self) -> usize {
+        match self {
+            Op::Number(_) | Op::Pi | Op::Leaf(_) => 0,
+            Op::Add
+            | Op::Subtract
+            | Op::Multiply
+            | Op::Divide
+            | Op::Min
+            | Op::Max
+            | Op::Hypot
+            | Op::Atan2 => 2,
+            _ => 1,
+        }
+    }
+}
+
+/// The steps of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Code {
+    ops: Box<[Op]>,
+    /// Of each step, how often its rate is taken.
+    rates: Box<[u8]>,
+}
+
+/// Figures on the stack at most.
+const STACK: usize = 40;
+/// Steps at most, with those of all formulas that one uses.
+const MOST: usize = 4096;
+/// The degree of the highest rate that a state has.
+const HIGHEST_RATE: u8 = 2;
+
+/// Why steps are too much.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Excess {
+    Steps,
+    Rates,
+}
+
+impl Code {
+    /// Of steps that leave one figure.
+    pub(crate) fn new(ops: Vec<Op>) -> Result<Code, Excess> {
+        if ops.len() > MOST {
+            return Err(Excess::Steps);
+        }
+        let mut rates = vec![0_u8; ops.len()];
+        // Where the steps of each figure on the stack begin.
+        let mut begins: Vec<usize> = Vec::new();
+        for (i, op) in ops.iter().enumerate() {
+            let taken = begins.len().saturating_sub(op.takes());
+            let begin = begins.get(taken).copied().unwrap_or(i);
+            if *op == Op::Rate {
+                rates[begin..i].iter_mut().for_each(|r| *r += 1);
+                if rates[begin..i].iter().any(|r| *r > HIGHEST_RATE) {
+                    return Err(Excess::Rates);
+                }
+            }
+            begins.truncate(taken);
+            begins.push(begin);
+            if begins.len() > STACK {
+                return Err(Excess::Steps);
+            }
+        }
+        Ok(Code {
+            ops: ops.into(),
+            rates: rates.into(),
+        })
+    }
+
+    pub(crate) fn ops(&self) -> &[Op] {
+        &self.ops
+    }
+
+    /// The figures that are asked for, each with how many of its rates.
+    pub(crate) fn leaves(&self) -> impl Iterator<Item = (u16, u8)> {
+        let steps = self.ops.iter().zip(&self.rates);
+        steps.filter_map(|(op, rates)| match op {
+            Op::Leaf(leaf) => Some((*leaf, *rates)),
+            _ => None,
+        })
+    }
+
+    /// The figure, where it exists; `leaf` has those that it is made of, and their rates by degree.
+    pub(crate) fn run<T: Number>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
+        match self.rates.iter().max() {
+            None | Some(0) => self.run_to::<T, 1>(leaf),
+            Some(1) => self.run_to::<T, 2>(leaf),
+            Some(_) => self.run_to::<T, 3>(leaf),
+        }
+    }
+
+    fn run_to<T: Number, const N: usize>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
+        let mut stack = [Jet::<T, N>::default(); STACK];
+        let mut top = 0;
+        for (&op, &rates) in self.ops.iter().zip(&self.rates) {
+            top -= op.takes();
+            let [a, b] = [stack[top], stack[(top + 1).min(STACK - 1)]];
+            stack[top] = match op {
+                Op::Leaf(number) => {
+                    let mut known = [T::default(); N];
+                    for (degree, rate) in (0..=rates).zip(&mut known) {
+                        *rate = leaf(number, degree)?;
+                    }
+                    Jet::of_rates(known)
+                }
+                op => step(op, a, b),
+            };
+            top += 1;
+        }
+        Some(stack[0].value())
+    }
+}
+
+fn step<T: Number, const N: usize>(op: Op, a: Jet<T, N>, b: Jet<T, N>) -> Jet<T, N> {
+    match op {
+        Op::Number(value) => Jet::constant(T::of(Constant::given(value))),
+        Op::Pi => Jet::constant(T::of(pi())),
+        Op::Leaf(_) => Jet::nothing(),
+        Op::Add => a.plus(b),
+        Op::Subtract => a.minus(b),
+        Op::Multiply => a.product(b),
+        Op::Divide => a.quotient(b),
+        Op::Negate => a.negative(),
+        Op::Power(exponent) => a.power(exponent),
+        Op::Sqrt => a.root(),
+        Op::Abs => a.size(),
+        Op::Min => a.lesser(b),
+        Op::Max => a.negative().lesser(b.negative()).negative(),
+        Op::Hypot => Jet::norm(a, b),
+        Op::Sin => a.unit()[1],
+        Op::Cos => a.unit()[0],
+        Op::Tan => {
+            let [cos, sin] = a.unit();
+            sin.quotient(cos)
+        }
+        Op::Asin => arc_sine(a),
+        Op::Acos => Jet::direction(a, other_leg(a)),
+        Op::Atan2 => Jet::direction(b, a),
+        Op::Scale(by, over) => a.scaled(by, over),
+        Op::Radians => a.radians(),
+        Op::Degrees => a.degrees(),
+        Op::ShortWay => short_way(a),
+        Op::Wrap => a.moved(T::wrapped(a.value())),
+        Op::Uncut => uncut(a),
+        Op::Rate => a.rate(),
+    }
+}
+
+/// The sine to a cosine, or the other way round, of an angle in the upper half.
+fn other_leg<T: Number, const N: usize>(leg: Jet<T, N>) -> Jet<T, N> {
+    let one = Jet::constant(T::exactly(1.0));
+    one.minus(leg).product(one.plus(leg)).root()
+}
+
+/// Of a sine: in the lower half plane the direction is counted down from 0. A sine that may be 0 is small, and
+/// its angle is as far from 360 as from 0 deg.
+fn arc_sine<T: Number, const N: usize>(sine: Jet<T, N>) -> Jet<T, N> {
+    let cosine = other_leg(sine);
+    if T::default().exceeds(sine.value()) {
+        Jet::direction(cosine, sine.negative()).negative()
+    } else if sine.value().exceeds(T::exactly(UNDER_NOUGHT)) {
+        Jet::direction(cosine, sine)
+    } else {
+        Jet::nothing()
+    }
+}
+
+/// Half a turn and a turn, in degrees; half a turn counts as the way there and not as the way back.
+const HALF: f64 = 180.0;
+const TURN: f64 = 360.0;
+const OVER_HALF: f64 = 180.000_000_000_000_03;
+const UNDER_NOUGHT: f64 = -f64::MIN_POSITIVE;
+
+fn short_way<T: Number, const N: usize>(way: Jet<T, N>) -> Jet<T, N> {
+    let turns = ((way.value().nearest() - HALF) / TURN).ceil();
+    let short = way.value() - T::exactly(turns * TURN);
+    // Where the cut may be between the figure and the truth, or between lanes.
+    let is_short = short.exceeds(T::exactly(-HALF)) && T::exactly(OVER_HALF).exceeds(short);
+    match is_short {
+        true => way.moved(short),
+        false => Jet::nothing(),
+    }
+}
+
+fn uncut<T: Number, const N: usize>(direction: Jet<T, N>) -> Jet<T, N> {
+    let value = direction.value();
+    let is_within = value.exceeds(T::exactly(UNDER_NOUGHT)) && T::exactly(TURN).exceeds(value);
+    match is_within {
+        true => direction,
+        false => Jet::nothing(),
+    }
+}

@@ -1,0 +1,426 @@
+//! Checks what a formula measures, and makes steps of it.
+
+use super::code::{Code, Op};
+use super::dimension::{Dimension, LengthScale, METRE};
+use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
+use super::{Malformed, code::Excess};
+use crate::wording::words;
+use std::ops::Range;
+
+/// What a figure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Kind {
+    pub(crate) dimension: Dimension,
+    /// Whether it never changes.
+    pub(crate) is_constant: bool,
+    /// Of a direction, how it is counted.
+    pub(crate) revolution: Option<Revolution>,
+}
+
+/// How a direction is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Revolution {
+    /// From 0 to below 360 deg.
+    Wrapped,
+    /// With its turns, as the driver's.
+    Counted,
+}
+
+impl Kind {
+    /// Of a figure that changes, and is no direction.
+    pub(crate) const fn plain(dimension: Dimension) -> Kind {
+        Kind {
+            dimension,
+            is_constant: false,
+            revolution: None,
+        }
+    }
+
+    /// Of a direction.
+    pub(crate) const fn direction(revolution: Revolution) -> Kind {
+        Kind {
+            dimension: Dimension::DEGREES,
+            is_constant: false,
+            revolution: Some(revolution),
+        }
+    }
+}
+
+/// A part of a formula: its steps, and what they leave.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Part {
+    pub(crate) ops: Vec<Op>,
+    pub(crate) kind: Kind,
+}
+
+impl Part {
+    fn then(mut self, op: Op) -> Part {
+        self.ops.push(op);
+        self
+    }
+
+    fn of(self, dimension: Dimension) -> Part {
+        let kind = Kind {
+            dimension,
+            revolution: None,
+            ..self.kind
+        };
+        Part { kind, ..self }
+    }
+
+    /// A direction as a number of degrees; everything else as it is.
+    fn number(self) -> Part {
+        let dimension = self.kind.dimension;
+        match self.kind.revolution {
+            Some(Revolution::Wrapped) => self.then(Op::Uncut),
+            _ => self,
+        }
+        .of(dimension)
+    }
+
+    /// Degrees as radians; everything else as it is.
+    fn radians(self) -> Part {
+        let part = self.number();
+        match part.kind.dimension.degrees {
+            true => part.then(Op::Radians).of(Dimension::RADIANS),
+            false => part,
+        }
+    }
+
+    /// An angle in degrees.
+    fn degrees(self) -> Part {
+        match self.kind.dimension == Dimension::RADIANS {
+            true => self.then(Op::Degrees).of(Dimension::DEGREES),
+            false => self,
+        }
+    }
+
+    /// Both, and what is made of them.
+    fn with(mut self, other: Part, op: Op, dimension: Dimension) -> Part {
+        self.ops.extend(other.ops);
+        self.kind.is_constant &= other.kind.is_constant;
+        self.then(op).of(dimension)
+    }
+
+    fn is_factor(&self) -> bool {
+        self.kind.is_constant && self.kind.dimension.is_number()
+    }
+
+    /// As often times one unit of lengths in another, or the other way round.
+    fn scaled(mut self, times: i8, by: f64, over: f64) -> Part {
+        if by != over {
+            let scale = match times < 0 {
+                true => Op::Scale(over, by),
+                false => Op::Scale(by, over),
+            };
+            let times = usize::from(times.unsigned_abs());
+            self.ops.extend(std::iter::repeat_n(scale, times));
+        }
+        self
+    }
+}
+
+/// What names stand for; or what would mend a name that stands for nothing.
+pub(crate) type NamedPart<'n> = &'n mut dyn FnMut(&str) -> Result<Part, Option<String>>;
+
+/// The steps of a formula, and what it measures.
+///
+/// # Errors
+/// What is wrong first: an unknown name, figures that do not go together, too many steps.
+pub(crate) fn compile(
+    text: &str,
+    tree: &ExpressionTree,
+    length: LengthScale,
+    names: NamedPart<'_>,
+) -> Result<(Code, Kind), Malformed> {
+    let mut compiler = Compiler {
+        text,
+        length,
+        names,
+    };
+    let Part { ops, kind } = compiler.part(tree)?;
+    let code = Code::new(ops).map_err(|excess| {
+        let message = match excess {
+            Excess::Steps => words().formula_has_too_many_steps(),
+            Excess::Rates => words().formula_has_no_such_rate(),
+        };
+        Malformed::new(tree.span.clone(), message)
+    })?;
+    Ok((code, kind))
+}
+
+struct Compiler<'c> {
+    text: &'c str,
+    length: LengthScale,
+    names: NamedPart<'c>,
+}
+
+impl Compiler<'_> {
+    fn part(&mut self, tree: &ExpressionTree) -> Result<Part, Malformed> {
+        match &tree.node {
+            Node::Number(value, unit) => self.number(*value, unit.as_ref(), &tree.span),
+            Node::Name(name) => self.named(name, &tree.span),
+            Node::Negative(of) => {
+                let part = self.part(of)?.number();
+                Ok(part.then(Op::Negate))
+            }
+            Node::Pair(operation, sides) => {
+                let [left, right] = &**sides;
+                let (a, b) = (self.part(left)?, self.part(right)?);
+                match operation {
+                    Operation::Add => self.sum(a, b, Op::Add, [left, right]),
+                    Operation::Subtract => self.sum(a, b, Op::Subtract, [left, right]),
+                    Operation::Multiply => self.product(a, b, tree),
+                    Operation::Divide => self.quotient(a, b, tree),
+                }
+            }
+            Node::Power(of, exponent) => {
+                let part = self.part(of)?.radians();
+                let dimension = part.kind.dimension.power(*exponent);
+                let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+                Ok(part.then(Op::Power(*exponent)).of(dimension))
+            }
+            Node::Call(function, given) => self.call(*function, given, tree),
+        }
+    }
+
+    fn number(
+        &self,
+        value: f64,
+        unit: Option<&WrittenUnit>,
+        span: &Range<usize>,
+    ) -> Result<Part, Malformed> {
+        let mut part = Part {
+            ops: vec![Op::Number(value)],
+            kind: Kind {
+                is_constant: true,
+                ..Kind::plain(Dimension::NUMBER)
+            },
+        };
+        let Some(unit) = unit else {
+            return Ok(part);
+        };
+        for &(tenths, power) in &unit.lengths {
+            part = part.scaled(power, tenths, self.length.tenths_of_mm);
+        }
+        let converted = match unit.degrees < 0 {
+            true => Op::Degrees,
+            false => Op::Radians,
+        };
+        let times = usize::from(unit.degrees.unsigned_abs());
+        part.ops.extend(std::iter::repeat_n(converted, times));
+        if part.ops.len() > 64 {
+            return Err(beyond_use(span));
+        }
+        Ok(part.of(unit.dimension))
+    }
+
+    fn named(&mut self, name: &str, span: &Range<usize>) -> Result<Part, Malformed> {
+        if name == "pi" {
+            return Ok(Part {
+                ops: vec![Op::Pi],
+                kind: Kind {
+                    is_constant: true,
+                    ..Kind::plain(Dimension::NUMBER)
+                },
+            });
+        }
+        (self.names)(name).map_err(|help| {
+            let fault = Malformed::new(span.clone(), words().no_quantity(name));
+            let help = help.or_else(|| slip(name).map(str::to_owned));
+            Malformed { help, ..fault }
+        })
+    }
+
+    /// A sum or a difference.
+    fn sum(
+        &self,
+        a: Part,
+        b: Part,
+        op: Op,
+        trees: [&ExpressionTree; 2],
+    ) -> Result<Part, Malformed> {
+        let subtracts = op == Op::Subtract;
+        let angle = |part: &Part| part.kind.dimension.is_angle();
+        match (a.kind.revolution, b.kind.revolution) {
+            (Some(_), Some(_)) if subtracts => {
+                let way = a.with(b, op, Dimension::DEGREES);
+                Ok(way.then(Op::ShortWay))
+            }
+            (Some(revolution), None) if angle(&b) => Ok(turned(
+                a.with(b.degrees(), op, Dimension::DEGREES),
+                revolution,
+            )),
+            (None, Some(revolution)) if angle(&a) && !subtracts => Ok(turned(
+                a.degrees().with(b, op, Dimension::DEGREES),
+                revolution,
+            )),
+            _ => self.alike(a.number(), b.number(), op, trees),
+        }
+    }
+
+    /// Of two figures that must measure the same.
+    fn alike(
+        &self,
+        a: Part,
+        b: Part,
+        op: Op,
+        trees: [&ExpressionTree; 2],
+    ) -> Result<Part, Malformed> {
+        let (left, right) = (a.kind.dimension, b.kind.dimension);
+        if !left.adds_to(right) {
+            let span = trees[0].span.start..trees[1].span.end;
+            let [one, other] = [(trees[0], left), (trees[1], right)].map(|(tree, dimension)| {
+                let unit = dimension.symbol(self.length.symbol);
+                words().measured_in(self.text.get(tree.span.clone()).unwrap_or(""), &unit)
+            });
+            let fault = Malformed::new(span, words().do_not_go_together(&one, &other));
+            let is_bare = left.is_number() != right.is_number();
+            return Err(match is_bare {
+                true => fault.help(words().numbers_need_units()),
+                false => fault,
+            });
+        }
+        if left.is_angle() && left.degrees != right.degrees {
+            return Ok(a.degrees().with(b.degrees(), op, Dimension::DEGREES));
+        }
+        let times = left.lengths_beyond(right);
+        let b = b.scaled(times, self.length.tenths_of_mm, METRE);
+        let dimension = match left.radian {
+            0 => Dimension {
+                radian: right.radian,
+                ..left
+            },
+            _ => left,
+        };
+        Ok(a.with(b, op, dimension))
+    }
+
+    fn product(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, Malformed> {
+        // A multiple of an angle stays in degrees.
+        let degrees = |factor: &Part, of: &Part| factor.is_factor() && of.kind.dimension.degrees;
+        if degrees(&a, &b) || degrees(&b, &a) {
+            return Ok(a
+                .number()
+                .with(b.number(), Op::Multiply, Dimension::DEGREES));
+        }
+        let (a, b) = (a.radians(), b.radians());
+        let dimension = a.kind.dimension.times(b.kind.dimension);
+        let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+        Ok(a.with(b, Op::Multiply, dimension))
+    }
+
+    fn quotient(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, Malformed> {
+        if b.is_factor() && a.kind.dimension.degrees {
+            return Ok(a.number().with(b, Op::Divide, Dimension::DEGREES));
+        }
+        let (a, b) = (a.radians(), b.radians());
+        let dimension = a.kind.dimension.over(b.kind.dimension);
+        let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+        Ok(a.with(b, Op::Divide, dimension))
+    }
+
+    fn call(
+        &mut self,
+        function: MathFunction,
+        given: &[ExpressionTree],
+        tree: &ExpressionTree,
+    ) -> Result<Part, Malformed> {
+        let mut parts = Vec::with_capacity(given.len());
+        for tree in given {
+            parts.push(self.part(tree)?);
+        }
+        let several = |op: Op, prepare: fn(Part) -> Part| {
+            let mut parts = parts.clone().into_iter().map(prepare).zip(given);
+            let first = parts.next();
+            let (first, of) = first.ok_or_else(|| beyond_use(&tree.span))?;
+            parts.try_fold(first, |all, (part, tree)| {
+                self.alike(all, part, op, [of, tree])
+            })
+        };
+        let one = || {
+            let first = parts.first().cloned();
+            first.ok_or_else(|| beyond_use(&tree.span))
+        };
+        match function {
+            MathFunction::Min => several(Op::Min, Part::number),
+            MathFunction::Max => several(Op::Max, Part::number),
+            MathFunction::Hypot => several(Op::Hypot, Part::radians),
+            MathFunction::Atan2 => {
+                let mut part = several(Op::Atan2, Part::radians)?.of(Dimension::DEGREES);
+                part.kind.revolution = Some(Revolution::Wrapped);
+                Ok(part)
+            }
+            MathFunction::Abs => Ok(one()?.number().then(Op::Abs)),
+            MathFunction::Sqrt => {
+                let part = one()?.radians();
+                let Some(root) = part.kind.dimension.root() else {
+                    let unit = part.kind.dimension.symbol(self.length.symbol);
+                    let message = words().no_root_of(&unit);
+                    return Err(Malformed::new(tree.span.clone(), message));
+                };
+                Ok(part.then(Op::Sqrt).of(root))
+            }
+            MathFunction::Sin => self.of_angle(one()?, function, Op::Sin, tree),
+            MathFunction::Cos => self.of_angle(one()?, function, Op::Cos, tree),
+            MathFunction::Tan => self.of_angle(one()?, function, Op::Tan, tree),
+            MathFunction::Asin => self.of_number(one()?, function, Op::Asin, tree),
+            MathFunction::Acos => self.of_number(one()?, function, Op::Acos, tree),
+        }
+    }
+
+    fn of_angle(
+        &self,
+        part: Part,
+        function: MathFunction,
+        op: Op,
+        tree: &ExpressionTree,
+    ) -> Result<Part, Malformed> {
+        if part.kind.dimension.is_angle() {
+            return Ok(part.degrees().then(op).of(Dimension::NUMBER));
+        }
+        let unit = part.kind.dimension.symbol(self.length.symbol);
+        let message = words().takes_an_angle(function.name(), &unit);
+        Err(Malformed::new(tree.span.clone(), message).help(words().angles_have_units()))
+    }
+
+    fn of_number(
+        &self,
+        part: Part,
+        function: MathFunction,
+        op: Op,
+        tree: &ExpressionTree,
+    ) -> Result<Part, Malformed> {
+        if part.kind.dimension.is_number() {
+            return Ok(part.then(op).of(Dimension::DEGREES));
+        }
+        let unit = part.kind.dimension.symbol(self.length.symbol);
+        let message = words().takes_a_number(function.name(), &unit);
+        Err(Malformed::new(tree.span.clone(), message))
+    }
+}
+
+/// A direction that was turned by an angle.
+fn turned(part: Part, revolution: Revolution) -> Part {
+    let mut part = match revolution {
+        Revolution::Wrapped => part.then(Op::Wrap),
+        Revolution::Counted => part,
+    };
+    part.kind.revolution = Some(revolution);
+    part
+}
+
+fn beyond_use(span: &Range<usize>) -> Malformed {
+    Malformed::new(span.clone(), words().unit_beyond_use())
+}
+
+/// What was probably meant by a word that names nothing.
+fn slip(name: &str) -> Option<&'static str> {
+    if name.starts_with(|c: char| c.is_ascii_digit()) && !name.contains('-') {
+        Some(words().blank_before_unit())
+    } else if name.contains('-') {
+        Some(words().minus_between_blanks())
+    } else {
+        None
+    }
+}

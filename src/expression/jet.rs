@@ -1,0 +1,250 @@
+//! A figure with its rates: the first coefficients of its Taylor series over time.
+
+use crate::{Constant, Double, Number, Vec2};
+
+/// c\[0\] + c\[1\] t + c\[2\] t^2, as far as there are coefficients; with one it is the figure alone.
+///
+/// An angle in degrees has its rates in radians, as everywhere in krank: c\[0\] is in degrees, the others are
+/// not. So nothing is converted on the way from an angle to its angular velocity. What is not linear takes
+/// angles in radians, but for sine and cosine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet<T, const N: usize>([T; N]);
+
+impl<T: Number, const N: usize> Default for Jet<T, N> {
+    fn default() -> Self {
+        Jet([T::default(); N])
+    }
+}
+
+impl<T: Number, const N: usize> Jet<T, N> {
+    /// What does not change.
+    pub(crate) fn constant(value: T) -> Self {
+        let mut jet = Jet::default();
+        jet.0[0] = value;
+        jet
+    }
+
+    /// By the figure, its rate, and the rate of that.
+    pub(crate) fn of_rates(rates: [T; N]) -> Self {
+        let mut jet = Jet(rates);
+        if let Some(second) = jet.0.get_mut(2) {
+            *second = second.scaled(0.5);
+        }
+        jet
+    }
+
+    /// What does not exist.
+    pub(super) fn nothing() -> Self {
+        Jet([T::exactly(f64::NAN); N])
+    }
+
+    pub(crate) fn value(self) -> T {
+        self.0[0]
+    }
+
+    /// This figure where it exists, and no rates.
+    fn without_rates(self) -> Self {
+        let mut jet = Jet::nothing();
+        jet.0[0] = self.0[0];
+        jet
+    }
+
+    /// The slope over time, as far as it is known.
+    pub(super) fn rate(self) -> Self {
+        let mut jet = Jet::default();
+        for n in 1..N {
+            jet.0[n - 1] = times(n, self.0[n]);
+        }
+        jet
+    }
+
+    fn each(mut self, f: impl Fn(T) -> T) -> Self {
+        self.0.iter_mut().for_each(|c| *c = f(*c));
+        self
+    }
+
+    fn with(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        for (c, other) in self.0.iter_mut().zip(other.0) {
+            *c = f(*c, other);
+        }
+        self
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+
+    pub(super) fn minus(self, other: Self) -> Self {
+        self.with(other, |a, b| a - b)
+    }
+
+    pub(super) fn negative(self) -> Self {
+        self.each(|c| -c)
+    }
+
+    /// With another figure and the same rates.
+    pub(super) fn moved(mut self, to: T) -> Self {
+        self.0[0] = to;
+        self
+    }
+
+    /// Times a quotient of two numbers that doubles hold.
+    pub(super) fn scaled(self, by: f64, over: f64) -> Self {
+        self.each(|c| c * T::exactly(by) / T::exactly(over))
+    }
+
+    /// Degrees as radians: the rates are in radians already.
+    pub(super) fn radians(self) -> Self {
+        self.moved(self.0[0] * T::of(exact(Double::RADIAN)))
+    }
+
+    pub(super) fn degrees(self) -> Self {
+        self.moved(self.0[0] * T::of(exact(Double::DEGREES)))
+    }
+
+    pub(super) fn product(self, other: Self) -> Self {
+        let mut product = Jet::default();
+        for n in 0..N {
+            product.0[n] = convolved(&self.0, &other.0, n, 0..n + 1);
+        }
+        product
+    }
+
+    /// q b = a; nothing where b may be 0.
+    pub(super) fn quotient(self, by: Self) -> Self {
+        if !by.0[0].abs().exceeds(T::default()) {
+            return Jet::nothing();
+        }
+        let mut quotient = Jet::default();
+        for n in 0..N {
+            let known = convolved(&quotient.0, &by.0, n, 0..n);
+            quotient.0[n] = if n == 0 { self.0[0] } else { self.0[n] - known } / by.0[0];
+        }
+        quotient
+    }
+
+    pub(super) fn power(self, exponent: i8) -> Self {
+        let mut power = self;
+        for _ in 1..exponent.unsigned_abs() {
+            power = power.product(self);
+        }
+        match exponent < 0 {
+            true => Jet::constant(T::exactly(1.0)).quotient(power),
+            false => power,
+        }
+    }
+
+    /// s s = a.
+    pub(super) fn root(self) -> Self {
+        self.root_from(self.0[0].sqrt())
+    }
+
+    /// The length of a vector; its rates do not exist where it is 0.
+    pub(super) fn norm(x: Self, y: Self) -> Self {
+        let square = x.product(x).plus(y.product(y));
+        square.root_from(T::norm(Vec2::new(x.0[0], y.0[0])))
+    }
+
+    /// The root of this one, of which the figure is known already.
+    fn root_from(self, value: T) -> Self {
+        let mut root = Jet::constant(value);
+        for n in 1..N {
+            let known = convolved(&root.0, &root.0, n, 1..n);
+            root.0[n] = (self.0[n] - known) / value.scaled(2.0);
+        }
+        root
+    }
+
+    /// The direction of a vector in degrees, from 0 to below 360; nothing where the vector may be 0.
+    /// Of its rate w: w (x^2 + y^2) = x y' - y x'.
+    pub(super) fn direction(x: Self, y: Self) -> Self {
+        let vector = Vec2::new(x.0[0], y.0[0]);
+        if !T::norm(vector).exceeds(T::default()) {
+            return Jet::nothing();
+        }
+        let across = x.product(y.rate()).minus(y.product(x.rate()));
+        let rate = match N {
+            1 => Jet::default(),
+            _ => across.quotient(x.product(x).plus(y.product(y))),
+        };
+        rate.integral(T::degrees(vector))
+    }
+
+    /// Cosine and sine of an angle in degrees: e' = i a' e.
+    pub(super) fn unit(self) -> [Self; 2] {
+        let Vec2 { x, y } = T::unit(self.0[0]);
+        let (mut cos, mut sin) = (Jet::constant(x), Jet::constant(y));
+        let rate = self.rate();
+        for n in 1..N {
+            let n_th = T::exactly(n as f64);
+            cos.0[n] = -convolved(&rate.0, &sin.0, n - 1, 0..n) / n_th;
+            sin.0[n] = convolved(&rate.0, &cos.0, n - 1, 0..n) / n_th;
+        }
+        [cos, sin]
+    }
+
+    /// What has this rate and is `value` now.
+    fn integral(self, value: T) -> Self {
+        let mut jet = Jet::constant(value);
+        for n in 1..N {
+            jet.0[n] = self.0[n - 1] / T::exactly(n as f64);
+        }
+        jet
+    }
+
+    /// The size. Where it may be 0 its rates do not exist.
+    pub(super) fn size(self) -> Self {
+        let nought = T::default();
+        if self.0[0].exceeds(nought) {
+            self
+        } else if nought.exceeds(self.0[0]) {
+            self.negative()
+        } else {
+            self.moved(self.0[0].abs()).without_rates()
+        }
+    }
+
+    /// The smaller of two. Where either may be it, rates do not exist.
+    pub(super) fn lesser(self, other: Self) -> Self {
+        if other.0[0].exceeds(self.0[0]) {
+            self
+        } else if self.0[0].exceeds(other.0[0]) {
+            other
+        } else {
+            self.moved(self.0[0].min(other.0[0])).without_rates()
+        }
+    }
+}
+
+/// The sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
+fn convolved<T: Number>(a: &[T], b: &[T], n: usize, range: std::ops::Range<usize>) -> T {
+    let terms = range.map(|i| a[i] * b[n - i]);
+    terms.reduce(|sum, term| sum + term).unwrap_or_default()
+}
+
+/// Whole multiples of the first coefficients, without rounding.
+fn times<T: Number>(n: usize, value: T) -> T {
+    match n {
+        1 => value,
+        2 => value.scaled(2.0),
+        _ => value * T::exactly(n as f64),
+    }
+}
+
+/// A number of mathematics to twice the precision.
+fn exact(value: Double) -> Constant {
+    Constant {
+        hi: value.hi,
+        lo: value.lo,
+        radius: 0.0,
+        slope: 0.0,
+    }
+}
+
+/// Pi.
+pub(super) fn pi() -> Constant {
+    exact(Double {
+        hi: std::f64::consts::PI,
+        lo: 1.224_646_799_147_353_2e-16,
+    })
+}

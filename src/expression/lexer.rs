@@ -1,0 +1,90 @@
+//! The words and marks of a formula.
+
+use super::{Malformed, is_of_name};
+use crate::wording::words;
+use std::ops::Range;
+
+/// A word or a mark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Lexeme {
+    Number(f64),
+    /// A name, or anything else that is made of the characters of one.
+    Name,
+    /// One of `+ - * / ^ ( ) ,`.
+    Mark(char),
+    End,
+}
+
+/// Reads one after the other. What stands in front decides about a `-`: it is legal in names.
+#[derive(Clone, Debug)]
+pub(super) struct Lexer<'t> {
+    pub(super) text: &'t str,
+    at: usize,
+}
+
+impl<'t> Lexer<'t> {
+    pub(super) fn new(text: &'t str) -> Self {
+        Lexer { text, at: 0 }
+    }
+
+    /// The next lexeme and its place; `is_operand` where a figure is to follow: there a `-` is a sign.
+    pub(super) fn next(&mut self, is_operand: bool) -> Result<(Lexeme, Range<usize>), Malformed> {
+        let rest = self.text[self.at..].trim_start();
+        let from = self.text.len() - rest.len();
+        let Some(first) = rest.chars().next() else {
+            return Ok((Lexeme::End, from..from));
+        };
+        let mark = match first {
+            '-' => is_operand || !rest[1..].starts_with(is_of_name),
+            _ => "+*/^(),".contains(first),
+        };
+        if mark {
+            self.at = from + 1;
+            return Ok((Lexeme::Mark(first), from..from + 1));
+        }
+        if !is_of_name(first) {
+            let shown: String = first.escape_debug().collect();
+            let span = from..from + first.len_utf8();
+            return Err(Malformed::new(span, words().no_part_of_a_formula(&shown)));
+        }
+        let end = from + self.word_length(rest);
+        let span = from..end;
+        self.at = end;
+        let word = &self.text[span.clone()];
+        if first == '-' {
+            let fault = Malformed::new(span, words().minus_without_blank(word));
+            return Err(fault.help(words().minus_between_blanks()));
+        }
+        Ok((number(word).map_or(Lexeme::Name, Lexeme::Number), span))
+    }
+
+    /// Of a word at the beginning of a text; the sign in `1e+3` belongs to it.
+    fn word_length(&self, rest: &str) -> usize {
+        let length = |text: &str| text.find(|c| !is_of_name(c)).unwrap_or(text.len());
+        let word = length(rest);
+        let (head, tail) = rest.split_at(word);
+        let is_open = head.ends_with(['e', 'E']) && number(&head[..word - 1]).is_some();
+        match tail.strip_prefix('+') {
+            Some(digits) if is_open && digits.starts_with(|c: char| c.is_ascii_digit()) => {
+                word + 1 + length(digits)
+            }
+            _ => word,
+        }
+    }
+
+    /// Where the next lexeme may begin.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
+    pub(super) fn skip_to(&mut self, at: usize) {
+        self.at = at;
+    }
+}
+
+/// The number that a word is: finite, and written in digits.
+pub(super) fn number(word: &str) -> Option<f64> {
+    let digits = word.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let value: f64 = word.parse().ok()?;
+    (digits && value.is_finite()).then_some(value)
+}

@@ -1,0 +1,292 @@
+//! A text into a tree.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = signed { ("*" | "/") signed }
+//! signed  = "-" signed | power
+//! power   = atom [ "^" [ "-" ] digit ]
+//! atom    = number [ unit ] | name | name "(" sum { "," sum } ")" | "(" sum ")"
+//! ```
+
+use super::dimension::METRE;
+use super::lexer::{Lexeme, Lexer, number};
+use super::tree::{MathFunction, Node, Operation, WrittenUnit};
+use super::{Dimension, ExpressionTree, LONGEST, Malformed, is_of_name};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+use std::ops::Range;
+
+/// Brackets in brackets, and signs.
+const DEEPEST: usize = 32;
+/// The largest power that may be written.
+const LARGEST_EXPONENT: u8 = 8;
+
+/// Reads a formula.
+///
+/// # Errors
+/// What is wrong first.
+pub(crate) fn parse(text: &str) -> Result<ExpressionTree, Malformed> {
+    if text.len() > LONGEST {
+        return Err(Malformed::new(
+            0..text.len(),
+            words().formula_too_long(LONGEST),
+        ));
+    }
+    let mut parser = Parser {
+        lexer: Lexer::new(text),
+        depth: 0,
+    };
+    let tree = parser.sum()?;
+    match parser.lexer.next(false)? {
+        (Lexeme::End, _) => Ok(tree),
+        (_, span) => Err(parser.unexpected(span, words().operator_or_end())),
+    }
+}
+
+struct Parser<'t> {
+    lexer: Lexer<'t>,
+    depth: usize,
+}
+
+impl Parser<'_> {
+    fn unexpected(&self, span: Range<usize>, wanted: &str) -> Malformed {
+        match self.lexer.text.get(span.clone()) {
+            None | Some("") => Malformed::new(span, words().formula_ends_early(wanted)),
+            Some(found) => Malformed::new(span.clone(), words().expected_in_formula(wanted, found)),
+        }
+    }
+
+    /// The mark that comes next, if it is one of these.
+    fn mark(&mut self, marks: &[char]) -> Result<Option<char>, Malformed> {
+        let mut ahead = self.lexer.clone();
+        let (Lexeme::Mark(mark), _) = ahead.next(false)? else {
+            return Ok(None);
+        };
+        if !marks.contains(&mark) {
+            return Ok(None);
+        }
+        self.lexer = ahead;
+        Ok(Some(mark))
+    }
+
+    fn deeper<R>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<R, Malformed>,
+    ) -> Result<R, Malformed> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let at = self.lexer.at();
+            return Err(Malformed::new(at..at, words().formula_too_deep(DEEPEST)));
+        }
+        let read = read(self);
+        self.depth -= 1;
+        read
+    }
+
+    fn sum(&mut self) -> Result<ExpressionTree, Malformed> {
+        let mut left = self.product()?;
+        while let Some(mark) = self.mark(&['+', '-'])? {
+            let right = self.product()?;
+            let operation = match mark {
+                '+' => Operation::Add,
+                _ => Operation::Subtract,
+            };
+            left = pair(operation, left, right);
+        }
+        Ok(left)
+    }
+
+    fn product(&mut self) -> Result<ExpressionTree, Malformed> {
+        let mut left = self.signed()?;
+        while let Some(mark) = self.mark(&['*', '/'])? {
+            let right = self.signed()?;
+            let operation = match mark {
+                '*' => Operation::Multiply,
+                _ => Operation::Divide,
+            };
+            left = pair(operation, left, right);
+        }
+        Ok(left)
+    }
+
+    fn signed(&mut self) -> Result<ExpressionTree, Malformed> {
+        let mut ahead = self.lexer.clone();
+        let (Lexeme::Mark('-'), span) = ahead.next(true)? else {
+            return self.power();
+        };
+        self.lexer = ahead;
+        let of = self.deeper(Self::signed)?;
+        Ok(ExpressionTree {
+            span: span.start..of.span.end,
+            node: Node::Negative(Box::new(of)),
+        })
+    }
+
+    fn power(&mut self) -> Result<ExpressionTree, Malformed> {
+        let base = self.atom()?;
+        if self.mark(&['^'])?.is_none() {
+            return Ok(base);
+        }
+        let mut sign = 1;
+        let (mut lexeme, mut span) = self.lexer.next(true)?;
+        let from = span.start;
+        if lexeme == Lexeme::Mark('-') {
+            sign = -1;
+            (lexeme, span) = self.lexer.next(true)?;
+        }
+        let whole = match lexeme {
+            Lexeme::Number(value) => {
+                (1..=LARGEST_EXPONENT as i8).find(|&whole| f64::from(whole) == value)
+            }
+            _ => None,
+        };
+        let Some(whole) = whole else {
+            let fault = Malformed::new(from..span.end, words().exponent_must_be_whole());
+            return Err(fault.help(words().exponents_go_to(LARGEST_EXPONENT.into())));
+        };
+        Ok(ExpressionTree {
+            span: base.span.start..span.end,
+            node: Node::Power(Box::new(base), sign * whole),
+        })
+    }
+
+    fn atom(&mut self) -> Result<ExpressionTree, Malformed> {
+        let (lexeme, span) = self.lexer.next(true)?;
+        match lexeme {
+            Lexeme::Number(value) => {
+                let unit = self.unit()?;
+                let end = self.lexer.at();
+                let node = Node::Number(value, unit);
+                let span = span.start..end;
+                Ok(ExpressionTree { span, node })
+            }
+            Lexeme::Name => self.named(span),
+            Lexeme::Mark('(') => {
+                let within = self.deeper(Self::sum)?;
+                let end = self.close()?;
+                Ok(ExpressionTree {
+                    span: span.start..end,
+                    ..within
+                })
+            }
+            _ => Err(self.unexpected(span, words().number_or_name())),
+        }
+    }
+
+    /// A bracket that closes; where it ends.
+    fn close(&mut self) -> Result<usize, Malformed> {
+        match self.lexer.next(false)? {
+            (Lexeme::Mark(')'), span) => Ok(span.end),
+            (_, span) => Err(self.unexpected(span, words().closing_bracket())),
+        }
+    }
+
+    fn named(&mut self, span: Range<usize>) -> Result<ExpressionTree, Malformed> {
+        let name = &self.lexer.text[span.clone()];
+        if self.mark(&['('])?.is_none() {
+            let node = Node::Name(name.to_owned());
+            return Ok(ExpressionTree { span, node });
+        }
+        let mut all = MathFunction::ALL.into_iter();
+        let Some(function) = all.find(|function| function.name() == name) else {
+            let names = MathFunction::ALL.map(MathFunction::name);
+            let fault = Malformed::new(span, words().no_function(name));
+            let listed = || words().functions_are(&names.join(", "));
+            let help = did_you_mean(name, names).unwrap_or_else(listed);
+            return Err(fault.help(help));
+        };
+        let mut given = vec![self.deeper(Self::sum)?];
+        while self.mark(&[','])?.is_some() {
+            given.push(self.deeper(Self::sum)?);
+        }
+        let end = self.close()?;
+        let span = span.start..end;
+        let (least, most) = function.takes();
+        if !(least..=most).contains(&given.len()) {
+            let fault = words().function_takes(name, least, most, given.len());
+            return Err(Malformed::new(span, fault));
+        }
+        let node = Node::Call(function, given);
+        Ok(ExpressionTree { span, node })
+    }
+
+    /// A unit behind a number, where one stands: `mm`, `rad/s^2`, `N m`.
+    fn unit(&mut self) -> Result<Option<WrittenUnit>, Malformed> {
+        let text = self.lexer.text;
+        let from = text.len() - text[self.lexer.at()..].trim_start().len();
+        let Some((mut unit, mut end)) = unit_part(text, from, 1) else {
+            return Ok(None);
+        };
+        loop {
+            let next = match text[end..].chars().next() {
+                Some('/') => unit_part(text, end + 1, -1),
+                Some(' ') => unit_part(text, end + 1, 1),
+                _ => None,
+            };
+            let Some((part, part_end)) = next else { break };
+            let joined = unit.dimension.times(part.dimension);
+            let too_much = || Malformed::new(from..part_end, words().unit_beyond_use());
+            unit.dimension = joined.ok_or_else(too_much)?;
+            unit.lengths.extend(part.lengths);
+            unit.degrees += part.degrees;
+            end = part_end;
+        }
+        self.lexer.skip_to(end);
+        // Degrees alone stay degrees.
+        if unit.degrees == 1 && unit.dimension == Dimension::RADIANS {
+            unit.dimension = Dimension::DEGREES;
+            unit.degrees = 0;
+        }
+        Ok(Some(unit))
+    }
+}
+
+fn pair(operation: Operation, left: ExpressionTree, right: ExpressionTree) -> ExpressionTree {
+    ExpressionTree {
+        span: left.span.start..right.span.end,
+        node: Node::Pair(operation, Box::new([left, right])),
+    }
+}
+
+/// A unit with its power at a place of a text, and where it ends; `None` where the word there is none.
+fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> {
+    let rest = &text[from..];
+    let word = &rest[..rest.find(|c| !is_of_name(c)).unwrap_or(rest.len())];
+    let (dimension, tenths, degrees) = unit_of(word)?;
+    let mut end = from + word.len();
+    let mut power = 1;
+    if let Some(digit) = text[end..].strip_prefix('^') {
+        let digit = digit.get(..1).and_then(number);
+        let whole = (1..=4).find(|&whole| digit == Some(f64::from(whole)))?;
+        power = whole;
+        end += 2;
+    }
+    // A function, or a name that begins like a unit.
+    if text[end..].starts_with(|c| is_of_name(c) || c == '(') {
+        return None;
+    }
+    let power = sign * power;
+    let unit = WrittenUnit {
+        dimension: dimension.power(power)?,
+        lengths: tenths.map(|tenths| (tenths, power)).into_iter().collect(),
+        degrees: degrees * power,
+    };
+    Some((unit, end))
+}
+
+/// What a unit measures; of a length its size in tenths of a millimetre, and whether it is in degrees.
+fn unit_of(word: &str) -> Option<(Dimension, Option<f64>, i8)> {
+    let length = |tenths| Some((Dimension::LENGTH, Some(tenths), 0));
+    match word {
+        "mm" => length(10.0),
+        "cm" => length(100.0),
+        "m" => length(METRE),
+        "in" => length(254.0),
+        "s" => Some((Dimension::SECOND, None, 0)),
+        "kg" => Some((Dimension::KILOGRAM, None, 0)),
+        "N" => Some((Dimension::FORCE, None, 0)),
+        "rad" => Some((Dimension::RADIANS, None, 0)),
+        "deg" => Some((Dimension::RADIANS, None, 1)),
+        _ => None,
+    }
+}

@@ -1,0 +1,111 @@
+//! A formula as it is written.
+
+use super::Dimension;
+use std::ops::Range;
+
+/// A part of a formula, and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ExpressionTree {
+    pub(crate) span: Range<usize>,
+    pub(super) node: Node,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Node {
+    /// A number, and what stands behind it as its unit.
+    Number(f64, Option<WrittenUnit>),
+    Name(String),
+    Negative(Box<ExpressionTree>),
+    Pair(Operation, Box<[ExpressionTree; 2]>),
+    Power(Box<ExpressionTree>, i8),
+    Call(MathFunction, Vec<ExpressionTree>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operation {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+}
+
+/// A unit behind a number: what it measures with every length in the formula's own unit, and the number of
+/// such units in it, as a quotient of whole numbers to a power of each length.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct WrittenUnit {
+    pub(super) dimension: Dimension,
+    /// The lengths in it as tenths of a millimetre, each with its power.
+    pub(super) lengths: Vec<(f64, i8)>,
+    /// Whether a part of it is in degrees, and to which power.
+    pub(super) degrees: i8,
+}
+
+/// What a formula may call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MathFunction {
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Hypot,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan2,
+}
+
+impl MathFunction {
+    pub(super) const ALL: [MathFunction; 11] = [
+        MathFunction::Sqrt,
+        MathFunction::Abs,
+        MathFunction::Min,
+        MathFunction::Max,
+        MathFunction::Hypot,
+        MathFunction::Sin,
+        MathFunction::Cos,
+        MathFunction::Tan,
+        MathFunction::Asin,
+        MathFunction::Acos,
+        MathFunction::Atan2,
+    ];
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            MathFunction::Sqrt => "sqrt",
+            MathFunction::Abs => "abs",
+            MathFunction::Min => "min",
+            MathFunction::Max => "max",
+            MathFunction::Hypot => "hypot",
+            MathFunction::Sin => "sin",
+            MathFunction::Cos => "cos",
+            MathFunction::Tan => "tan",
+            MathFunction::Asin => "asin",
+            MathFunction::Acos => "acos",
+            MathFunction::Atan2 => "atan2",
+        }
+    }
+
+    /// How many figures it takes: the fewest and the most.
+    pub(super) fn takes(self) -> (usize, usize) {
+        match self {
+            MathFunction::Min | MathFunction::Max | MathFunction::Hypot => (2, 16),
+            MathFunction::Atan2 => (2, 2),
+            _ => (1, 1),
+        }
+    }
+}
+
+impl ExpressionTree {
+    /// Tells every name in it.
+    pub(crate) fn each_name(&self, tell: &mut dyn FnMut(&str)) {
+        match &self.node {
+            Node::Number(..) => {}
+            Node::Name(name) => tell(name),
+            Node::Negative(of) | Node::Power(of, _) => of.each_name(tell),
+            Node::Pair(_, sides) => sides.iter().for_each(|side| side.each_name(tell)),
+            Node::Call(_, given) => given.iter().for_each(|of| of.each_name(tell)),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Figures that a person makes of others by a formula, in a scene or behind `--columns`.
+
+use super::derived::Leaf;
+use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
+use crate::document::{Diagnostic, Diagnostics};
+use crate::expression::{self, ExpressionTree, Malformed, compile};
+use crate::nearest::did_you_mean;
+use crate::scene::{NamedFormula, Scene, is_figure_name};
+use crate::wording::words;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What is wrong with the figures that a scene makes of others.
+///
+/// # Errors
+/// Everything that is, with its places in the file.
+pub fn check_figures(scene: &Scene) -> Result<(), Diagnostics> {
+    if scene.figures.is_empty() {
+        return Ok(());
+    }
+    let mut catalogue = Catalogue::without_formulas(scene);
+    let faults = catalogue.define_all(&scene.figures);
+    match faults.is_empty() {
+        true => Ok(()),
+        false => Err(scene.diagnostics(faults)),
+    }
+}
+
+impl Catalogue {
+    /// Adds a figure by its definition, `swing = armL.angle - armR.angle`: it is found by its name from now on.
+    ///
+    /// # Errors
+    /// In words, what is wrong with it.
+    pub fn define(&mut self, definition: &str) -> Result<Quantity, String> {
+        let (name, text) = definition.split_once('=').unwrap_or(("", definition));
+        let (name, text) = (name.trim(), text.trim());
+        if name.is_empty() {
+            return Err(words().name_of_figure_missing().into());
+        }
+        if !is_figure_name(name) {
+            return Err(words().name_of_figure_bad(name));
+        }
+        if self.is_taken(name) {
+            return Err(words().name_of_figure_taken(name));
+        }
+        let of_formula =
+            |fault: Malformed| format!("{}: {}", words().in_formula_of(name), fault.words());
+        let tree = expression::parse(text).map_err(of_formula)?;
+        let derived = self.derived(text, &tree, &self.index());
+        let derived = derived.map_err(of_formula)?;
+        Ok(self.keep(name, derived))
+    }
+
+    /// Whether something has this name, or figures of that name.
+    fn is_taken(&self, name: &str) -> bool {
+        let is_of = |figure: &Quantity| {
+            let rest = figure.name.strip_prefix(name);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        self.all().iter().chain(&self.defined).any(is_of)
+    }
+
+    /// Adds the figures of a scene, whatever order they stand in; gives what is wrong with those that are not.
+    pub(super) fn define_all(&mut self, figures: &[NamedFormula]) -> Vec<Diagnostic> {
+        let mut faults = Vec::new();
+        if figures.is_empty() {
+            return faults;
+        }
+        let index = self.index();
+        let order = in_order(figures);
+        for &number in &order {
+            let figure = &figures[number];
+            match self.derived(&figure.text, &figure.tree, &index) {
+                Ok(derived) => drop(self.keep(&figure.name, derived)),
+                Err(fault) => faults.push(figure.place.diagnostic(&figure.name, &fault)),
+            }
+        }
+        let rest = (0..figures.len()).filter(|number| !order.contains(number));
+        for figure in rest.map(|number| &figures[number]) {
+            let fault = Malformed {
+                span: figure.tree.span.clone(),
+                message: words().formula_uses_itself(&figure.name),
+                help: None,
+            };
+            faults.push(figure.place.diagnostic(&figure.name, &fault));
+        }
+        faults
+    }
+
+    /// The places of all figures that the solver finds, by their names.
+    fn index(&self) -> HashMap<String, usize> {
+        let names = self.all().iter().enumerate();
+        names.map(|(i, q)| (q.name.clone(), i)).collect()
+    }
+
+    fn keep(&mut self, name: &str, derived: Derived) -> Quantity {
+        let quantity = Quantity {
+            name: name.to_owned(),
+            unit: derived.kind().dimension.symbol(self.length.symbol),
+            source: FigureSource::Derived(Arc::new(derived)),
+        };
+        self.defined.push(quantity.clone());
+        quantity
+    }
+
+    fn derived(
+        &self,
+        text: &str,
+        tree: &ExpressionTree,
+        index: &HashMap<String, usize>,
+    ) -> Result<Derived, Malformed> {
+        let mut leaves: Vec<Leaf> = Vec::new();
+        let mut names = |name: &str| {
+            let solved = index.get(name).and_then(|&i| self.all().get(i));
+            let found = match solved {
+                Some(quantity) => quantity.clone(),
+                None => self.made(name).map_err(|why| {
+                    let names = self.all().iter().chain(&self.defined);
+                    let near = || did_you_mean(name, names.map(|q| q.name.as_str()));
+                    why.or_else(near)
+                })?,
+            };
+            Ok(magnitude::part(&found, &mut leaves))
+        };
+        let (code, kind) = compile(text, tree, self.length, &mut names)?;
+        Derived::new(leaves, code, kind).map_err(|of| Malformed {
+            span: tree.span.clone(),
+            message: words().no_rate_of(&of),
+            help: None,
+        })
+    }
+
+    /// A figure that is made of others; in words why there is none, where that can be told.
+    pub(super) fn made(&self, name: &str) -> Result<Quantity, Option<String>> {
+        if let Some(defined) = self.defined.iter().find(|q| q.name == name) {
+            return Ok(defined.clone());
+        }
+        if let Some(magnitude) = magnitude::find(self.all(), name) {
+            return Ok(magnitude);
+        }
+        let (base, degree) = match name.rsplit_once('.') {
+            Some((base, "rate")) => (base, 1),
+            Some((base, "accel")) => (base, 2),
+            _ => return Err(None),
+        };
+        let base = self.defined.iter().find(|q| q.name == base).ok_or(None)?;
+        let rate = (0..degree).try_fold(base.clone(), |of, _| of.differentiated(self.length));
+        match rate {
+            Ok(rate) => Ok(Quantity {
+                name: name.to_owned(),
+                ..rate
+            }),
+            Err(of) => Err(Some(words().no_rate_of(&of))),
+        }
+    }
+}
+
+/// The numbers of figures, each behind those that it is made of; those that are made of themselves are left out.
+fn in_order(figures: &[NamedFormula]) -> Vec<usize> {
+    let numbers = figures.iter().enumerate();
+    let numbers: HashMap<&str, usize> = numbers.map(|(i, f)| (f.name.as_str(), i)).collect();
+    let number = |name: &str| {
+        let base = name.split('.').next().unwrap_or(name);
+        numbers.get(base).copied()
+    };
+    let mut users = vec![Vec::new(); figures.len()];
+    let mut wanted = vec![0_usize; figures.len()];
+    for (user, figure) in figures.iter().enumerate() {
+        figure.tree.each_name(&mut |name| {
+            if let Some(used) = number(name) {
+                users[used].push(user);
+                wanted[user] += 1;
+            }
+        });
+    }
+    let mut order: Vec<usize> = (0..figures.len()).filter(|&i| wanted[i] == 0).collect();
+    let mut next = 0;
+    while let Some(&done) = order.get(next) {
+        next += 1;
+        for &user in &users[done] {
+            wanted[user] -= 1;
+            if wanted[user] == 0 {
+                order.push(user);
+            }
+        }
+    }
+    order
+}

@@ -1,0 +1,141 @@
+//! Sizes and directions of what has components: `C.v`, `C.v.angle`, `C.a.t`, `r3.B.f`.
+
+use super::derived::{Derived, Leaf, number};
+use super::{Aspect, FigureSource, Quantity};
+use crate::expression::{Code, Dimension, Kind, Op, Part, Revolution};
+use std::sync::Arc;
+
+/// A figure that stands for itself, and how it is made of components.
+struct Magnitude {
+    /// As in a column's name, behind that of what it is about.
+    name: &'static str,
+    of: &'static [Aspect],
+    ops: &'static [Op],
+    is_direction: bool,
+}
+
+use Aspect::{Ax, Ay, Fx, Fy, Vx, Vy};
+use Op::{Abs, Add, Atan2, Divide, Hypot, Multiply, Subtract};
+
+const X: Op = Op::Leaf(0);
+const Y: Op = Op::Leaf(1);
+const SIZE: &[Op] = &[X, Y, Hypot];
+const DIRECTION: &[Op] = &[Y, X, Atan2];
+const RATE_X: Op = Op::Leaf(2);
+const RATE_Y: Op = Op::Leaf(3);
+/// The rate of the size: v.a / |v|, above 0 where it speeds up.
+const ALONG: &[Op] = &[
+    X, RATE_X, Multiply, Y, RATE_Y, Multiply, Add, X, Y, Hypot, Divide,
+];
+/// |v x a| / |v|.
+const ACROSS: &[Op] = &[
+    X, RATE_Y, Multiply, Y, RATE_X, Multiply, Subtract, Abs, X, Y, Hypot, Divide,
+];
+
+const VELOCITY: &[Aspect] = &[Vx, Vy];
+const ACCELERATION: &[Aspect] = &[Ax, Ay];
+const BOTH: &[Aspect] = &[Vx, Vy, Ax, Ay];
+const FORCE: &[Aspect] = &[Fx, Fy];
+
+const ALL: [Magnitude; 8] = [
+    magnitude("v", VELOCITY, SIZE, false),
+    magnitude("v.angle", VELOCITY, DIRECTION, true),
+    magnitude("a", ACCELERATION, SIZE, false),
+    magnitude("a.angle", ACCELERATION, DIRECTION, true),
+    magnitude("a.t", BOTH, ALONG, false),
+    magnitude("a.n", BOTH, ACROSS, false),
+    magnitude("f", FORCE, SIZE, false),
+    magnitude("f.angle", FORCE, DIRECTION, true),
+];
+
+const fn magnitude(
+    name: &'static str,
+    of: &'static [Aspect],
+    ops: &'static [Op],
+    is_direction: bool,
+) -> Magnitude {
+    Magnitude {
+        name,
+        of,
+        ops,
+        is_direction,
+    }
+}
+
+impl Magnitude {
+    /// Made of the components that stand at the beginning of these figures, if they do.
+    fn at(&self, figures: &[Quantity]) -> Option<Quantity> {
+        let first = figures.first()?;
+        let FigureSource::Solved(subject, first_aspect) = first.source else {
+            return None;
+        };
+        let base = first.name.strip_suffix(first_aspect.name())?;
+        let components = figures.get(..self.of.len())?;
+        let fits = |(figure, aspect): (&Quantity, &Aspect)| {
+            figure.source == FigureSource::Solved(subject, *aspect)
+        };
+        if !components.iter().zip(self.of).all(fits) {
+            return None;
+        }
+        let mut leaves: Vec<Leaf> = Vec::new();
+        for (figure, &aspect) in components.iter().zip(self.of) {
+            let name = figure.name.clone();
+            number(
+                &mut leaves,
+                &Leaf {
+                    subject,
+                    aspect,
+                    name,
+                },
+            );
+        }
+        let last = components.last()?;
+        let (unit, kind) = match self.is_direction {
+            true => (
+                Dimension::DEGREES.symbol(""),
+                Kind::direction(Revolution::Wrapped),
+            ),
+            false => (last.unit.clone(), Kind::plain(self.of.last()?.dimension())),
+        };
+        let code = Code::new(self.ops.to_vec()).ok()?;
+        let derived = Derived::new(leaves, code, kind).ok()?;
+        Some(Quantity {
+            name: format!("{base}{}", self.name),
+            unit,
+            source: FigureSource::Derived(Arc::new(derived)),
+        })
+    }
+}
+
+/// Those of which the components stand in a list, one behind the other.
+pub(super) fn all(figures: &[Quantity]) -> impl Iterator<Item = Quantity> {
+    (0..figures.len()).flat_map(move |from| ALL.iter().filter_map(move |m| m.at(&figures[from..])))
+}
+
+/// The one of this name.
+pub(super) fn find(figures: &[Quantity], name: &str) -> Option<Quantity> {
+    ALL.iter().find_map(|magnitude| {
+        let base = name.strip_suffix(magnitude.name)?;
+        let first = format!("{base}{}", magnitude.of.first()?.name());
+        let from = figures.iter().position(|figure| figure.name == first)?;
+        magnitude.at(&figures[from..])
+    })
+}
+
+/// The steps of a figure as a part of a formula.
+pub(super) fn part(quantity: &Quantity, leaves: &mut Vec<Leaf>) -> Part {
+    match &quantity.source {
+        FigureSource::Derived(derived) => derived.part(leaves),
+        FigureSource::Solved(subject, aspect) => {
+            let leaf = Leaf {
+                subject: *subject,
+                aspect: *aspect,
+                name: quantity.name.clone(),
+            };
+            Part {
+                ops: vec![Op::Leaf(number(leaves, &leaf))],
+                kind: aspect.kind(*subject),
+            }
+        }
+    }
+}

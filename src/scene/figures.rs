@@ -1,0 +1,97 @@
+//! Reads figures that are made of others: names and formulas.
+
+use super::reader::{ByteSpan, Name, Reader, quoted};
+use crate::document::{Diagnostic, Entries, Lenient};
+use crate::expression::{self, ExpressionTree, Malformed};
+use std::ops::Range;
+
+const FIGURE: &str = r#"swing = "r4.angle - r3.angle""#;
+
+/// A figure that the scene makes of others, `swing = "armL.angle - armR.angle"`: what its names stand for is
+/// the affair of whoever lists figures.
+#[derive(Clone, Debug)]
+pub struct NamedFormula {
+    /// As the scene names it.
+    pub name: String,
+    /// The formula as it is written.
+    pub text: String,
+    pub(crate) tree: ExpressionTree,
+    pub(crate) place: FormulaPlace,
+}
+
+/// Where a formula stands in the file.
+#[derive(Clone, Debug)]
+pub(crate) struct FormulaPlace {
+    text: ByteSpan,
+    /// Whether the bytes between the quotes are those of the formula.
+    is_literal: bool,
+}
+
+impl FormulaPlace {
+    fn of(reader: &Reader<'_>, formula: &Name<'_>) -> FormulaPlace {
+        let Range { start, end } = formula.span;
+        let within = reader.text().get(start + 1..end.saturating_sub(1));
+        FormulaPlace {
+            text: formula.span.clone(),
+            is_literal: within == Some(formula.text),
+        }
+    }
+
+    /// What is wrong with a formula, where it stands in the file.
+    pub(crate) fn diagnostic(&self, figure: &str, fault: &Malformed) -> Diagnostic {
+        let span = match self.is_literal {
+            true => {
+                let from = self.text.start + 1;
+                from + fault.span.start..from + fault.span.end
+            }
+            false => self.text.clone(),
+        };
+        let message = format!("figure {}: {}", quoted(figure), fault.message);
+        let diagnostic = Diagnostic::new(message).at(span, "");
+        diagnostic.maybe_help(fault.help.clone())
+    }
+}
+
+/// The section `[figures]` as it is written.
+pub(super) type FigureEntries = Lenient<Entries<Lenient<String>>>;
+
+/// A figure, and its formula as far as that is one.
+#[derive(Debug)]
+pub(super) struct DraftFigure<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) formula: Option<NamedFormula>,
+}
+
+/// Reads the section. What is no formula is reported.
+pub(super) fn figures<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v FigureEntries,
+) -> Vec<DraftFigure<'v>> {
+    reader.table("[figures]", FIGURE, value);
+    let read = |(name, value): (Name<'v>, &Lenient<String>)| {
+        let formula = formula(reader, &name, value);
+        DraftFigure { name, formula }
+    };
+    value.entries().map(read).collect()
+}
+
+fn formula(
+    reader: &mut Reader<'_>,
+    name: &Name<'_>,
+    value: &Lenient<String>,
+) -> Option<NamedFormula> {
+    let written = reader.string(&format!("figure {name}"), value)?;
+    let place = FormulaPlace::of(reader, &written);
+    match expression::parse(written.text) {
+        Ok(tree) => Some(NamedFormula {
+            name: name.text.to_owned(),
+            text: written.text.to_owned(),
+            tree,
+            place,
+        }),
+        Err(fault) => {
+            reader.report(place.diagnostic(name.text, &fault));
+            None
+        }
+    }
+}

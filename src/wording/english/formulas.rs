@@ -1,0 +1,66 @@
+//! Formulas, and what is wrong with them.
+
+use super::English;
+
+catalogue! {
+    /// Formulas that a person writes.
+    trait FormulasWords for English {
+        // How they are written.
+        formula_too_long(most: usize) = "the formula is too long: at most {most} characters are allowed";
+        formula_too_deep(most: usize) = "brackets and signs stand in one another more than {most} deep";
+        no_part_of_a_formula(character: &str) = "`{character}` is no part of a formula";
+        minus_without_blank(word: &str) = "`{word}`: is this a name, or subtracted?";
+        minus_between_blanks = "`-` subtracts where it stands between blanks: it is legal in names";
+        formula_ends_early(wanted: &str) = "the formula ends where {wanted} should follow";
+        expected_in_formula(wanted: &str, found: &str) = "expected {wanted}, found `{found}`";
+        operator_or_end = "`+`, `-`, `*`, `/`, `^` or the end";
+        number_or_name = "a number, a name or a bracket";
+        closing_bracket = "`)`";
+        exponent_must_be_whole = "an exponent must be a whole number and not 0";
+        exponents_go_to(most: usize) = "`^` takes 1 to {most} and -1 to -{most}; sqrt() takes roots";
+        no_function(name: &str) = "there is no function `{name}`";
+        functions_are(names: &str) = "functions: {names}";
+        function_takes(name: &str, least: usize, most: usize, found: usize) = {
+            let takes = match (least, most) {
+                (1, 1) => "1 figure".to_owned(),
+                (least, most) if least == most => format!("{least} figures"),
+                (least, most) => format!("{least} to {most} figures"),
+            };
+            format!("{name}() takes {takes}, not {found}")
+        };
+
+        // What they are about.
+        no_quantity(name: &str) = "no quantity is named `{name}`";
+        blank_before_unit = "a blank stands between a number and its unit: `2 mm`";
+        measured_in(what: &str, unit: &str) = {
+            match unit {
+                "1" => format!("`{what}` is a plain number"),
+                unit => format!("`{what}` is in {unit}"),
+            }
+        };
+        do_not_go_together(one: &str, other: &str) = "{one} and {other}: these do not go together";
+        numbers_need_units = "write a unit behind the number: `90 deg`, `10 mm/s`";
+        takes_an_angle(function: &str, unit: &str) = {
+            match unit {
+                "1" => format!("{function}() takes an angle, and this is a plain number"),
+                unit => format!("{function}() takes an angle, and this is in {unit}"),
+            }
+        };
+        angles_have_units = "angles have a unit: `30 deg`, `0.5 rad`";
+        takes_a_number(function: &str, unit: &str) =
+            "{function}() takes a plain number, and this is in {unit}: divide it by a figure of that unit";
+        no_root_of(unit: &str) = "no figure is measured in the root of {unit}";
+        unit_beyond_use = "the unit of this is beyond all use";
+        formula_has_too_many_steps = "the formula is too long, with those that it uses";
+        formula_has_no_such_rate = "only the first and the second rate are known";
+
+        // Figures that are defined.
+        formula_uses_itself(name: &str) = "{name} is made of itself";
+        no_rate_of(of: &str) = "no rate of {of} is known";
+        name_of_figure_missing = "a formula stands behind a name and `=`: `swing = r4.angle - r3.angle`";
+        name_of_figure_bad(name: &str) =
+            "`{name}` is no name for a figure: ASCII letters, digits, `_`, `-` and `'`, at most 64";
+        name_of_figure_taken(name: &str) = "`{name}` names something else already: choose another name";
+        in_formula_of(name: &str) = "formula of {name}";
+    }
+}
