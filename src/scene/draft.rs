@@ -2,6 +2,7 @@
 
 use super::Unit;
 use super::figures::{self, DraftFigure, FigureEntries};
+use super::frame;
 use super::input::{self, DraftDriver};
 use super::link::{self, DraftLink, Links};
 use super::loads::{self, DraftLoad, DraftSpring, Loads, Springs};
@@ -101,6 +102,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
         reader.report(link::nothing_moves());
         draft.unreadable = true;
     }
+    frame::as_vectors(&mut draft);
     draft
 }
 

@@ -46,6 +46,7 @@
 mod defect;
 mod draft;
 mod figures;
+mod frame;
 mod guide;
 mod input;
 mod keys;

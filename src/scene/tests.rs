@@ -423,3 +423,38 @@ fn names_from_outside_are_harmless() {
     let unnamed = Scene::parse(presets::all()[0].text, "a\u{1b}c.toml").unwrap();
     assert!(!unnamed.name.contains(is_harmful));
 }
+
+/// Lecture notes count the frame among the links: written as one, it is the vector of the same name.
+#[test]
+fn a_frame_that_is_written_as_a_link_is_its_vector() {
+    let given = crate::scene::presets::find("four-bar").unwrap().text;
+    let (bare, _) = given.split_once("\n[vectors]").unwrap();
+    let with = |length: &str, more: &str| {
+        let frame =
+            format!("[links]\nr1 = {{ from = \"D\", to = \"A\", length = {length}{more} }}");
+        bare.replace("[links]", &frame)
+    };
+    let scene = Scene::parse(&with("400", ""), "frame").unwrap();
+    let as_vector = Scene::parse(given, "frame").unwrap();
+    let mut names: Vec<&str> = scene.vectors.iter().map(|v| v.name.as_str()).collect();
+    assert_eq!(names, ["r1", "r2", "r3", "r4"], "in the order of the file");
+    names.rotate_left(1);
+    assert!(as_vector.vectors.iter().map(|v| v.name.as_str()).eq(names));
+    assert_eq!(scene.mechanism.links().len(), 3);
+    assert!(matches!(scene.vectors[0].kind, VectorKind::Between(..)));
+    // It carries something, or is of another length: then it is a link, and what does not fit is told.
+    let heavy = Scene::parse(&with("400", ", com = [200, 0], mass = 1"), "frame").unwrap();
+    assert_eq!(heavy.mechanism.links().len(), 4);
+    let turned = with("400", "") + "\n[[loads]]\nlink = \"r1\"\ntorque = 5\n";
+    assert_eq!(
+        Scene::parse(&turned, "frame")
+            .unwrap()
+            .mechanism
+            .links()
+            .len(),
+        4
+    );
+    let long = Scene::parse(&with("410", ""), "frame");
+    let fits = long.is_ok_and(|scene| crate::solver::Solver::new(&scene.mechanism).is_ok());
+    assert!(!fits, "D and A are 400 mm apart");
+}
