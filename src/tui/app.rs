@@ -367,6 +367,8 @@ impl App {
             Action::PreviousPreset => self.open(-1),
             Action::Compare => self.compare(),
             Action::Open => self.pick(),
+            Action::NextPart => self.go_to_part(true),
+            Action::PreviousPart => self.go_to_part(false),
             Action::Search => self.search(),
             Action::Copy | Action::Csv | Action::Picture | Action::Still | Action::Svg => {
                 return self.take_out(action);

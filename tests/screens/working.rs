@@ -48,6 +48,29 @@ fn the_key_leads_to_the_working_and_back() {
     assert!(session.press("1").last_line().starts_with(" motion"));
 }
 
+/// From heading to heading, to the end and back.
+#[test]
+fn keys_lead_from_part_to_part() {
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
+    let mut first = |key: &str| {
+        session.press(key);
+        let line = session.body().lines().next().unwrap().to_owned();
+        line.trim().to_owned()
+    };
+    assert!(first("J").starts_with("1 Vector polygons"));
+    assert!(first("J").starts_with("2 Position table"));
+    assert!(first("J").starts_with("3 Loop equations"));
+    assert!(first("J").starts_with("4 "));
+    assert!(first("K").starts_with("3 Loop equations"));
+    assert!(first("K").starts_with("2 Position table"));
+    for _ in 0..40 {
+        first("J");
+    }
+    let end = first("J");
+    let last = session.last_line();
+    assert!(last.contains("there is no further part"), "{end} {last}");
+}
+
 #[test]
 fn a_small_screen_wraps_and_a_large_one_has_room() {
     insta::assert_snapshot!(

@@ -22,8 +22,6 @@ impl App {
             SceneAction::NudgeUp => self.nudge(1.0, now),
             SceneAction::FinerNudge => self.document.editor.finer(),
             SceneAction::CoarserNudge => self.document.editor.coarser(),
-            SceneAction::NextPart => self.document.editor.go_to_part(true),
-            SceneAction::PreviousPart => self.document.editor.go_to_part(false),
         }
     }
 

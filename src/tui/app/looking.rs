@@ -143,6 +143,27 @@ impl App {
         isize::try_from(views::page(self)).unwrap_or(isize::MAX)
     }
 
+    /// Goes to the next part of what is looked at, or to the one before; where there is none, says so.
+    pub(super) fn go_to_part(&mut self, forward: bool) {
+        match self.shell.view.pane().list() {
+            Listing::Values => self.document.editor.go_to_part(forward),
+            Listing::Figures => self.place_cursor(|cursor, table| cursor.in_part(table, forward)),
+            Listing::Lines => {
+                let parts = views::parts_looked_at(self);
+                let here = self.scroll(self.shell.view);
+                let next = match forward {
+                    true => parts.into_iter().find(|line| *line > here),
+                    false => parts.into_iter().rfind(|line| *line < here),
+                };
+                let most = views::most_scroll(self);
+                match next.filter(|line| !forward || (*line <= most || here < most)) {
+                    Some(line) => self.shell.scroll[self.shell.view as usize] = line.min(most),
+                    None => self.shell.say(words().no_further_part()),
+                }
+            }
+        }
+    }
+
     /// Scrolls what is on top, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
         self.lay_out_help();

@@ -88,6 +88,10 @@ pub(crate) enum Action {
     Top,
     /// To the last line.
     End,
+    /// To the part before: a heading, the figures of another table, the values of another element.
+    PreviousPart,
+    /// To the next part.
+    NextPart,
     /// The next pane.
     NextPane,
     /// The pane alone, or with the others again.
@@ -203,10 +207,6 @@ pub(crate) enum SceneAction {
     FinerNudge,
     /// Nudge by more.
     CoarserNudge,
-    /// The values of the part before.
-    PreviousPart,
-    /// The values of the next part.
-    NextPart,
 }
 
 /// Where a key has its meaning.
@@ -349,6 +349,8 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         listed_in(entry(A::HalfDown, "half-down", W::half_down, W::half_a_screen_down, &[Ctrl('d')])),
         listed_in(entry(A::Top, "top", W::first_line, W::the_first_line, &[Key::Home])),
         listed_in(entry(A::End, "end", W::last_line, W::the_last_line, &[Key::End, Char('G')])),
+        listed_in(entry(A::NextPart, "next-part", W::next_part, W::to_the_next_part, &[Char('J')])),
+        listed_in(entry(A::PreviousPart, "previous-part", W::previous_part, W::to_the_part_before, &[Char('K')])),
         entry(A::Search, "search", W::search, W::find_by_name, &[Char('/')]),
         within(Tables, entry(A::Tables(T::Choose), "choose", W::choose, W::show_it_in_the_motion, &[Char('x')])),
         listed_in(entry(A::Tables(T::Left), "left", W::left, W::the_figure_to_the_left, &[Key::Left, Char('h'), Char('H')])),
@@ -363,8 +365,6 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Scene, entry(A::Scene(S::NudgeUp), "nudge-up", W::nudge_up, W::a_little_more, &[Char('>')])),
         within(Scene, entry(A::Scene(S::FinerNudge), "finer", W::finer, W::nudge_by_less, &[Char('{')])),
         within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", W::coarser, W::nudge_by_more, &[Char('}')])),
-        within(Scene, entry(A::Scene(S::NextPart), "next-part", W::next_part, W::to_the_next_part, &[Char('J')])),
-        within(Scene, entry(A::Scene(S::PreviousPart), "previous-part", W::previous_part, W::to_the_part_before, &[Char('K')])),
         entry(A::Undo, "undo", W::undo, W::take_an_edit_back, &[Char('u')]),
         entry(A::Redo, "redo", W::redo, W::make_it_again, &[Ctrl('r')]),
         entry(A::Save, "save", W::save, W::write_to_the_file, &[Char('w')]),

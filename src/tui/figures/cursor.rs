@@ -45,6 +45,29 @@ impl Cursor {
         self.chunk_of(line).map(|chunk| self.column - chunk.start)
     }
 
+    /// On the first figure of the next chunk of columns, or of the one before; where there is none, the same.
+    pub(crate) fn in_part(self, lines: &[TableLine], forward: bool) -> Cursor {
+        let begins = |line: &TableLine| matches!(line, TableLine::Names(..));
+        let parts = lines.iter().enumerate().filter(|(_, line)| begins(line));
+        let here = self.line(lines).unwrap_or(0);
+        let (before, behind): (Vec<usize>, Vec<usize>) =
+            parts.map(|(at, _)| at).partition(|at| *at < here);
+        let part = match forward {
+            true => behind.first(),
+            // The last of those before is that of the cursor.
+            false => before.iter().rev().nth(1),
+        };
+        let below = part.map_or(&[][..], |part| &lines[*part..]);
+        let row = below.iter().find_map(|line| match line {
+            TableLine::Row(part, row, chunk) => Some(Cursor {
+                column: chunk.start,
+                ..Cursor::at(*part, *row)
+            }),
+            TableLine::Names(..) | TableLine::Units(..) | TableLine::Blank => None,
+        });
+        row.unwrap_or(self)
+    }
+
     /// The line that the cursor is on.
     pub(crate) fn line(self, lines: &[TableLine]) -> Option<usize> {
         lines.iter().position(|line| self.chunk_of(line).is_some())
@@ -216,6 +239,28 @@ mod tests {
         assert_eq!(cursor.moved(&lines, isize::MAX), place(Points, 3, 3));
         assert_eq!(cursor.moved(&lines, 0), cursor);
         assert_eq!(place(Points, 3, 4).moved(&lines, 1), place(Points, 3, 4));
+    }
+
+    #[test]
+    fn it_goes_from_part_to_part_and_stays_at_the_ends() {
+        use SheetPart::{Points, Vectors};
+        let lines = lines();
+        let parts = [
+            place(Vectors, 0, 0),
+            place(Vectors, 0, 2),
+            place(Points, 0, 0),
+            place(Points, 1, 2),
+        ];
+        for pair in parts.windows(2) {
+            assert_eq!(pair[0].in_part(&lines, true), pair[1]);
+            assert_eq!(pair[1].in_part(&lines, false), pair[0]);
+        }
+        assert_eq!(parts[3].in_part(&lines, true), parts[3]);
+        assert_eq!(
+            place(Vectors, 2, 1).in_part(&lines, false),
+            place(Vectors, 2, 1)
+        );
+        assert_eq!(place(Vectors, 2, 1).in_part(&lines, true), parts[1]);
     }
 
     #[test]

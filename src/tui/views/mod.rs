@@ -38,7 +38,7 @@ pub(crate) mod working;
 
 use super::app::{App, Mode, View};
 use crate::drawing::Raster;
-use crate::page::{Line, cut};
+use crate::page::{Line, TextRole, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::TableLine;
 use crate::wording::words;
@@ -249,6 +249,18 @@ pub(crate) fn lines_looked_at(app: &App) -> Vec<String> {
     let (pane, area) = looked_at(app);
     let (lines, _) = pane.listed(app, area);
     lines.iter().map(Line::text).collect()
+}
+
+/// Which lines of what is looked at begin a part, by their numbers.
+pub(crate) fn parts_looked_at(app: &App) -> Vec<usize> {
+    if !has_room(app.size()) {
+        return Vec::new();
+    }
+    let (pane, area) = looked_at(app);
+    let (lines, _) = pane.listed(app, area);
+    let begins = |line: &Line| matches!(line.role(), TextRole::Part | TextRole::Section);
+    let parts = lines.iter().enumerate().filter(|(_, line)| begins(line));
+    parts.map(|(number, _)| number).collect()
 }
 
 /// A screen as text: its lines without the blanks at their ends.

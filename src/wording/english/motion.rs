@@ -84,6 +84,7 @@ catalogue! {
 
         // What is followed in it.
         nothing_at_the_side = "there is nothing at the side";
+        no_further_part = "there is no further part";
         nothing_to_search = "there is nothing to search here";
         never_moves(name: &str) = "{name} never moves: nothing to follow";
         all_of(names: &[&str]) = { names.join(" and ") };
