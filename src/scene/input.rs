@@ -230,6 +230,10 @@ pub(super) fn rate(
             "has a unit that does not fit:",
             did_you_mean(unit, units.iter().copied()),
         ),
+        Misfit::TwoMarks => (
+            "has more than one decimal mark:",
+            Some("write digits without groups: 1234.5 or 1234,5".to_owned()),
+        ),
         Misfit::NotFinite => ("is too large:", None),
     };
     reader.report(

@@ -32,6 +32,7 @@ mod views;
 mod workbench;
 
 pub use crate::capability::{Colours, PictureChoice, PictureProtocol};
+pub use crate::wording::Language;
 pub use appearance::palette::Theme;
 pub use commands::view::View;
 pub use config::{Config, template};
