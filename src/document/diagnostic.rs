@@ -233,11 +233,9 @@ pub(crate) fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
     let shown = String::from_utf8_lossy(bytes);
     let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
     let bad = bytes.get(at).copied().unwrap_or_default();
-    let fault = Diagnostic::new(format!(
-        "the file is not UTF-8: byte 0x{bad:02x} at offset {at}"
-    ))
-    .at(at..end, "not a character in UTF-8")
-    .help("save the file as UTF-8");
+    let fault = Diagnostic::new(words().not_utf8(bad, at))
+        .at(at..end, words().not_a_character())
+        .help(words().save_as_utf8());
     Diagnostics {
         origin: origin.to_owned(),
         text: shown.into(),

@@ -26,6 +26,7 @@ pub(crate) trait Words:
     + CommandsWords
     + ConfigurationWords
     + EditingWords
+    + ErrorsWords
     + ExamplesWords
     + ExportsWords
     + FaultsWords
@@ -43,6 +44,7 @@ pub(crate) trait Words:
     + PickingWords
     + PlotsWords
     + ReactionsWords
+    + ReadingWords
     + TerminalsWords
     + TourWords
     + ViewsWords

@@ -1,19 +1,19 @@
 //! The command line as its users write it.
 
-mod csv;
 mod figures;
 mod language;
 mod motor;
 mod pictures;
+mod spreadsheet;
 mod workbench;
 
-pub(super) use csv::CsvArgs;
 pub(super) use figures::{
     AccuracyArgs, ExplainArgs, OutputFormat, SweepArgs, TableArgs, TextFormat,
 };
 pub(super) use language::LanguageChoice;
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
+pub(super) use spreadsheet::CsvArgs;
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};

@@ -315,7 +315,7 @@ impl PlotPainter<'_> {
         let x = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
         for (turn, role, point) in placed {
             let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
-            let text = format!("{value} at {along}");
+            let text = words().extremum(&value, &along);
             let inside = |&(col, row): &(i32, i32)| {
                 let last = col + length(&text) - 1;
                 frame.block.contains((col, row)) && frame.block.contains((last, row))

@@ -25,6 +25,9 @@ catalogue! {
         acceleration = "İvme";
         of_points(figure: &str) = "{figure}, mafsal noktaları";
         direction = "yön";
+        direction_r = "yön r";
+        direction_v = "yön v";
+        direction_a = "yön a";
         driver_at(driver: &str, at: &str, speed: &str, acceleration: &str) =
             "tahrik {driver}: {at}, {speed}, {acceleration}";
         state_is(state: &str) = "durum: {state}";

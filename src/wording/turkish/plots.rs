@@ -6,6 +6,7 @@ use crate::wording::english::PlotsWords;
 catalogue! {
     impl PlotsWords for Turkish {
         over(name: &str) = "yatay: {name}";
+        extremum(value: &str, place: &str) = "{value} ({place})";
         over_time = "zamana karşı: 0 s sahnenin açıldığı yer";
         extrema_marked = "en büyük ve en küçük değerler işaretli";
         extrema_not_marked = "en büyük ve en küçük değerler işaretsiz";

@@ -41,8 +41,8 @@ catalogue! {
         difference_of(title: &str) = "{title}, fark";
 
         // Accuracy.
-        measuring(percent: &str) = "ölçülüyor, yüzde {percent}";
-        stopped_at(percent: &dyn Display) = "durdu, yüzde {percent}";
+        measuring(percent: &str) = "ölçülüyor % {percent}";
+        stopped_at(percent: &dyn Display) = "durdu % {percent}";
         all_measured = "hepsi ölçüldü";
 
         // Forces.
