@@ -3,6 +3,7 @@
 use crate::nearest::did_you_mean;
 use crate::scene::{Precision, Scene};
 use crate::solver::{Condition, Group, GroupKind, Order, Pick, Plan, Solver, State};
+use crate::wording::words;
 use crate::{ElementId, PointId, Slider, Vec2};
 use std::fmt;
 use std::str::FromStr;
@@ -21,10 +22,10 @@ pub struct Wish {
 #[non_exhaustive]
 pub enum Misread {
     /// Not of the form.
-    #[error("write NAME=+ or NAME=-, and for a coupled group NAME=NUMBER")]
+    #[error("{}", words().how_wishes_are_written())]
     Form,
     /// No group has this name.
-    #[error("`{name}` names no group with a choice; {mend}")]
+    #[error("{}", words().no_group_with_choice(name, mend))]
     Unknown {
         /// What was written.
         name: String,
@@ -32,7 +33,7 @@ pub enum Misread {
         mend: String,
     },
     /// A number for a dyad, or a sign for a coupled group.
-    #[error("`{name}` is chosen by {options}")]
+    #[error("{}", words().chosen_by(name, options))]
     Kind {
         /// The group.
         name: String,
@@ -40,7 +41,7 @@ pub enum Misread {
         options: String,
     },
     /// The same group twice.
-    #[error("`{name}` is given twice")]
+    #[error("{}", words().group_given_twice(name))]
     Twice {
         /// The group.
         name: String,
@@ -227,12 +228,8 @@ fn suits(pick: Pick, group: &Group) -> bool {
 
 fn options(name: &str, group: &Group) -> String {
     match group.kind {
-        GroupKind::Coupled { .. } => {
-            format!(
-                "a number, `{name}=1`: it is a coupled group, and `krank check` lists its assemblies"
-            )
-        }
-        _ => format!("its sign, `{name}=+` or `{name}=-`: it is a dyad"),
+        GroupKind::Coupled { .. } => words().chosen_by_number(name),
+        _ => words().chosen_by_sign(name),
     }
 }
 
@@ -244,10 +241,10 @@ fn listed(names: &[&str]) -> String {
         .collect();
     let more = names.len() - shown.len();
     match (&shown[..], more) {
-        ([], _) => "there is none in this scene".to_owned(),
-        ([one], 0) => format!("the only one is {one}"),
-        (_, 0) => format!("there are {}", shown.join(", ")),
-        _ => format!("there are {} and {more} more", shown.join(", ")),
+        ([], _) => words().no_group_in_scene().to_owned(),
+        ([one], 0) => words().the_only_group(one),
+        (_, 0) => words().there_are(&shown.join(", ")),
+        _ => words().there_are_and_more(&shown.join(", "), more),
     }
 }
 

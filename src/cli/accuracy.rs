@@ -20,6 +20,7 @@ const PARTS: u64 = 1000;
 const CHART: (u16, u16) = (80, 20);
 
 pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } =
         open_for(&args.scene, &args.assembly.wishes, &args.output)?;
     let study = Study::new(&solver, args.positions);
@@ -31,9 +32,10 @@ pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Fa
     write_to(args.output.output.as_deref(), |out| match args.format {
         OutputFormat::Text => {
             let table = accuracy.to_text(screen.ascii);
-            write!(out, "{table}\n{}\n{}", chart(&findings), accuracy_notes())
+            let notes = screen.shown(&accuracy_notes());
+            write!(out, "{table}\n{}\n{notes}", chart(&findings))
         }
-        OutputFormat::Csv => accuracy.write_csv(out),
+        OutputFormat::Csv => accuracy.write_csv(dialect, out),
         OutputFormat::Json => writeln!(out, "{:#}", accuracy.to_json()),
     })
 }

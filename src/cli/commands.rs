@@ -40,6 +40,7 @@ pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure>
 
 /// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.figures.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
@@ -73,7 +74,7 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     };
     write_to(args.output.output.as_deref(), |out| match args.format {
         OutputFormat::Text => out.write_all(tables.to_text(style).as_bytes()),
-        OutputFormat::Csv => tables.write_csv(style, out),
+        OutputFormat::Csv => tables.write_csv(style, dialect, out),
         OutputFormat::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })?;
     nothing_hidden(&scene, &state)
@@ -152,22 +153,25 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
 }
 
 /// `krank completions`.
-pub(super) fn completions(shell: Shell) -> Result<(), Failure> {
+pub(super) fn completions(shell: Shell, screen: TextScreen) -> Result<(), Failure> {
     // The generator panics where it cannot write, so it writes to memory.
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "krank", &mut script);
-    write_to(None, |out| out.write_all(&script))
+    write_text(None, &screen.shown(&String::from_utf8_lossy(&script)))
 }
 
 /// `krank man`: the page of krank, or of one of its commands.
-pub(super) fn man(command: Option<&str>) -> Result<(), Failure> {
+pub(super) fn man(command: Option<&str>, screen: TextScreen) -> Result<(), Failure> {
     let mut krank = Cli::command();
     krank.build();
     let page = match command {
         None => krank,
         Some(name) => page_of(&krank, name)?,
     };
-    write_to(None, |out| clap_mangen::Man::new(page).render(out))
+    let mut roff = Vec::new();
+    let rendered = clap_mangen::Man::new(page).render(&mut roff);
+    rendered.map_err(|e| Failure::Output(None, e))?;
+    write_text(None, &screen.shown(&String::from_utf8_lossy(&roff)))
 }
 
 fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {

@@ -2,16 +2,25 @@
 
 use super::failure::Failure;
 use super::output::write_text;
+use super::screen::TextScreen;
 use crate::files::{from_home, read_file};
 use crate::scene::LARGEST_FILE;
 use crate::tui::{self, Config};
-use crate::wording::words;
+use crate::wording::{Language, words};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// `krank config`.
-pub(super) fn config() -> Result<(), Failure> {
-    write_text(None, &tui::template())
+pub(super) fn config(screen: TextScreen) -> Result<(), Failure> {
+    write_text(None, &screen.shown(&tui::template()))
+}
+
+/// The language that is configured, for what is said before anything else is asked of the configuration. What is
+/// wrong with it is told by whoever needs it, and what comes through a pipe can be read once.
+pub(super) fn language(named: Option<&Path>) -> Option<Language> {
+    let path = place(named).filter(|path| path.is_file())?;
+    let bytes = read_file(&path, LARGEST_FILE).ok()?;
+    Config::language_in(str::from_utf8(&bytes).ok()?)
 }
 
 /// Whether a file is not there, be it that its folder is none.
@@ -20,16 +29,21 @@ fn is_absent(error: &io::Error) -> bool {
     matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
-/// What a person has configured, in the file that is named or where it is looked for. That none is there is
-/// no fault, unless it was named.
-pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
+/// Where the configuration is, if anywhere.
+fn place(named: Option<&Path>) -> Option<PathBuf> {
     let env = |name: &str| std::env::var_os(name).map(PathBuf::from);
     // What a shell leaves of `--config=~/krank.toml`.
     let meant = |path: &Path| {
         path.to_str()
             .map_or_else(|| path.to_owned(), |typed| from_home(typed, env))
     };
-    let Some(path) = named.map(meant).or_else(|| Config::path(env)) else {
+    named.map(meant).or_else(|| Config::path(env))
+}
+
+/// What a person has configured, in the file that is named or where it is looked for. That none is there is
+/// no fault, unless it was named.
+pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
+    let Some(path) = place(named) else {
         return Ok(Config::default());
     };
     let shown = path.display().to_string();

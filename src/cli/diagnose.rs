@@ -1,7 +1,7 @@
 //! `krank --diagnose`: what was found of the terminal, and why, so that whoever sees a wrong character or
 //! none can say what their terminal says.
 
-use super::args::WorkbenchArgs;
+use super::args::{LanguageChoice, WorkbenchArgs};
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::judgement;
@@ -10,14 +10,14 @@ use crate::capability::{Colours, Detected, Judgement, PictureChoice};
 use crate::drawing::{Blocks, Glyphs};
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
-use crate::wording::words;
+use crate::wording::{Language, words};
 use std::env;
 use std::io::{IsTerminal, stderr, stdin, stdout};
 use std::path::PathBuf;
 
 /// Prints it; it works in a pipe as well, and without any terminal.
-pub(super) fn diagnose(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let (judgement, options) = (judgement(), options(args)?);
+pub(super) fn diagnose(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
+    let (judgement, options) = (judgement(), options(args, language)?);
     let mut rows = Vec::new();
     for (name, value) in judgement.variables() {
         rows.push((name, value.map_or_else(|| words().not_set().into(), quoted)));
@@ -37,7 +37,8 @@ pub(super) fn diagnose(args: &WorkbenchArgs) -> Result<(), Failure> {
     let longest = rows.iter().map(|(name, _)| name.chars().count()).max();
     let names = longest.unwrap_or(0) + 2;
     for (name, what) in rows {
-        text += &format!("{name:names$}{}\n", sanitized(&what, true));
+        let [name, what] = [name, &what].map(|text| sanitized(text, true));
+        text += &format!("{name:names$}{what}\n");
     }
     write_text(None, &text)
 }
@@ -104,6 +105,7 @@ fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
     vec![
         (words().glyphs(), glyphs),
         (words().colours(), colours),
+        (words().row_language(), Language::spoken().name().to_owned()),
         (words().row_theme(), options.theme.name().to_owned()),
         (words().row_frames(), frames.to_owned()),
         (words().row_pictures(), pictures(judgement, options)),

@@ -25,6 +25,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
             None => of_command(word)?,
         },
     };
+    let text = screen.shown(&text);
     match args.no_pager {
         true => write_text(None, &text),
         false => pager::show(&text, screen),
@@ -77,7 +78,7 @@ fn of_command(word: &str) -> Result<String, Failure> {
     let mut krank = Cli::command();
     krank.build();
     match krank.find_subcommand_mut(word) {
-        Some(command) => Ok(command.render_long_help().to_string()),
+        Some(command) => Ok(words().of_parser(&command.render_long_help().to_string())),
         None => Err(unknown(word, &krank)),
     }
 }

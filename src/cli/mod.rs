@@ -11,6 +11,7 @@ mod draw;
 mod explain;
 mod failure;
 mod help;
+mod language;
 mod misuse;
 mod motor;
 mod output;
@@ -47,7 +48,7 @@ use std::process::ExitCode;
 /// The exit code is 0 where it was done, 1 where the mechanism cannot do what was asked or the
 /// results cannot be written, 2 where the command line or the scene is wrong.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let arguments = language::settle(arguments.into_iter().collect());
     let screen = TextScreen::detect();
     complete_what_was_cut_off(screen);
     let done = match Cli::try_parse_from(&arguments) {
@@ -75,12 +76,12 @@ fn complete_what_was_cut_off(screen: TextScreen) {
 
 /// Help and version are asked for and go to standard output; everything else is an error.
 fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
-    let text = error.render().to_string();
+    let text = words().of_parser(&error.render().to_string());
     if error.use_stderr() {
         failure::say(&lines_made_harmless(&text, screen));
         return ExitCode::from(2);
     }
-    match output::write_text(None, &text) {
+    match output::write_text(None, &screen.shown(&text)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.code(),
     }
@@ -97,8 +98,8 @@ fn lines_made_harmless(text: &str, screen: TextScreen) -> String {
 fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
     match &cli.command {
         #[cfg(feature = "tui")]
-        None if cli.workbench.diagnose => diagnose::diagnose(&cli.workbench),
-        None => workbench::open(&cli.workbench),
+        None if cli.workbench.diagnose => diagnose::diagnose(&cli.workbench, cli.language),
+        None => workbench::open(&cli.workbench, cli.language),
         Some(Command::List) => commands::list(screen),
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
@@ -110,9 +111,9 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         Some(Command::Motor(args)) => motor::motor(args, screen),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         #[cfg(feature = "tui")]
-        Some(Command::Config) => config::config(),
+        Some(Command::Config) => config::config(screen),
         Some(Command::Help(args)) => help::help(args),
-        Some(Command::Completions { shell }) => commands::completions(*shell),
-        Some(Command::Man { command }) => commands::man(command.as_deref()),
+        Some(Command::Completions { shell }) => commands::completions(*shell, screen),
+        Some(Command::Man { command }) => commands::man(command.as_deref(), screen),
     }
 }

@@ -17,6 +17,7 @@ use crate::{Body, SlideId};
 use std::fmt::Display;
 
 pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
@@ -43,7 +44,7 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     match args.format {
         OutputFormat::Text => write_text(output, &report.to_text(screen.ascii))?,
         OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json()))?,
-        OutputFormat::Csv => write_to(output, |out| report.write_csv(out))?,
+        OutputFormat::Csv => write_to(output, |out| report.write_csv(dialect, out))?,
     }
     match &report.duty {
         Ok(duty) => judge(duty),

@@ -3,6 +3,7 @@
 use super::args::{GlyphChoice, Size};
 use super::output::goes_to_terminal;
 use super::screen;
+use crate::document::with_ascii_letters;
 use crate::drawing;
 use std::path::Path;
 
@@ -16,6 +17,14 @@ pub(super) const ASPECT: f64 = 2.0;
 pub(super) fn glyphs(wish: GlyphChoice) -> drawing::Glyphs {
     wish.asked()
         .unwrap_or_else(|| screen::judgement().glyphs().value)
+}
+
+/// A picture's text with our own words in letters that go with its characters.
+pub(super) fn lettered(text: String, glyphs: drawing::Glyphs) -> String {
+    match glyphs.is_dotted() {
+        true => text,
+        false => with_ascii_letters(&text),
+    }
 }
 
 /// As asked, or as large as the terminal that it goes to, the prompt's line left free.

@@ -79,7 +79,10 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
         let all = plot.least_rows();
         note(&words().panels_without_room(hidden, cols, all), screen);
     }
-    Ok(plot.render(&look, None).text())
+    Ok(picture::lettered(
+        plot.render(&look, None).text(),
+        look.glyphs,
+    ))
 }
 
 /// What stands along x.

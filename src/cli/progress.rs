@@ -37,7 +37,7 @@ pub(super) struct Progress {
     total: u64,
     /// What is counted: `rows`.
     unit: &'static str,
-    ascii: bool,
+    screen: TextScreen,
     /// `None` where nobody would see it.
     line: Option<Arc<Mutex<ProgressLine>>>,
     begin: Instant,
@@ -61,7 +61,7 @@ impl Progress {
         Progress {
             total,
             unit,
-            ascii: screen.ascii,
+            screen,
             line: seen.then(Arc::default),
             begin: Instant::now(),
             next: DELAY,
@@ -88,7 +88,8 @@ impl Progress {
             unit: self.unit,
             elapsed,
         };
-        hold(line).show(counted.line(width(), self.ascii));
+        let text = counted.line(width(), self.screen.ascii);
+        hold(line).show(self.screen.shown(&text));
     }
 
     /// It is done, one way or the other: clears the line.
@@ -165,9 +166,10 @@ impl Counted {
         let all = format!("{percent}{count}{left}");
         let tails = [all, percent.clone() + &left, percent];
         // A bar is worth its place from ten characters on.
-        let fits = |tail: &&String| tail.len() + 12 <= room;
+        let length = |tail: &String| tail.chars().count();
+        let fits = |tail: &&String| length(tail) + 12 <= room;
         match tails.iter().find(fits) {
-            Some(tail) => self.bar(room - tail.len() - 1, ascii) + " " + tail,
+            Some(tail) => self.bar(room - length(tail) - 1, ascii) + " " + tail,
             None => tails[2].chars().take(room).collect(),
         }
     }

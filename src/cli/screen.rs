@@ -1,6 +1,7 @@
 //! What a terminal can show: the one behind standard error, or behind standard output.
 
 use crate::capability::{Colours, Judgement, TerminalKind};
+use crate::document::with_ascii_letters;
 use std::io::{IsTerminal, stderr, stdout};
 
 /// What messages and texts to be read may use.
@@ -15,6 +16,14 @@ pub(super) struct TextScreen {
 }
 
 impl TextScreen {
+    /// Our own text as it is shown there.
+    pub(super) fn shown(self, text: &str) -> String {
+        match self.ascii {
+            true => with_ascii_letters(text),
+            false => text.to_owned(),
+        }
+    }
+
     /// As the environment says.
     pub(super) fn detect() -> Self {
         TextScreen::judge(&judgement(), stderr().is_terminal())

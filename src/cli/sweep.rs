@@ -22,6 +22,7 @@ use crate::wording::words;
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.figures.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
     let figures = figures(&mut catalogue, &args.columns)?;
@@ -37,7 +38,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     let range = solver.motion().range;
     let steps = steps(&scene, whole(&scene, range, &figures), args)?;
     let format = match args.format {
-        OutputFormat::Csv => RowFormat::Csv,
+        OutputFormat::Csv => RowFormat::Csv(dialect),
         OutputFormat::Json => RowFormat::Json,
         OutputFormat::Text => RowFormat::Text {
             digits: usize::from(args.figures.digits),

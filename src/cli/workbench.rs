@@ -1,6 +1,6 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
+use super::args::{Colour, LanguageChoice, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
 use super::config;
 use super::failure::Failure;
 use super::output::write_text;
@@ -11,8 +11,8 @@ use std::path::Path;
 
 /// Opens the scene on the terminal and returns when the workbench is left; or prints what would be seen
 /// there.
-pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let options = options(args)?;
+pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
+    let options = options(args, language)?;
     let named = args.scene.as_deref();
     let source = find(named.unwrap_or(Path::new(USUAL_SCENE)))?;
     let SolvableScene { scene, solver } = load(&source, &args.assembly.wishes)?;
@@ -42,8 +42,12 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
 }
 
 /// What is asked for on the command line, and where it says nothing, in the configuration.
-pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
+pub(super) fn options(args: &WorkbenchArgs, language: LanguageChoice) -> Result<Options, Failure> {
     let config = config::load(args.config.as_deref())?;
+    // Of a configuration that comes through a pipe it was not known before.
+    if let (None, Some(language)) = (language.asked(), config.language) {
+        language.speak();
+    }
     Ok(Options {
         at: args.at.map(|at| at.value()),
         glyphs: args.glyphs.asked().or(config.glyphs),

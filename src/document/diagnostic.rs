@@ -1,6 +1,7 @@
 //! What is wrong with a document, and where.
 
 use super::sanitize::{escaped, replacement};
+use crate::wording::words;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::fmt;
@@ -188,7 +189,9 @@ impl ShownText {
     }
 
     fn group<'a>(&'a self, item: &'a Diagnostic, origin: &'a str, ascii: bool) -> Group<'a> {
-        let title = Level::ERROR.primary_title(escaped(&item.message, ascii));
+        let title = Level::ERROR
+            .with_name(words().level_error())
+            .primary_title(escaped(&item.message, ascii));
         let mut group = match &item.primary {
             None => title.element(Origin::path(origin)),
             Some(primary) => {
@@ -207,10 +210,12 @@ impl ShownText {
             }
         };
         for note in &item.notes {
-            group = group.element(Level::NOTE.message(lines(note, ascii)));
+            let level = Level::NOTE.with_name(words().level_note());
+            group = group.element(level.message(lines(note, ascii)));
         }
         for help in &item.helps {
-            group = group.element(Level::HELP.message(lines(help, ascii)));
+            let level = Level::HELP.with_name(escaped(words().level_help(), ascii));
+            group = group.element(level.message(lines(help, ascii)));
         }
         group
     }
@@ -228,11 +233,9 @@ pub(crate) fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
     let shown = String::from_utf8_lossy(bytes);
     let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
     let bad = bytes.get(at).copied().unwrap_or_default();
-    let fault = Diagnostic::new(format!(
-        "the file is not UTF-8: byte 0x{bad:02x} at offset {at}"
-    ))
-    .at(at..end, "not a character in UTF-8")
-    .help("save the file as UTF-8");
+    let fault = Diagnostic::new(words().not_utf8(bad, at))
+        .at(at..end, words().not_a_character())
+        .help(words().save_as_utf8());
     Diagnostics {
         origin: origin.to_owned(),
         text: shown.into(),

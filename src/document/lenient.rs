@@ -4,6 +4,7 @@
 //! place and with what stands there instead, so that one fault hides no other.
 
 use super::reader::{ByteSpan, Name, meant};
+use crate::wording::words;
 use serde::de::value::{BoolDeserializer, F64Deserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, Error, IgnoredAny, IntoDeserializer, MapAccess, SeqAccess};
 use serde::{Deserialize, Deserializer, de};
@@ -55,14 +56,14 @@ impl Misplaced {
     }
 
     /// In a person's words.
-    pub(super) fn words(&self) -> &'static str {
+    pub(super) fn said(&self) -> &'static str {
         match self {
-            Misplaced::Text(_) => "a text",
-            Misplaced::Number | Misplaced::Unheld => "a number",
-            Misplaced::Boolean => "true or false",
-            Misplaced::Date => "a date",
-            Misplaced::List => "a list",
-            Misplaced::Table => "a table",
+            Misplaced::Text(_) => words().a_text(),
+            Misplaced::Number | Misplaced::Unheld => words().a_number(),
+            Misplaced::Boolean => words().a_truth(),
+            Misplaced::Date => words().a_date(),
+            Misplaced::List => words().a_list(),
+            Misplaced::Table => words().a_table(),
         }
     }
 }

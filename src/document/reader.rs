@@ -4,6 +4,7 @@ use super::diagnostic::{Diagnostic, Diagnostics};
 use super::lenient::{Lenient, Misplaced, WrittenKey};
 use super::sanitize::escaped;
 use crate::nearest::{did_you_mean, nearest};
+use crate::wording::words;
 use std::fmt;
 use std::ops::Range;
 
@@ -73,7 +74,7 @@ impl<'t> Reader<'t> {
         if items.len() > SHOWN {
             let rest = items.len() - SHOWN;
             items.truncate(SHOWN);
-            items.push(Diagnostic::new(format!("{rest} more faults are not shown")));
+            items.push(Diagnostic::new(words().more_faults(rest)));
         }
         Diagnostics {
             origin: origin.to_owned(),
@@ -111,9 +112,8 @@ impl<'t> Reader<'t> {
         found: &Misplaced,
         span: &ByteSpan,
     ) -> Diagnostic {
-        let found = found.words();
-        Diagnostic::new(format!("{what} must be {wanted}, not {found}"))
-            .at(span.clone(), format!("expected {wanted}"))
+        Diagnostic::new(words().must_be(what, wanted, found.said()))
+            .at(span.clone(), words().expected(wanted))
     }
 
     /// A text.
@@ -127,12 +127,12 @@ impl<'t> Reader<'t> {
             Ok(text) => return Some(Name { text, span }),
             Err(found) => found,
         };
-        let fault = self.wrong_type(what, "a text in quotes", found, &span);
+        let fault = self.wrong_type(what, words().a_quoted_text(), found, &span);
         let literal = self.text.get(span).unwrap_or("");
         let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
         let short = literal.len() <= QUOTED && literal.chars().all(word);
         self.report(if short {
-            fault.help(format!("write it in quotes: \"{literal}\""))
+            fault.help(words().write_in_quotes(literal))
         } else {
             fault
         });
@@ -146,7 +146,7 @@ impl<'t> Reader<'t> {
             Ok(read) => return Some(*read),
             Err(found) => found,
         };
-        let fault = self.wrong_type(what, "true or false", found, &value.span);
+        let fault = self.wrong_type(what, words().a_truth(), found, &value.span);
         let help = found.text().and_then(bare_boolean);
         self.report(fault.maybe_help(help));
         None
@@ -163,8 +163,8 @@ impl<'t> Reader<'t> {
             Ok(table) => return Some(table),
             Err(found) => found,
         };
-        let fault = self.wrong_type(what, "a table", found, &value.span);
-        self.report(fault.help(format!("for example: {example}")));
+        let fault = self.wrong_type(what, words().a_table(), found, &value.span);
+        self.report(fault.help(words().for_example(example)));
         None
     }
 
@@ -180,10 +180,10 @@ impl<'t> Reader<'t> {
             if known.contains(&text) {
                 continue;
             }
-            let fault = Diagnostic::new(format!("{of}: unknown key {}", quoted(text)))
-                .at(key.span(), "unknown key");
+            let fault = Diagnostic::new(words().unknown_key_in(of, &quoted(text)))
+                .at(key.span(), words().unknown_key_here());
             let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
-            let listed = || format!("known keys: `{}`", known.join("`, `"));
+            let listed = || words().known_keys(&format!("`{}`", known.join("`, `")));
             self.report(fault.help(near.flatten().unwrap_or_else(listed)));
         }
     }
@@ -206,5 +206,5 @@ fn bare_boolean(text: &str) -> Option<String> {
         "false" | "no" | "off" => false,
         _ => return None,
     };
-    Some(format!("write it without quotes: {meant}"))
+    Some(words().write_without_quotes(&meant.to_string()))
 }

@@ -1,4 +1,6 @@
-//! Text of a file made harmless for a terminal.
+//! Text of a file made harmless for a terminal, and our own such as it can show.
+
+use crate::wording::Language;
 
 /// Whether a character could act on a terminal or hide: controls, bidirectional marks, and
 /// characters of no width that are not combining accents. Tab and line feed count as harmful here.
@@ -24,7 +26,34 @@ pub fn is_harmful(c: char) -> bool {
             | '\u{E0000}'..='\u{E0FFF}')
 }
 
-/// The same number of characters, none of them harmful; with `ascii`, none beyond ASCII either.
+/// The letter of ASCII for one of Turkish, where a terminal has no others.
+pub(crate) fn ascii_letter(c: char) -> Option<char> {
+    Some(match c {
+        'â' => 'a',
+        'ç' => 'c',
+        'ğ' => 'g',
+        'ı' | 'î' => 'i',
+        'ö' => 'o',
+        'ş' => 's',
+        'ü' | 'û' => 'u',
+        'Â' => 'A',
+        'Ç' => 'C',
+        'Ğ' => 'G',
+        'İ' | 'Î' => 'I',
+        'Ö' => 'O',
+        'Ş' => 'S',
+        'Ü' | 'Û' => 'U',
+        _ => return None,
+    })
+}
+
+/// Our own text with the letters of ASCII for those of Turkish, one for one; what else it holds stays.
+pub(crate) fn with_ascii_letters(text: &str) -> String {
+    text.chars().map(|c| ascii_letter(c).unwrap_or(c)).collect()
+}
+
+/// The same number of characters, none of them harmful; with `ascii`, none beyond ASCII either: letters of
+/// Turkish become those that they look like, and what looks like none `?`.
 ///
 /// Line feeds and tabs become spaces: this is for text of one line.
 #[must_use]
@@ -35,12 +64,15 @@ pub fn sanitized(text: &str, ascii: bool) -> String {
 /// The text with harmful characters written as escapes (`\u{1b}`), and with `ascii` all others beyond
 /// ASCII too: for messages, where the reader wants to know which character it was.
 ///
-/// Line feeds and tabs become spaces.
+/// Line feeds and tabs become spaces. While Turkish is spoken its letters are those of our own words, and become
+/// what they look like; the line of the file below the message has them too.
 pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         let plain = replacement(c, ascii);
         if plain == c || c == '\t' || c == '\n' {
+            out.push(plain);
+        } else if ascii_letter(c).is_some() && Language::spoken() == Language::Turkish {
             out.push(plain);
         } else {
             out.extend(c.escape_unicode());
@@ -54,7 +86,7 @@ pub(crate) fn replacement(c: char, ascii: bool) -> char {
     match c {
         '\t' | '\n' => ' ',
         _ if c.is_ascii() && !c.is_ascii_control() => c,
-        _ if ascii => '?',
+        _ if ascii => ascii_letter(c).unwrap_or('?'),
         _ if is_harmful(c) => char::REPLACEMENT_CHARACTER,
         _ => c,
     }
@@ -77,6 +109,19 @@ mod tests {
     fn a_message_names_the_character() {
         assert_eq!(escaped("a\u{1b}[2J\n\u{d6}", false), "a\\u{1b}[2J \u{d6}");
         assert_eq!(escaped("\u{d6}", true), "\\u{d6}");
+        Language::Turkish.speak();
+        assert_eq!(
+            escaped("\u{d6}l\u{e7}\u{fc} \u{3b8}", true),
+            "Olcu \\u{3b8}"
+        );
+    }
+
+    #[test]
+    fn letters_of_turkish_become_those_that_they_look_like() {
+        let all = "ç ğ ı i ö ş ü Ç Ğ I İ Ö Ş Ü â î û";
+        assert_eq!(sanitized(all, true), "c g i i o s u C G I I O S U a i u");
+        assert_eq!(with_ascii_letters(all), sanitized(all, true));
+        assert_eq!(with_ascii_letters("θ → ─"), "θ → ─");
     }
 
     #[test]
@@ -85,7 +130,7 @@ mod tests {
         assert_eq!(sanitized(turkish, false), turkish);
         assert_eq!(
             sanitized(turkish, true),
-            "Krank-biyel mekanizmas?, ?3 = 29?"
+            "Krank-biyel mekanizmasi, ?3 = 29?"
         );
     }
 }

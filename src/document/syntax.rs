@@ -3,6 +3,7 @@
 use super::diagnostic::Diagnostic;
 use super::lenient::Lenient;
 use super::reader::{ByteSpan, Reader, quoted};
+use crate::wording::words;
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
@@ -59,7 +60,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
 fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
     let message = error.message();
     let help = mend(text, message, &span);
-    Diagnostic::new(format!("not valid TOML: {message}"))
+    Diagnostic::new(words().not_valid_toml(message))
         .at(span, "")
         .maybe_help(help)
 }
@@ -76,11 +77,11 @@ fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
             first = Some(place);
         }
     });
-    let fault = Diagnostic::new(format!("{} is given twice", quoted(key)))
-        .at(span, "the second time")
-        .help("take one of them out, or rename it");
+    let fault = Diagnostic::new(words().given_twice(&quoted(key)))
+        .at(span, words().the_second_time())
+        .help(words().take_one_out());
     match first {
-        Some(place) => fault.and(place, "the first time"),
+        Some(place) => fault.and(place, words().the_first_time()),
         None => fault,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::plot::{Chart, Datum, DecadeAxis};
 use crate::study::Findings;
+use crate::wording::words;
 
 /// Smaller errors, and none at all, stand here: below the rounding of one double.
 const LEAST_ERROR: f64 = 1e-17;
@@ -21,11 +22,11 @@ pub fn trade_off(findings: &Findings) -> Chart {
     };
     Chart {
         x: DecadeAxis {
-            title: "time".into(),
+            title: words().time().into(),
             label: time,
         },
         y: DecadeAxis {
-            title: "error".into(),
+            title: words().short_accuracy().into(),
             label: |power| format!("1e{power}"),
         },
         data: findings.methods.iter().filter_map(datum).collect(),

@@ -226,7 +226,7 @@ impl Compiler<'_> {
             });
         }
         (self.names)(name).map_err(|help| {
-            let fault = Malformed::new(span.clone(), words().no_quantity(name));
+            let fault = Malformed::new(span.clone(), words().no_quantity(name, ""));
             let help = help.or_else(|| slip(name).map(str::to_owned));
             Malformed { help, ..fault }
         })

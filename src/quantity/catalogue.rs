@@ -5,6 +5,7 @@ use crate::expression::LengthScale;
 use crate::nearest::nearest;
 use crate::scene::Scene;
 use crate::solver::Order;
+use crate::wording::words;
 use crate::{Input, Slider};
 use thiserror::Error;
 
@@ -22,7 +23,7 @@ pub struct Catalogue {
 
 /// A column pattern that names nothing in the scene.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("no quantity is named `{pattern}`{}", self.mend())]
+#[error("{}", words().no_quantity(pattern, &self.mend()))]
 pub struct UnknownColumn {
     /// The pattern.
     pub pattern: String,
@@ -37,7 +38,7 @@ pub struct UnknownColumn {
 impl UnknownColumn {
     fn mend(&self) -> String {
         if self.nothing_acts {
-            return "; nothing acts on this scene: it has no loads, springs or masses".into();
+            return words().nothing_acts_on_scene().into();
         }
         let beside = ["bound", "sensitivity"];
         let beside = beside.map(|kind| (kind, self.pattern.strip_suffix(kind)));
@@ -48,14 +49,15 @@ impl UnknownColumn {
                 } else {
                     "--sensitivity"
                 };
-                return format!("; name `{name}`, and {option} puts `{name}.{kind}` behind it");
+                return words().option_puts_behind(name, option, kind);
             }
         }
         if let Some(why) = &self.why {
             return format!("; {why}");
         }
         let nearest = self.nearest.as_ref();
-        nearest.map_or_else(String::new, |n| format!("; did you mean `{n}`?"))
+        let meant = |near: &String| words().or_meant(&words().did_you_mean(near));
+        nearest.map_or_else(String::new, meant)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a study of methods has found, as text, CSV and JSON.
 
+use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{concise, significant};
-use super::rows::plain;
 use crate::PointId;
 use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
 use crate::scene::Scene;
@@ -169,9 +169,9 @@ impl Accuracy<'_> {
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn write_csv(&self, to: impl Write) -> io::Result<()> {
-        let mut csv = csv::Writer::from_writer(to);
-        csv.write_record(COLUMNS).map_err(plain)?;
+    pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
+        let mut csv = CsvSheet::new(dialect, to);
+        csv.record(COLUMNS)?;
         for finding in &self.findings.methods {
             let row = self.record(finding);
             let cells = COLUMNS.iter().map(|column| match row.get(*column) {
@@ -179,9 +179,9 @@ impl Accuracy<'_> {
                 Some(Value::String(text)) => text.clone(),
                 Some(other) => other.to_string(),
             });
-            csv.write_record(cells).map_err(plain)?;
+            csv.record(cells)?;
         }
-        csv.flush()
+        csv.finish()
     }
 
     /// One object.

@@ -1,7 +1,7 @@
 //! What was plotted, as comma separated values.
 
+use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::shortest;
-use super::rows::plain;
 use crate::quantity::{Abscissa, Curves, state_word};
 use std::io;
 
@@ -11,8 +11,9 @@ use std::io;
 ///
 /// # Errors
 /// None but of memory.
-pub fn curves_csv(curves: &Curves) -> io::Result<String> {
-    let mut csv = csv::Writer::from_writer(Vec::new());
+pub fn curves_csv(curves: &Curves, dialect: CsvDialect) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    let mut csv = CsvSheet::new(dialect, &mut bytes);
     let [name, unit] = &curves.title;
     let along = match curves.abscissa {
         Abscissa::Driver => None,
@@ -21,8 +22,7 @@ pub fn curves_csv(curves: &Curves) -> io::Result<String> {
     let figures = curves.curves.iter().map(|curve| curve.quantity.header());
     let headers = [curves.driver.header()].into_iter().chain(along.clone());
     let headers = headers.chain(figures).chain(["state".into()]);
-    csv.write_record(headers.map(String::into_bytes))
-        .map_err(plain)?;
+    csv.record(headers)?;
     let cell = |value: Option<f64>| {
         let mut text = String::new();
         if let Some(value) = value {
@@ -37,10 +37,8 @@ pub fn curves_csv(curves: &Curves) -> io::Result<String> {
         let value = |curve: &crate::quantity::Curve| curve.values.get(i).copied().flatten();
         row.extend(curves.curves.iter().map(|curve| cell(value(curve))));
         row.push(state_word(condition).to_owned());
-        csv.write_record(row).map_err(plain)?;
+        csv.record(row)?;
     }
-    let bytes = csv
-        .into_inner()
-        .map_err(|e| io::Error::other(e.to_string()))?;
+    csv.finish()?;
     String::from_utf8(bytes).map_err(io::Error::other)
 }

@@ -6,7 +6,7 @@ use super::tables::{Entry, PlaneVector, ProvedState};
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};
-use crate::wording::words;
+use crate::wording::{Language, words};
 use crate::{Ball, Body, SlideId, Slider, Vec2};
 
 /// What the driver must do: figures in N m, or in N where a slide is driven.
@@ -237,9 +237,7 @@ pub(super) fn withheld(scene: &Scene, state: &State) -> Option<String> {
 
 /// A clause as a sentence of its own.
 pub(super) fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|c| c.to_ascii_uppercase());
-    first.into_iter().chain(letters).chain(['.']).collect()
+    Language::spoken().capitalised(text) + "."
 }
 
 /// The parts of what the driver must do, and what the checks miss, as columns name them.

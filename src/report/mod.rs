@@ -12,6 +12,7 @@ mod check;
 mod check_page;
 mod choice_facts;
 mod columns;
+mod csv_dialect;
 mod curves;
 mod difference;
 mod errors;
@@ -42,6 +43,7 @@ pub use check::{
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
+pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
 pub use curves::curves_csv;
 pub use difference::Pairing;
 pub use errors::Missing;

@@ -1,7 +1,7 @@
 //! The motor over a cycle: what a scene asks of its driver, what evens that out, and what a ram does.
 
+use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::shortest;
-use super::rows::plain;
 use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
@@ -272,11 +272,11 @@ impl MotorReport {
     ///
     /// # Errors
     /// Where it cannot be written.
-    pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
+    pub fn write_csv(&self, dialect: CsvDialect, out: &mut dyn io::Write) -> io::Result<()> {
         let Ok(duty) = &self.duty else {
             return Ok(());
         };
-        let mut csv = csv::Writer::from_writer(out);
+        let mut csv = CsvSheet::new(dialect, out);
         let [coordinate, effort] = &self.columns;
         let unit = self.effort_unit();
         let parts = PARTS.map(|part| format!("{effort}.{part} [{unit}]"));
@@ -291,7 +291,7 @@ impl MotorReport {
             "state",
         ];
         header.extend(rest.map(str::to_owned));
-        csv.write_record(&header).map_err(plain)?;
+        csv.record(&header)?;
         for (way, step) in duty.steps(steps(duty.turns())) {
             let mut row = vec![cell(Some(step.at)), cell(step.torque)];
             row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
@@ -301,9 +301,9 @@ impl MotorReport {
             row.push(cell(step.ground.map(|(force, _)| force.y)));
             row.push(cell(step.ground.map(|(_, moment)| moment)));
             row.push(state_word(step.condition).to_owned());
-            csv.write_record(&row).map_err(plain)?;
+            csv.record(&row)?;
         }
-        csv.flush()
+        csv.finish()
     }
 }
 

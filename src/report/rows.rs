@@ -4,6 +4,7 @@
 //! allocate nothing.
 
 use super::columns::{CellSource, Columns};
+use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{direction, shortest, significant, upwards};
 use crate::quantity::{Quantity, state_word};
 use crate::solver::Condition;
@@ -30,19 +31,17 @@ pub(super) fn plain(error: csv::Error) -> io::Error {
 /// Comma separated values.
 pub(super) struct CsvRows<W: Write> {
     to: W,
+    dialect: CsvDialect,
     line: String,
 }
 
 impl<W: Write> CsvRows<W> {
-    pub(super) fn new(columns: &Columns, mut to: W) -> io::Result<Self> {
-        let mut csv = csv::Writer::from_writer(&mut to);
-        let headers = columns.headers().chain(["state".into()]);
-        csv.write_record(headers.map(String::into_bytes))
-            .map_err(plain)?;
-        csv.flush()?;
-        drop(csv);
+    pub(super) fn new(columns: &Columns, dialect: CsvDialect, mut to: W) -> io::Result<Self> {
+        let mut header = CsvSheet::new(dialect, &mut to);
+        header.record(columns.headers().chain(["state".into()]))?;
+        header.finish()?;
         let line = String::new();
-        Ok(CsvRows { to, line })
+        Ok(CsvRows { to, dialect, line })
     }
 }
 
@@ -52,9 +51,9 @@ impl<W: Write> RowWriter for CsvRows<W> {
         self.line.clear();
         for cell in cells {
             if let Some(value) = *cell {
-                shortest(value, &mut self.line);
+                self.dialect.push(value, &mut self.line);
             }
-            self.line.push(',');
+            self.line.push(self.dialect.separator());
         }
         self.line.push_str(state_word(condition));
         self.line.push('\n');

@@ -4,6 +4,7 @@
 //! the tenth row of a sweep by 0.1 is 1 and not 0.9999999999999999. The ends and the step are
 //! therefore kept as the decimals that were written.
 
+use crate::wording::words;
 use std::fmt::Write;
 use std::str::FromStr;
 use thiserror::Error;
@@ -29,10 +30,10 @@ pub struct WrittenDecimal {
 #[non_exhaustive]
 pub enum DecimalError {
     /// No number at all.
-    #[error("must be a number, such as 60 or -0.5")]
+    #[error("{}", words().not_a_decimal())]
     Syntax,
     /// NaN, infinity, or too large for a double.
-    #[error("must be a finite number")]
+    #[error("{}", words().decimal_not_finite())]
     NotFinite,
 }
 
@@ -94,13 +95,10 @@ fn exact(text: &str) -> Option<(i128, i32)> {
 #[non_exhaustive]
 pub enum StepsError {
     /// A step of 0.
-    #[error("the step must not be 0")]
+    #[error("{}", words().step_is_zero())]
     Zero,
     /// The step leads away from the end.
-    #[error(
-        "a step of {step} never leads from {from} to {to}; a step of {} does",
-        -step
-    )]
+    #[error("{}", words().step_leads_away(*step, *from, *to, -step))]
     Away {
         /// Where the sweep begins.
         from: f64,
@@ -110,7 +108,7 @@ pub enum StepsError {
         step: f64,
     },
     /// More rows than [`MOST_ROWS`].
-    #[error("a sweep from {from} to {to} by {step} has more than 10^9 rows; take a larger step")]
+    #[error("{}", words().sweep_too_long(*from, *to, *step))]
     TooMany {
         /// Where the sweep begins.
         from: f64,

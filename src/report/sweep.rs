@@ -3,6 +3,7 @@
 //! A few states and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
 
 use super::columns::{Beside, Columns};
+use super::csv_dialect::CsvDialect;
 use super::errors::{ErrorCells, Missing};
 use super::rows::{CsvRows, JsonRows, RowWriter, TextRows};
 use super::steps::Steps;
@@ -16,7 +17,7 @@ use std::io::{self, Write};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowFormat {
     /// Comma separated values with a header.
-    Csv,
+    Csv(CsvDialect),
     /// One object: the scene, the units, and an object per row.
     Json,
     /// Aligned columns, to this many significant digits.
@@ -67,7 +68,7 @@ impl<'a> Sweep<'a> {
     pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<SweepOutcome> {
         let columns = self.columns;
         match self.format {
-            RowFormat::Csv => self.run(CsvRows::new(columns, to)?, watch),
+            RowFormat::Csv(dialect) => self.run(CsvRows::new(columns, dialect, to)?, watch),
             RowFormat::Json => self.run(JsonRows::new(&self.scene.name, columns, to)?, watch),
             RowFormat::Text { digits } => self.run(TextRows::new(columns, digits, to)?, watch),
         }

@@ -1,9 +1,9 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
 use super::answers::Answers;
+use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::forces::Forces;
 use super::number::shortest;
-use super::rows::plain;
 use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
 use super::tables_page::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
@@ -58,9 +58,14 @@ impl Tables {
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn write_csv(&self, style: TableStyle, to: impl Write) -> io::Result<()> {
+    pub fn write_csv(
+        &self,
+        style: TableStyle,
+        dialect: CsvDialect,
+        to: impl Write,
+    ) -> io::Result<()> {
         let mut lines = TableCsv {
-            csv: csv::Writer::from_writer(to),
+            csv: CsvSheet::new(dialect, to),
             style,
             answers: self.answers.as_ref(),
         };
@@ -89,7 +94,7 @@ impl Tables {
         }
         let state = ["state", state_word(self.condition), "", ""];
         lines.record(state, "", [""; 3])?;
-        lines.csv.flush()
+        lines.csv.finish()
     }
 
     fn driver_figures(&self) -> [(String, f64, String); 3] {
@@ -194,7 +199,7 @@ fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bo
 }
 
 struct TableCsv<'a, W: Write> {
-    csv: csv::Writer<W>,
+    csv: CsvSheet<W>,
     style: TableStyle,
     answers: Option<&'a Answers>,
 }
@@ -208,7 +213,7 @@ impl<W: Write> TableCsv<'_, W> {
         let answer = self.answers.map(|_| answer);
         let cells = [name, value].into_iter().chain(unit).chain([entry]);
         let cells = cells.chain(bound).chain(answer.into_iter().flatten());
-        self.csv.write_record(cells).map_err(plain)
+        self.csv.record(cells)
     }
 
     fn figure(&mut self, name: &str, unit: &str, figure: Entry) -> io::Result<()> {

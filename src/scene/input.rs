@@ -6,6 +6,7 @@ use super::{Unit, keys};
 use crate::Mechanism;
 use crate::document::{Diagnostic, Lenient, Misplaced, meant};
 use crate::nearest::did_you_mean;
+use crate::wording::words;
 use serde::Deserialize;
 
 /// The section `[driver]` as it is written.
@@ -41,7 +42,6 @@ pub(super) enum DraftInput<'t> {
 const UNIT_SPEED: f64 = 1.0;
 
 /// Whose rates they are.
-const OF: &str = "the driver";
 
 /// How a kind of driver is written.
 pub(super) struct DriverForm {
@@ -98,14 +98,12 @@ pub(super) fn driver<'v>(
             return None;
         }
         (Some(_), Some(_)) => {
-            let message = "the driver has both `link` and `slide`";
-            reader.report(both_forms(
-                Diagnostic::new(message).at(key.clone(), "one of them is driven"),
-            ));
+            let fault = Diagnostic::new(words().driver_has_both());
+            reader.report(both_forms(fault.at(key.clone(), words().one_is_driven())));
             return None;
         }
     };
-    let name = reader.string(&format!("`{}` of {OF}", form.driven), driven);
+    let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
     let (given, other) = match kind {
         RateKind::Turn => (&table.angle, &table.position),
         RateKind::Push(_) => (&table.position, &table.angle),
@@ -117,7 +115,14 @@ pub(super) fn driver<'v>(
         start(reader, value, given.as_ref(), &form, key)
     };
     let mut rate = |key, degree, value: &Option<Lenient<String>>| {
-        rate(reader, OF, key, kind, degree, value.as_ref()?)
+        rate(
+            reader,
+            words().the_driver(),
+            key,
+            kind,
+            degree,
+            value.as_ref()?,
+        )
     };
     let speed = rate("speed", Degree::Speed, &table.speed);
     let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
@@ -138,19 +143,19 @@ pub(super) fn driver<'v>(
 
 /// Nothing is driven: a misspelt key, or none at all.
 fn neither(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, key: &ByteSpan) {
-    reader.only(OF, value);
+    reader.only(words().the_driver(), value);
     if !value.meant("link") && !value.meant("slide") {
-        let message = "the driver has neither `link` nor `slide`";
+        let fault = Diagnostic::new(words().driver_has_neither());
         reader.report(both_forms(
-            Diagnostic::new(message).at(key.clone(), "nothing is driven"),
+            fault.at(key.clone(), words().nothing_is_driven()),
         ));
     }
 }
 
 fn both_forms(fault: Diagnostic) -> Diagnostic {
     fault
-        .help(format!("a driven link: {}", TURNED.example))
-        .help(format!("a driven slide: {}", PUSHED.example))
+        .help(words().how_a_link_is_driven(TURNED.example))
+        .help(words().how_a_slide_is_driven(PUSHED.example))
 }
 
 /// The coordinate of the other kind of driver.
@@ -163,14 +168,12 @@ fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form:
     } = form;
     let place = value.key(other).map(|key| key.span());
     reader.report(
-        Diagnostic::new(format!(
-            "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
-        ))
-        .at(
-            place.unwrap_or_default(),
-            format!("`{coordinate}` is meant"),
-        )
-        .help(format!("for example: {coordinate} = 60")),
+        Diagnostic::new(words().driver_has_other(driven, other, coordinate))
+            .at(
+                place.unwrap_or_default(),
+                words().coordinate_is_meant(coordinate),
+            )
+            .help(words().for_example(&format!("{coordinate} = 60"))),
     );
 }
 
@@ -184,17 +187,17 @@ fn start(
 ) -> Option<f64> {
     let coordinate = form.coordinate;
     let known = keys::of(keys::DRIVER, form.driven);
-    reader.only_these(OF, &value.keys, &known);
+    reader.only_these(words().the_driver(), &value.keys, &known);
     // A misspelt key was reported already; what it leaves missing is no second fault.
     if given.is_none() && !meant(&value.keys, &known, coordinate) {
-        let label = format!("`{coordinate}` is missing: where the scene opens");
+        let label = words().coordinate_is_missing(coordinate);
         reader.report(
-            Diagnostic::new(format!("the driver has no `{coordinate}`"))
+            Diagnostic::new(words().driver_lacks(coordinate))
                 .at(key.clone(), label)
-                .help(format!("for example: {coordinate} = 60")),
+                .help(words().for_example(&format!("{coordinate} = 60"))),
         );
     }
-    reader.number(&format!("`{coordinate}` of the driver"), given?)
+    reader.number(&words().key_of(coordinate, words().the_driver()), given?)
 }
 
 /// A speed or an acceleration, `None` if it is wrong.
@@ -217,29 +220,30 @@ pub(super) fn rate(
         Err(_) => Misfit::NoNumber,
     };
     let units = rate::units(kind, degree);
-    let (rule, help) = match misfit {
+    let (message, help) = match misfit {
         Misfit::NoNumber => (
-            "must be a number and a unit in quotes, not",
-            Some(format!("for example: {key} = \"15 {}\"", units[0])),
+            words().rate_is_no_number(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"15 {}\"", units[0]))),
         ),
         Misfit::NoUnit => (
-            "has no unit:",
-            Some(format!("for example: {key} = \"{bare} {}\"", units[0])),
+            words().rate_has_no_unit(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"{bare} {}\"", units[0]))),
         ),
         Misfit::Unit(unit) => (
-            "has a unit that does not fit:",
+            words().rate_has_other_unit(key, of, bare),
             did_you_mean(unit, units.iter().copied()),
         ),
-        Misfit::NotFinite => ("is too large:", None),
+        Misfit::TwoMarks => (
+            words().rate_has_two_marks(key, of, bare),
+            Some(words().digits_without_groups().to_owned()),
+        ),
+        Misfit::NotFinite => (words().rate_is_too_large(key, of, bare), None),
     };
     reader.report(
-        Diagnostic::new(format!("`{key}` of {of} {rule} `{bare}`"))
-            .at(
-                value.span.clone(),
-                "expected a number and a unit, in quotes",
-            )
+        Diagnostic::new(message)
+            .at(value.span.clone(), words().expected_a_rate())
             .maybe_help(help)
-            .help(format!("possible units: `{}`", units.join("`, `"))),
+            .help(words().possible_units(&format!("`{}`", units.join("`, `")))),
     );
     None
 }

@@ -1,9 +1,10 @@
 //! Reads links.
 
 use super::points::{PlacedPoint, places};
-use super::reader::{ByteSpan, CoordinatePair, Name, ORDINARY, Points, Reader, SMALLEST_LENGTH};
+use super::reader::{ByteSpan, CoordinatePair, Name, Points, Reader, SMALLEST_LENGTH};
 use crate::Vec2;
 use crate::document::{Diagnostic, Entries, Lenient};
+use crate::wording::words;
 use serde::Deserialize;
 
 /// The most links that a scene may have.
@@ -248,7 +249,7 @@ fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64
         return Some(length);
     }
     reader.report(if length > 0.0 {
-        fault("at least 1e-300", "too small to compute with").help(ORDINARY)
+        fault("at least 1e-300", "too small to compute with").help(words().choose_a_unit())
     } else if length == 0.0 {
         fault("positive", "a link without length has no direction")
             .help("two joints at one place need no link between them: give them one name")

@@ -5,6 +5,7 @@ use super::rate::{Degree, RateKind};
 use super::reader::{ByteSpan, Reader};
 use super::{Scene, Unit, keys, rate};
 use crate::document::{Diagnostic, Lenient, WrittenKey};
+use crate::wording::words;
 use serde::Deserialize;
 
 /// What the motor at the driver's shaft can do, and what is wished of the whole; for a driven slide the
@@ -41,7 +42,7 @@ impl Scene {
         let rate = rate::parse(text, kind, Degree::Speed);
         rate.map(|rate| rate.value).map_err(|_| {
             let units = rate::units(kind, Degree::Speed).join(", ");
-            format!("`{text}` is no speed of this driver: a number with one of {units}")
+            words().no_speed_of_driver(text, &units)
         })
     }
 }

@@ -6,6 +6,7 @@ use super::reader::{ByteSpan, Name, Reader, quoted};
 use super::slide::DraftSlider;
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
+use crate::wording::words;
 use std::collections::{HashMap, HashSet};
 
 /// Names with a meaning of their own in columns.
@@ -39,11 +40,11 @@ impl Sort {
 
     fn noun(self) -> &'static str {
         match self {
-            Sort::Point => "point",
-            Sort::Link => "link",
-            Sort::Slide => "slide",
-            Sort::Vector => "vector",
-            Sort::Figure => "figure",
+            Sort::Point => words().noun_point(),
+            Sort::Link => words().noun_link(),
+            Sort::Slide => words().noun_slide(),
+            Sort::Vector => words().noun_vector(),
+            Sort::Figure => words().noun_figure(),
         }
     }
 }
@@ -115,12 +116,10 @@ impl<'t> Names<'t> {
         let (other, known) = self.other(name.text, sort)?;
         let (one, other) = (sort.noun(), other.noun());
         Some(
-            Diagnostic::new(format!("{name} names both a {other} and a {one}"))
-                .at(name.span.clone(), format!("a {one} here"))
-                .and(known.span.clone(), format!("a {other} here"))
-                .help(
-                    "points, links, slides, vectors and figures share one set of names: rename one of them",
-                ),
+            Diagnostic::new(words().names_both(&name.to_string(), other, one))
+                .at(name.span.clone(), words().named_here(one))
+                .and(known.span.clone(), words().named_here(other))
+                .help(words().names_are_shared()),
         )
     }
 
@@ -144,20 +143,17 @@ impl<'t> Names<'t> {
         let fault = match self.other(name.text, sort) {
             Some((other, symbol)) => {
                 let other = other.noun();
-                Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
-                    .at(name.span.clone(), format!("expected the name of a {noun}"))
-                    .and(symbol.span.clone(), format!("the {other}"))
+                Diagnostic::new(words().is_another(what, &name.to_string(), other, noun))
+                    .at(name.span.clone(), words().expected_name_of(noun))
+                    .and(symbol.span.clone(), words().that_one(other))
             }
             // The name may stand where something could not be read.
             None if sort == Sort::Point && self.lost_points => return None,
-            None => Diagnostic::new(format!("{what}: there is no {noun} {name}"))
-                .at(name.span.clone(), format!("unknown {noun}")),
+            None => Diagnostic::new(words().there_is_no(what, noun, &name.to_string()))
+                .at(name.span.clone(), words().unknown_noun(noun)),
         };
         let help = if keys::find(keys::SCENE, name.text).is_some() {
-            let key = name.text;
-            Some(format!(
-                "`{key}` of the scene stands above the first [table]"
-            ))
+            Some(words().key_stands_above(name.text))
         } else {
             self.help(reader, name, sort)
         };
@@ -182,8 +178,11 @@ impl<'t> Names<'t> {
         known.sort_by_key(|&(_, start)| start);
         let known: Vec<&str> = known.into_iter().map(|(name, _)| name).collect();
         let listed = || match known.len() {
-            0 => Some(format!("the scene has no {noun}")),
-            1..=LISTED => Some(format!("{noun}s of the scene: `{}`", known.join("`, `"))),
+            0 => Some(words().scene_has_no(noun)),
+            1..=LISTED => {
+                let names = format!("`{}`", known.join("`, `"));
+                Some(words().those_of_scene(noun, &names))
+            }
             _ => None,
         };
         did_you_mean(name.text, known.iter().copied()).or_else(listed)
@@ -233,33 +232,34 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
         _ => 0,
     }];
     if RESERVED.contains(&text) || of_formulas.contains(&text) {
-        let list = [&RESERVED, of_formulas].concat().join("`, `");
-        let fault = fault(format!("the name {name} is reserved"), "reserved").help(format!(
-            "columns use `{list}` with a meaning of their own: choose another name"
-        ));
+        let list = format!("`{}`", [&RESERVED, of_formulas].concat().join("`, `"));
+        let fault = fault(
+            words().name_is_reserved(&name.to_string()),
+            words().is_reserved(),
+        )
+        .help(words().columns_use(&list));
         return Some(if text == "ground" && sort == Sort::Point {
-            fault.help("to join a link to the ground, name one of the points in [ground]")
+            fault.help(words().name_a_ground_point())
         } else {
             fault
         });
     }
     if text.is_empty() {
-        return Some(fault("a name must not be empty".into(), "empty"));
+        return Some(fault(words().name_is_empty().into(), words().is_empty()));
     }
     if text.len() > LONGEST {
         let count = text.chars().count();
         return Some(fault(
-            format!("the name {name} has {count} characters; at most {LONGEST} are allowed"),
-            "too long",
+            words().name_is_too_long(&name.to_string(), count, LONGEST),
+            words().is_too_long(),
         ));
     }
     let odd = text.chars().find(|&c| !fits(c))?;
-    let letters = "ASCII letters, digits, `_`, `-` and `'`";
     Some(
         fault(
-            format!("the name {name} contains {}", quoted(&odd.to_string())),
-            "not a name",
+            words().name_contains(&name.to_string(), &quoted(&odd.to_string())),
+            words().is_no_name(),
         )
-        .help(format!("names are made of {letters}")),
+        .help(words().names_are_made_of()),
     )
 }

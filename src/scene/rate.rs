@@ -2,6 +2,7 @@
 
 use super::Unit;
 use crate::angle;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// What a rate is the rate of.
@@ -37,6 +38,8 @@ pub(super) enum Misfit<'t> {
     NoNumber,
     /// The number stands alone.
     NoUnit,
+    /// The number has a point and a comma, or one of them twice: which of them is the decimal mark?
+    TwoMarks,
     /// The unit is none of [`units`].
     Unit(&'t str),
     /// The number, or what it becomes in the scene's unit, is not finite.
@@ -53,12 +56,13 @@ pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     }
 }
 
-/// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`.
+/// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
 pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
-    let text = text.trim();
-    let (number, unit) = text.split_at(number_length(text));
+    let WrittenRate { number, unit } = WrittenRate::of(text);
     let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
-    let unit = unit.trim();
+    if unit.starts_with(['.', ',']) {
+        return Err(Misfit::TwoMarks);
+    }
     if unit.is_empty() {
         return Err(Misfit::NoUnit);
     }
@@ -73,6 +77,31 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
         is_converted,
     };
     value.is_finite().then_some(rate).ok_or(Misfit::NotFinite)
+}
+
+/// A number and a unit as they stand in the file.
+pub(super) struct WrittenRate<'t> {
+    /// With a decimal point, whether it was written with that or with a comma.
+    pub(super) number: Cow<'t, str>,
+    pub(super) unit: &'t str,
+}
+
+impl WrittenRate<'_> {
+    /// The number at the beginning of a text, and what stands behind it.
+    pub(super) fn of(text: &str) -> WrittenRate<'_> {
+        let text = text.trim();
+        // As many bytes: what is found of the one is there in the other.
+        let length = number_length(&text.replace(',', "."));
+        let (number, unit) = text.split_at(length);
+        let number = match number.contains(',') {
+            true => number.replace(',', ".").into(),
+            false => number.into(),
+        };
+        WrittenRate {
+            number,
+            unit: unit.trim(),
+        }
+    }
 }
 
 /// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
@@ -141,6 +170,8 @@ mod tests {
         assert_eq!(turn("-1.5e1rad/s"), -15.0);
         assert_eq!(turn(" 60  rpm "), 2.0 * PI);
         assert_eq!(turn("180 deg/s"), PI);
+        assert_eq!(turn("15,5 rad/s"), 15.5);
+        assert_eq!(turn("-,5e1 rad/s"), -5.0);
         let push = |text| parse(text, PUSH, Degree::Speed).unwrap().value;
         assert_eq!(push("0.05 m/s"), 50.0);
         assert_eq!(push("2 in/s"), 50.8);
@@ -163,6 +194,11 @@ mod tests {
         assert_eq!(turn("nan rad/s"), Err(Misfit::NoNumber));
         assert_eq!(turn("inf rad/s"), Err(Misfit::NoNumber));
         assert_eq!(turn("1e400 rad/s"), Err(Misfit::NotFinite));
+        for two in ["1,234.5", "1.234,5", "1,234,5", "1.2.3", "1,,5"] {
+            let two = format!("{two} rad/s");
+            let read = parse(&two, RateKind::Turn, Degree::Speed);
+            assert_eq!(read, Err(Misfit::TwoMarks), "{two}");
+        }
         assert_eq!(turn("15 mm/s"), Err(Misfit::Unit("mm/s")));
         assert_eq!(turn("1e rad/s"), Err(Misfit::Unit("e rad/s")));
         assert_eq!(turn("15 rad/s^2"), Err(Misfit::Unit("rad/s^2")));

@@ -4,6 +4,7 @@ use super::rate;
 use crate::Vec2;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use crate::wording::words;
 
 /// A pair of coordinates, as far as it is one.
 pub(super) type CoordinatePair = Lenient<Vec<Lenient<f64>>>;
@@ -15,8 +16,6 @@ pub(super) type Points = Lenient<Entries<CoordinatePair>>;
 pub(super) const LARGEST: f64 = 1e300;
 /// No length may be smaller, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
-/// The mend for a number out of all proportion.
-pub(super) const ORDINARY: &str = "choose a `unit` in which the dimensions are ordinary numbers";
 
 impl Reader<'_> {
     /// A finite number that is not too large.
@@ -24,7 +23,7 @@ impl Reader<'_> {
         let number = match number_of(self.text(), value) {
             Ok(number) => number,
             Err(found) => {
-                let fault = self.wrong_type(what, "a number", found, &value.span);
+                let fault = self.wrong_type(what, words().a_number(), found, &value.span);
                 let help = found.text().and_then(bare_number);
                 self.report(fault.maybe_help(help));
                 return None;
@@ -37,21 +36,25 @@ impl Reader<'_> {
         }
         let (rule, label, help) = if number.is_nan() {
             (
-                "a finite number",
-                "not a number",
-                "write a decimal number, such as 12.5",
+                words().a_finite_number(),
+                words().is_not_a_number(),
+                words().write_a_decimal(),
             )
         } else if number.is_infinite() {
             (
-                "a finite number",
-                "not finite in double precision",
-                "write a decimal number, such as 12.5",
+                words().a_finite_number(),
+                words().is_not_finite(),
+                words().write_a_decimal(),
             )
         } else {
-            ("at most 1e300 in size", "too large", ORDINARY)
+            (
+                words().at_most_in_size(),
+                words().is_too_large(),
+                words().choose_a_unit(),
+            )
         };
         self.report(
-            Diagnostic::new(format!("{what} must be {rule}, not {literal}"))
+            Diagnostic::new(words().must_be(what, rule, &literal))
                 .at(value.span.clone(), label)
                 .help(help),
         );
@@ -69,14 +72,14 @@ impl Reader<'_> {
         let Some(value) = value else {
             return 0.0;
         };
-        let what = format!("`{key}` of {of}{unit}");
+        let what = words().key_of(key, of) + unit;
         let number = self.number(&what, value);
         if number.is_some_and(|n| n < 0.0) {
             let literal = self.literal(&value.span);
             self.report(
-                Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
-                    .at(value.span.clone(), "negative")
-                    .help(format!("leave `{key}` out where it does not matter")),
+                Diagnostic::new(words().must_not_be_less_than_zero(&what, &literal))
+                    .at(value.span.clone(), words().is_negative())
+                    .help(words().leave_it_out(key)),
             );
         }
         number.unwrap_or(0.0).max(0.0)
@@ -85,8 +88,8 @@ impl Reader<'_> {
     /// A pair `[x, y]`.
     pub(super) fn pair(&mut self, what: &str, value: &CoordinatePair) -> Option<Vec2> {
         let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
-        let x = self.number(&format!("x of {what}"), x);
-        let y = self.number(&format!("y of {what}"), y);
+        let x = self.number(&words().part_of("x", what), x);
+        let y = self.number(&words().part_of("y", what), y);
         Some(Vec2::new(x?, y?))
     }
 
@@ -104,14 +107,12 @@ impl Reader<'_> {
                     return Some([one, other]);
                 }
                 let count = items.len();
-                Diagnostic::new(format!("{what} must be a pair {form}, not {count} values")).at(
-                    value.span.clone(),
-                    format!("expected 2 values, found {count}"),
-                )
+                Diagnostic::new(words().must_be_a_pair(what, form, count))
+                    .at(value.span.clone(), words().expected_two(count))
             }
-            Err(found) => self.wrong_type(what, &format!("a pair {form}"), found, &value.span),
+            Err(found) => self.wrong_type(what, &words().a_pair(form), found, &value.span),
         };
-        self.report(fault.help(format!("for example: {example}")));
+        self.report(fault.help(words().for_example(example)));
         None
     }
 
@@ -122,7 +123,7 @@ impl Reader<'_> {
         of: &str,
         value: Option<&'v Lenient<String>>,
     ) -> Option<Name<'v>> {
-        self.string(&format!("`{key}` of {of}"), value?)
+        self.string(&words().key_of(key, of), value?)
     }
 }
 
@@ -132,15 +133,13 @@ fn bare_number(text: &str) -> Option<String> {
     let (number, rest) = text.split_at(rate::number_length(text));
     let help = match (number.is_empty(), rest.is_empty()) {
         (true, _) => return None,
-        (false, true) => format!("write it without quotes: {number}"),
+        (false, true) => words().write_without_quotes(number),
         (false, false) if rest.trim() == "%" => {
             // Exactly by text: two places further left.
             let part = number.parse::<f64>().ok()? / 100.0;
-            format!("write it as a part of one: {part}")
+            words().write_as_a_part(part)
         }
-        (false, false) => format!(
-            "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees"
-        ),
+        (false, false) => words().write_the_number_alone(number),
     };
     Some(help)
 }

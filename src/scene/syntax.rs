@@ -2,6 +2,7 @@
 
 use super::rate::number_length;
 use crate::document::ByteSpan;
+use crate::wording::words;
 
 /// What was mostly meant, by the parser's message and what stands there.
 pub(super) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
@@ -10,36 +11,33 @@ pub(super) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String>
     let begin = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = text[begin..].lines().next().unwrap_or("").trim_start();
     if line.starts_with("//") {
-        return Some("a comment begins with #".to_owned());
+        return Some(words().comments_begin_with().to_owned());
     }
     if message.starts_with("string values must be quoted") {
         return Some(bare_value(text.get(span.clone()).unwrap_or("")));
     }
     if message.starts_with("invalid unquoted key") && at.starts_with('\'') {
-        return Some("a name with ' in it is quoted: \"B'\" = [0, 0]".to_owned());
+        return Some(words().quote_the_name().to_owned());
     }
     let leftover = message.starts_with("invalid literal string");
     if leftover && line.as_bytes().windows(3).any(is_decimal_comma) {
-        return Some("decimals are written with a point: 0.5".to_owned());
+        return Some(words().decimals_have_a_point().to_owned());
     }
     message
         .starts_with("key with no value")
-        .then(|| "write key = value".to_owned())
+        .then(|| words().write_key_and_value().to_owned())
 }
 
 /// The mend for a value that is neither a number nor quoted.
 fn bare_value(value: &str) -> String {
     let (number, rest) = value.split_at(number_length(value));
     if number.is_empty() {
-        return "texts and names are quoted: \"A\"".to_owned();
+        return words().quote_texts_and_names().to_owned();
     }
     if number_length(rest.trim_start()) > 0 {
-        return "the values of a list are separated by commas: [0, 0]".to_owned();
+        return words().separate_by_commas().to_owned();
     }
-    format!(
-        "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees, \
-         and a speed is a quoted text: \"15 rad/s\""
-    )
+    words().number_alone_or_speed(number)
 }
 
 fn is_decimal_comma(bytes: &[u8]) -> bool {

@@ -8,6 +8,7 @@ use super::Unit;
 use super::measure::MeasureUnits;
 use super::rate::{self, number_length};
 use super::values::Value;
+use crate::wording::words;
 use std::fmt;
 
 /// Why what was typed cannot stand for a value.
@@ -38,13 +39,12 @@ impl fmt::Display for Mistyped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Mistyped::NoNumber { typed, units } => {
-                let units = units.join(", ");
-                write!(f, "no number: {typed}; type one, alone or in {units}")
+                f.write_str(&words().no_number_typed(typed, &units.join(", ")))
             }
             Mistyped::Unit { unit, units } => {
-                write!(f, "{unit} does not fit here: {}", units.join(", "))
+                f.write_str(&words().unit_does_not_fit(unit, &units.join(", ")))
             }
-            Mistyped::TooLarge { typed } => write!(f, "too large: {typed}"),
+            Mistyped::TooLarge { typed } => f.write_str(&words().typed_too_large(typed)),
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use super::keys::{self, KeyKind, NumberMeasure, SceneKey};
 use super::measure::{Measure, MeasureUnits};
-use super::rate::{self, Degree, number_length};
+use super::rate::{self, Degree, WrittenRate};
 use super::reader::number_of;
 use super::rewrite::Edits;
 use super::{Scene, Unit};
@@ -305,10 +305,9 @@ impl Collector<'_> {
         let whole = value.span();
         let inner = whole.start + 1..whole.end.saturating_sub(1);
         let quotes = self.text.get(inner.clone()) != Some(text);
-        let text = text.trim();
-        let (number, unit) = text.split_at(number_length(text));
+        let WrittenRate { number, unit } = WrittenRate::of(text);
         let mut units = rate::units(kind, degree).iter();
-        let unit = units.find(|known| **known == unit.trim());
+        let unit = units.find(|known| **known == unit);
         let (Ok(parsed), Some(unit)) = (number.parse(), unit) else {
             return;
         };
@@ -317,7 +316,7 @@ impl Collector<'_> {
             owner: self.owner.clone(),
             measure,
             number: parsed,
-            literal: number.to_owned(),
+            literal: number.into_owned(),
             unit,
             place: if quotes { whole } else { inner },
             scene: self.unit,

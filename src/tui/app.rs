@@ -30,7 +30,7 @@ use super::Opened;
 use super::config::Config;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
-use crate::report::Verdict;
+use crate::report::{CsvDialect, Verdict};
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::{Action, TablesAction};
@@ -54,6 +54,7 @@ use crate::tui::views::motion::viewport::Viewport;
 use crate::tui::views::motor::study::MotorStudy;
 use crate::tui::views::picker::preview::Previews;
 use crate::tui::views::plots::curves::Plots;
+use crate::wording::{Language, words};
 use comparing::Comparison;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
@@ -116,6 +117,8 @@ pub(crate) struct App {
 
     /// Does what is to be done to files.
     clerk: Clerk<App>,
+    /// How CSV files are written.
+    csv: CsvDialect,
     /// What is to be done once nothing is unsaved.
     pending: Option<Pending>,
     /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
@@ -144,6 +147,7 @@ impl App {
             previews: Previews::default(),
             comparison: Comparison::default(),
             clerk: Clerk::default(),
+            csv: CsvDialect::default(),
             pending: None,
             scenes: 1,
             now: Duration::ZERO,
@@ -176,8 +180,24 @@ impl App {
     pub(crate) fn configure(&mut self, config: &Config) {
         self.shell.keymap = config.keymap.clone();
         self.shell.has_mouse = config.mouse;
+        self.csv = config.csv;
         self.shell.composition = Composition::of(config.layout);
         self.attend_to_panes();
+    }
+
+    /// Speaks the next language: what was said in the one before is said again.
+    fn next_language(&mut self) {
+        Language::spoken().next().speak();
+        self.motor = MotorStudy::default();
+        self.previews.forget();
+        self.player.open_scene.explain(false);
+        self.attend_to_panes();
+        self.shell.say(words().language_is());
+    }
+
+    /// How CSV files are written.
+    pub(crate) fn csv_dialect(&self) -> CsvDialect {
+        self.csv
     }
 
     pub(crate) fn open_scene(&self) -> &OpenScene {
@@ -387,6 +407,7 @@ impl App {
             }
             Action::Colours => self.shell.next_colours(),
             Action::Mouse => self.toggle_mouse(),
+            Action::Language => self.next_language(),
             Action::NextView => self.turn_view(1),
             Action::PreviousView => self.turn_view(View::ALL.len() - 1),
             Action::NextPane => self.next_pane(),

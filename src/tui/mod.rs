@@ -32,6 +32,7 @@ mod views;
 mod workbench;
 
 pub use crate::capability::{Colours, PictureChoice, PictureProtocol};
+pub use crate::wording::Language;
 pub use appearance::palette::Theme;
 pub use commands::view::View;
 pub use config::{Config, template};
@@ -46,6 +47,7 @@ use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::scene::Scene;
 use crate::solver::Solver;
+use crate::wording::words;
 use app::Effect;
 use commands::mouse::{Mouse, MouseDeed};
 use std::backtrace::{Backtrace, BacktraceStatus};
@@ -114,25 +116,19 @@ pub struct Frames {
 #[derive(Debug, Error)]
 pub enum Error {
     /// Standard output goes elsewhere.
-    #[error(
-        "standard output is no terminal, and the workbench needs one; `krank table SCENE` prints \
-         the tables"
-    )]
+    #[error("{}", words().output_is_no_terminal())]
     NoScreen,
     /// Neither standard input nor /dev/tty is a terminal.
-    #[error(
-        "there is no terminal to read keys from, and the workbench needs one; `krank table SCENE` \
-         prints the tables"
-    )]
+    #[error("{}", words().no_keys_to_read())]
     NoKeyboard,
     /// The terminal cannot place its cursor.
-    #[error("TERM=dumb cannot show the workbench; `krank table SCENE` prints the tables")]
+    #[error("{}", words().terminal_is_dumb())]
     Dumb,
     /// What the system says.
-    #[error("the terminal failed: {0}")]
+    #[error("{}", words().terminal_failed(.0))]
     Terminal(#[from] io::Error),
     /// A panic: what, and where in the source.
-    #[error("krank is broken: {0}")]
+    #[error("{}", words().krank_is_broken(.0))]
     Broken(String),
 }
 

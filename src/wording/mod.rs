@@ -5,14 +5,19 @@
 //! grammar asks for (a plural, an order of words) is the affair of the language. Names of actions in a
 //! configuration, of columns and of keys are promises, and no wording.
 //!
-//! A second language is a folder beside `english` with `catalogue! { impl .. }` for each of its parts, and a line
-//! in [`words`]; while a sentence is missing in it, it does not build.
+//! A second language is a folder beside `english` with `catalogue! { impl .. }` for each of its parts, and a name
+//! in [`Language`]; while a sentence is missing in it, it does not build.
 
 #[macro_use]
 mod catalogue;
 mod english;
+mod language;
+mod turkish;
+
+pub use language::Language;
 
 use english::*;
+use turkish::Turkish;
 
 /// Every sentence, in one language.
 pub(crate) trait Words:
@@ -21,6 +26,7 @@ pub(crate) trait Words:
     + CommandsWords
     + ConfigurationWords
     + EditingWords
+    + ErrorsWords
     + ExamplesWords
     + ExportsWords
     + FaultsWords
@@ -39,6 +45,7 @@ pub(crate) trait Words:
     + PickingWords
     + PlotsWords
     + ReactionsWords
+    + ReadingWords
     + TerminalsWords
     + TourWords
     + ViewsWords
@@ -47,13 +54,14 @@ pub(crate) trait Words:
 }
 
 impl Words for English {}
+impl Words for Turkish {}
 
 /// A sentence that is chosen where nothing is said yet, as in a table of actions.
 pub(crate) type Wording = fn(&'static dyn Words) -> &'static str;
 
 /// The sentences in the language that is spoken.
 pub(crate) fn words() -> &'static dyn Words {
-    &English
+    Language::spoken().words()
 }
 
 /// The sentences as files for other programs have them, whatever is spoken: names and reasons in CSV and JSON are
@@ -61,3 +69,6 @@ pub(crate) fn words() -> &'static dyn Words {
 pub(crate) fn for_programs() -> &'static dyn Words {
     &English
 }
+
+#[cfg(test)]
+mod tests;

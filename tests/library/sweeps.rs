@@ -1,7 +1,7 @@
 //! Rows that are solved several at once are those that are solved one by one.
 
 use krank::quantity::{Catalogue, Quantity, state_word};
-use krank::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
+use krank::report::{Columns, CsvDialect, RowFormat, Steps, Sweep, WrittenDecimal};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver};
 
@@ -18,7 +18,7 @@ fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) ->
         solver,
         columns: &columns,
         steps,
-        format: RowFormat::Csv,
+        format: RowFormat::Csv(CsvDialect::default()),
     };
     let mut csv = Vec::new();
     let mut told = 0;

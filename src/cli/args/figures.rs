@@ -1,6 +1,6 @@
 //! Figures: at one place, row by row, and how exact they are.
 
-use super::{AssemblyArgs, OutputArgs, PlaceArgs, SceneArgs};
+use super::{AssemblyArgs, CsvArgs, OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::WrittenDecimal;
 use crate::study::USUAL_POSITIONS;
 use crate::wording::words;
@@ -22,6 +22,8 @@ pub(in crate::cli) struct FigureArgs {
     #[arg(help = words().digits_of_tables())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(in crate::cli) digits: u8,
+    #[command(flatten)]
+    pub(in crate::cli) csv: CsvArgs,
     #[arg(help = words().leave_units_out())]
     #[arg(long)]
     pub(in crate::cli) no_units: bool,
@@ -111,6 +113,8 @@ pub(in crate::cli) struct AccuracyArgs {
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(in crate::cli) format: OutputFormat,
+    #[command(flatten)]
+    pub(in crate::cli) csv: CsvArgs,
     #[command(flatten)]
     pub(in crate::cli) assembly: AssemblyArgs,
     #[command(flatten)]

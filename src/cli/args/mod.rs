@@ -1,15 +1,19 @@
 //! The command line as its users write it.
 
 mod figures;
+mod language;
 mod motor;
 mod pictures;
+mod spreadsheet;
 mod workbench;
 
 pub(super) use figures::{
     AccuracyArgs, ExplainArgs, OutputFormat, SweepArgs, TableArgs, TextFormat,
 };
+pub(super) use language::LanguageChoice;
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
+pub(super) use spreadsheet::CsvArgs;
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
@@ -46,6 +50,9 @@ pub(super) struct Cli {
     pub(super) command: Option<Command>,
     #[command(flatten)]
     pub(super) workbench: WorkbenchArgs,
+    #[arg(help = words().language_to_speak())]
+    #[arg(long, global = true, value_enum, default_value_t)]
+    pub(super) language: LanguageChoice,
 }
 
 #[derive(Debug, Subcommand)]

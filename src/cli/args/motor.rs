@@ -1,6 +1,6 @@
 //! The motor over a cycle.
 
-use super::{OutputArgs, OutputFormat, SceneArgs};
+use super::{CsvArgs, OutputArgs, OutputFormat, SceneArgs};
 use crate::wording::words;
 use clap::Args;
 
@@ -54,6 +54,8 @@ pub(in crate::cli) struct MotorArgs {
     #[arg(help = words().how_to_write_motor())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(in crate::cli) format: OutputFormat,
+    #[command(flatten)]
+    pub(in crate::cli) csv: CsvArgs,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,
 }

@@ -5,7 +5,7 @@ use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
-use crate::cli::picture::USUAL;
+use crate::cli::picture::{USUAL, lettered};
 use crate::drawing::{self, CharCell, Glyphs, Hue, LegendPiece, Raster, Role, WorldView, is_bold};
 use crate::scene::sanitized;
 use crate::wording::Words;
@@ -50,7 +50,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         let seconds = k as f64 / f64::from(RATE);
         let mut text = changed(&before, &raster);
         if k == 0 {
-            text.push_str(&legend(&legend_of(&view), view.rows()));
+            text.push_str(&legend(&legend_of(&view), view.rows(), glyphs));
         }
         if k + 1 == places.len() {
             // The shell goes on below it, with its cursor.
@@ -94,12 +94,13 @@ fn changed(before: &Raster, now: &Raster) -> String {
 }
 
 /// The lines of a legend below a drawing of so many rows.
-fn legend(lines: &[Vec<LegendPiece>], rows: u16) -> String {
+fn legend(lines: &[Vec<LegendPiece>], rows: u16, glyphs: Glyphs) -> String {
     let mut text = String::new();
     for (line, row) in lines.iter().zip(rows + 1..) {
         let _ = write!(text, "\x1b[{row};1H");
         for piece in line {
-            let _ = write!(text, "\x1b[{}m{}", colours(piece.role), piece.text);
+            let words = lettered(piece.text.clone(), glyphs);
+            let _ = write!(text, "\x1b[{}m{words}", colours(piece.role));
         }
         let _ = write!(text, "\x1b[{PLAIN}m");
     }

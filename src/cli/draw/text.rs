@@ -3,7 +3,7 @@
 use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
-use crate::cli::picture;
+use crate::cli::picture::{self, lettered};
 use crate::drawing::{self, WorldView};
 use crate::wording::Words;
 
@@ -31,5 +31,5 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         text.extend(line.into_iter().map(|piece| piece.text));
         text.push('\n');
     }
-    Ok(text.into_bytes())
+    Ok(lettered(text, glyphs).into_bytes())
 }

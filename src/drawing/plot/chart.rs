@@ -17,6 +17,7 @@ use super::layout::CellScale;
 use crate::drawing::figure::Role;
 use crate::drawing::raster::Raster;
 use crate::drawing::render::Glyphs;
+use crate::wording::words;
 
 /// A point of a chart; both coordinates positive and finite, others are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -200,7 +201,7 @@ impl ChartPainter<'_> {
         if free <= at_end {
             write(raster, at_end, self.foot + 1, &x.title, Role::Axis);
         } else {
-            let over = format!(" over {}", x.title);
+            let over = format!(" {}", words().over(&x.title));
             let from = length(&y.title);
             if from + length(&over) <= end {
                 write(raster, from, 0, &over, Role::Axis);

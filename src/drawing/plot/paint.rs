@@ -12,6 +12,7 @@ use crate::drawing::labels::free_places;
 use crate::drawing::raster::Raster;
 use crate::drawing::render::Glyphs;
 use crate::quantity::Here;
+use crate::wording::words;
 
 /// Symbols of curves, in the order in which they come in a panel; more curves begin anew.
 const SYMBOLS: [char; 12] = ['*', 'x', '#', '+', '%', '@', '&', '=', '$', 'a', 'b', 'c'];
@@ -140,7 +141,7 @@ impl PlotPainter<'_> {
         let width = width[0].max(width[1]);
         let here = self.here.and_then(|here| here.along);
         let here = here.map(|along| format!("{:>width$} {}", style.text(along), x.unit));
-        let name = format!("over {}", x.name);
+        let name = words().over(&x.name);
         let long = here.as_ref().map(|here| format!("{name} {here}"));
         let titles = [long, Some(name), here];
         let title = titles
@@ -314,7 +315,7 @@ impl PlotPainter<'_> {
         let x = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
         for (turn, role, point) in placed {
             let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
-            let text = format!("{value} at {along}");
+            let text = words().extremum(&value, &along);
             let inside = |&(col, row): &(i32, i32)| {
                 let last = col + length(&text) - 1;
                 frame.block.contains((col, row)) && frame.block.contains((last, row))

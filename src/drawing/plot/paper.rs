@@ -6,6 +6,7 @@ use super::{Panel, Plot, PlotCurve};
 use crate::Vec2;
 use crate::drawing::svg::{Svg, SvgGround, SvgStyle, TextAnchor};
 use crate::quantity::Here;
+use crate::wording::words;
 
 /// Around the panels; at the left for the labels of the upright axes.
 const LEFT: f64 = 72.0;
@@ -183,7 +184,7 @@ impl PaperSheet<'_> {
             }
             let place = Vec2::new(self.x.place(turn.at.x), y.place(turn.at.y));
             self.svg.circle(place, MARK, "mark");
-            let text = format!("{} at {}", digits.text(turn.at.y), along.text(turn.at.x));
+            let text = words().extremum(&digits.text(turn.at.y), &along.text(turn.at.x));
             let (value, x) = (turn.at.y, place.x);
             let room = CHARACTER * text.chars().count() as f64;
             let anchor = if x + room > self.right() {

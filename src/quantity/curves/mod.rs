@@ -11,6 +11,7 @@ use super::hidden::Hidden;
 use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
+use crate::wording::words;
 pub use extrema::Extremum;
 use probe::{Probe, beside};
 use span::{NEAR, shown};
@@ -34,10 +35,10 @@ pub enum Abscissa {
 #[non_exhaustive]
 pub enum NoTime {
     /// The driver stands still.
-    #[error("the scene gives its driver no speed, so no time passes: give the driver a speed")]
+    #[error("{}", words().no_time_passes())]
     StandsStill,
     /// The driver turns back before it comes to a coordinate that was asked for.
-    #[error("the driver turns back before it comes to {0}")]
+    #[error("{}", words().driver_turns_back(*.0))]
     TurnsBack(f64),
 }
 

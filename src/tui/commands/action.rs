@@ -66,6 +66,8 @@ pub(crate) enum Action {
     Colours,
     /// Take the mouse, or give it back.
     Mouse,
+    /// The next language.
+    Language,
     /// The next view.
     NextView,
     /// The view before.
@@ -386,6 +388,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),
         entry(A::Colours, "colours", W::colours, W::how_many_colours, &[Char('C')]),
         entry(A::Mouse, "mouse", W::mouse, W::take_the_mouse_or_not, &[Char('M')]),
+        entry(A::Language, "language", W::language, W::turkish_or_english, &[Char('B')]),
         entry(A::Help, "help", W::help, W::show_or_hide_this_help, &[Char('?'), Function(1)]),
         entry(A::Palette, "commands", W::commands, W::all_commands, &[Char(':')]),
         entry(A::Tour, "tour", W::tour, W::the_tour, &[Char('I'), Function(2)]),
@@ -437,7 +440,7 @@ pub(crate) fn listed(keys: &[Key]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wording::words;
+    use crate::wording::{Language, words};
     use std::collections::HashSet;
 
     #[test]
@@ -461,8 +464,11 @@ mod tests {
         for entry in entries() {
             let keys = listed(entry.keys);
             assert!(keys.len() <= 12, "{keys}");
-            let help = (entry.help)(words());
-            assert!(help.is_ascii() && help.len() <= 23, "{help}");
+            for language in Language::ALL {
+                language.speak();
+                let help = (entry.help)(words());
+                assert!(help.chars().count() <= 23, "{help}");
+            }
         }
     }
 }

@@ -11,10 +11,11 @@ use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Reader};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
 use crate::nearest::did_you_mean;
+use crate::report::{CellSeparator, CsvDialect, DecimalMark};
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::views::layout::LayoutName;
-use crate::wording::words;
+use crate::wording::{Language, words};
 use serde::Deserialize;
 use std::path::PathBuf;
 
@@ -33,6 +34,10 @@ pub struct Config {
     pub tour: bool,
     /// Whether the mouse is ours from the start.
     pub mouse: bool,
+    /// The language that is spoken; `None` that of the locale. The program speaks it, not who reads this.
+    pub language: Option<Language>,
+    /// How CSV files are written.
+    pub csv: CsvDialect,
     pub(crate) layout: LayoutName,
     pub(crate) keymap: Keymap,
 }
@@ -47,6 +52,8 @@ impl Default for Config {
             picture: PictureChoice::default(),
             tour: true,
             mouse: false,
+            language: None,
+            csv: CsvDialect::default(),
             layout: LayoutName::default(),
             keymap: Keymap::default(),
         }
@@ -61,6 +68,9 @@ struct ConfigFile {
     theme: Option<Lenient<String>>,
     picture: Option<Lenient<String>>,
     layout: Option<Lenient<String>>,
+    language: Option<Lenient<String>>,
+    decimal: Option<Lenient<String>>,
+    separator: Option<Lenient<String>>,
     tour: Option<Lenient<bool>>,
     mouse: Option<Lenient<bool>>,
     keys: Option<keys::KeysSection>,
@@ -93,6 +103,23 @@ const THEMES: [Named<Theme>; 4] = [
     ("dark", Theme::Dark),
     ("plain", Theme::Plain),
 ];
+
+/// Languages by their names.
+fn languages() -> [Named<Option<Language>>; 3] {
+    let [english, turkish] = Language::ALL.map(|language| (language.name(), Some(language)));
+    [("auto", None), turkish, english]
+}
+
+/// Decimal marks by their names.
+fn decimals() -> [Named<DecimalMark>; 2] {
+    DecimalMark::ALL.map(|mark| (mark.name(), mark))
+}
+
+/// What may stand between cells, by its names; `auto` is what is usual beside the decimal mark.
+fn separators() -> [Named<Option<CellSeparator>>; 4] {
+    let [comma, semicolon, tab] = CellSeparator::ALL.map(|it| (it.name(), Some(it)));
+    [("auto", None), comma, semicolon, tab]
+}
 
 /// Ways to send pictures by their names.
 fn pictures() -> [Named<PictureChoice>; 5] {
@@ -144,6 +171,15 @@ impl Config {
         }
     }
 
+    /// The language that a text asks for, whatever else is wrong with it.
+    #[must_use]
+    pub(crate) fn language_in(text: &str) -> Option<Language> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let root = document::parse::<ConfigFile>(&mut Reader::new(text), mend)?;
+        let written = root.get()?.language.as_ref()?;
+        Language::named(written.read.as_ref().ok()?)
+    }
+
     /// Takes over what the file gives; what is wrong with it stays as it is built in.
     fn take(&mut self, reader: &mut Reader<'_>, file: &ConfigFile) {
         let glyphs = choice(reader, "glyphs", &GLYPHS, file.glyphs.as_ref());
@@ -156,6 +192,9 @@ impl Config {
         self.picture = picture.unwrap_or_default();
         let layout = choice(reader, "layout", &layouts(), file.layout.as_ref());
         self.layout = layout.unwrap_or_default();
+        let language = choice(reader, "language", &languages(), file.language.as_ref());
+        self.language = language.unwrap_or_default();
+        self.csv = dialect(reader, file).unwrap_or_default();
         let tour = file.tour.as_ref();
         let tour = tour.and_then(|value| reader.boolean("`tour`", value));
         self.tour = tour.unwrap_or(self.tour);
@@ -166,6 +205,21 @@ impl Config {
             keys::read(reader, section, &mut self.keymap);
         }
     }
+}
+
+/// How CSV files are written; a comma cannot be both.
+fn dialect(reader: &mut Reader<'_>, file: &ConfigFile) -> Option<CsvDialect> {
+    let decimal = choice(reader, "decimal", &decimals(), file.decimal.as_ref());
+    let separator = choice(reader, "separator", &separators(), file.separator.as_ref());
+    let found = CsvDialect::of(decimal.unwrap_or_default(), separator.flatten());
+    if let (None, Some(place)) = (found, &file.separator) {
+        reader.report(
+            Diagnostic::new(words().separator_is_decimal())
+                .at(place.span.clone(), words().here())
+                .help(words().take_a_semicolon()),
+        );
+    }
+    found
 }
 
 /// One of several texts, if it is given.

@@ -1,6 +1,8 @@
 //! The configuration as a text to begin with: everything that is built in, commented out.
 
-use super::{COLOURS, GLYPHS, Named, THEMES, keys, layouts, pictures};
+use super::{
+    COLOURS, GLYPHS, Named, THEMES, decimals, keys, languages, layouts, pictures, separators,
+};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
 use crate::wording::words;
@@ -29,6 +31,21 @@ pub fn template() -> String {
         "layout",
         "\"auto\"",
         &words().panes_stand_as(&values(&layouts())),
+    );
+    set(
+        "language",
+        "\"auto\"",
+        &words().languages_are(&values(&languages())),
+    );
+    set(
+        "decimal",
+        "\"point\"",
+        &words().decimals_of_csv(&values(&decimals())),
+    );
+    set(
+        "separator",
+        "\"auto\"",
+        &words().separators_of_csv(&values(&separators())),
     );
     set("tour", "true", words().tour_on_first_start());
     set("mouse", "false", words().mouse_from_the_start());

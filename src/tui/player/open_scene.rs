@@ -1,6 +1,7 @@
 //! The open scene: what is found once when it opens, and what follows from the driver's coordinate.
 
 use crate::Ball;
+use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
 use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Forces, Tables, Verdict};
@@ -410,7 +411,10 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
         }
     };
     text.chars()
-        .map(|c| if fits(c) { c } else { '?' })
+        .map(|c| match (fits(c), ascii_letter(c)) {
+            (true, _) => c,
+            (false, spelled) => spelled.unwrap_or('?'),
+        })
         .collect()
 }
 

@@ -37,6 +37,7 @@ mod verdict;
 pub(crate) mod working;
 
 use super::app::{App, Mode, View};
+use crate::document::ascii_letter;
 use crate::drawing::Raster;
 use crate::page::{Line, TextRole, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -113,6 +114,23 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
 
 /// The whole screen, into a buffer that is empty.
 pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
+    draw(app, sketch, buffer);
+    if !app.glyphs().is_dotted() {
+        spell(buffer);
+    }
+}
+
+/// Letters that the terminal may lack become those that they look like.
+fn spell(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        let letter = cell.symbol().chars().next();
+        if let Some(letter) = letter.filter(|c| !c.is_ascii()).and_then(ascii_letter) {
+            cell.set_char(letter);
+        }
+    }
+}
+
+fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let area = whole(app.size());
     if !has_room(app.size()) {
         compact::render(app, area, buffer);

@@ -9,7 +9,7 @@ use super::{Sketch, inset, page};
 use crate::page::Line;
 use crate::quantity::Subject;
 use crate::tui::app::{App, View};
-use crate::tui::commands::action::Action;
+use crate::tui::commands::action::{Action, entry_of};
 use crate::tui::figures::sheet::SheetPart;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -36,7 +36,8 @@ pub(crate) trait Pane {
 
     /// What stands above it among other panes, in so many columns: at the left, and at the right.
     fn heading(&self, _app: &App, _room: u16) -> (String, String) {
-        (self.name().into(), String::new())
+        let name = (entry_of(Action::Look(self.view())).hint)(words());
+        (name.into(), String::new())
     }
 
     /// What is to be found while it stands, and only then.

@@ -11,7 +11,7 @@ use super::{columns, print, print_right};
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entry_of};
-use crate::wording::words;
+use crate::wording::{Language, words};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -130,9 +130,7 @@ fn in_short(view: View) -> String {
 }
 
 fn capitalised(name: &str) -> String {
-    let mut letters = name.chars();
-    let first = letters.next().map(|first| first.to_ascii_uppercase());
-    first.into_iter().chain(letters).collect()
+    Language::spoken().capitalised(name)
 }
 
 /// What leads to everything else.

@@ -185,6 +185,8 @@ catalogue! {
         take_the_mouse_or_not = "the mouse, or not";
         mouse_on = "the mouse turns the crank and points; with Shift it selects";
         mouse_off = "the mouse is the terminal's again";
+        language = "language";
+        turkish_or_english = "Turkish or English";
         help = "help";
         show_or_hide_this_help = "show or hide this help";
         commands = "commands";

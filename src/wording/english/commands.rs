@@ -10,6 +10,8 @@ catalogue! {
         note(message: &str) = "note: {message}";
         of_option(option: &str, what: &dyn Display) = "{option}: {what}";
 
+        of_parser(text: &str) = "{text}";
+
         // Files and results.
         cannot_read(name: &str, why: &dyn Display) = "cannot read {name}: {why}";
         standard_input = "standard input";
@@ -66,6 +68,10 @@ catalogue! {
         must_not_be_negative = "it must be a finite number that is not negative";
         size_is_meant(largest: &dyn Display) =
             "columns x rows are meant, such as 80x24, each 1 to {largest}";
+        comma_for_both =
+            "--decimal comma with --separator comma: a comma cannot be both; --separator semicolon \
+             keeps them apart";
+        for_csv_alone(option: &str) = "{option} is for CSV alone: add --format csv";
 
         // The driver and the motion.
         taken_within(typed: &dyn Display, at: &dyn Display, unit: &str, covered: &str) =

@@ -14,6 +14,8 @@ catalogue! {
         value_cannot_be(key: &str, given: &dyn Display) = "`{key}` cannot be {given}";
         unknown_value = "unknown value";
         known_values(quoted: &str) = "known values: {quoted}";
+        separator_is_decimal = "`separator` cannot be a comma where `decimal` is one";
+        take_a_semicolon = "write \"semicolon\" or \"tab\"";
 
         // Actions.
         unknown_action(name: &str) = "[keys]: unknown action {name}";
@@ -61,6 +63,9 @@ catalogue! {
 ";
         for_a_ground(values: &str) = "for a ground: {values}";
         pictures_are_sent_by(values: &str) = "{values}";
+        languages_are(values: &str) = "{values}";
+        decimals_of_csv(values: &str) = "in CSV files: {values}";
+        separators_of_csv(values: &str) = "{values}";
         panes_stand_as(values: &str) = "panes: {values}";
         mouse_from_the_start = "the mouse is krank's from the start: true or false";
         tour_on_first_start = "the tour is shown on the first start: true or false";

@@ -115,5 +115,10 @@ catalogue! {
         open_elsewhere_in_motion =
             "open the scene elsewhere, at another `angle` or `position` of the driver";
         join_in_another_way = "no dimension mends this: join these parts in another way";
+
+        // What stands before each part of a message.
+        level_error = "error";
+        level_note = "note";
+        level_help = "help";
     }
 }

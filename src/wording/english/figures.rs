@@ -25,6 +25,9 @@ catalogue! {
         acceleration = "acceleration";
         of_points(figure: &str) = "{figure} of points";
         direction = "direction";
+        direction_r = "dir r";
+        direction_v = "dir v";
+        direction_a = "dir a";
         driver_at(driver: &str, at: &str, speed: &str, acceleration: &str) =
             "driver {driver} at {at}, {speed}, {acceleration}";
         state_is(state: &str) = "state {state}";

@@ -32,7 +32,6 @@ catalogue! {
         number_too_large(number: &str) = "the number {number} is too large";
 
         // What they are about.
-        no_quantity(name: &str) = "no quantity is named `{name}`";
         blank_before_unit = "a blank stands between a number and its unit: `2 mm`";
         measured_in(what: &str, unit: &str) = {
             match unit {

@@ -81,6 +81,7 @@ catalogue! {
         a_centre_of_mass = "x centre of mass";
         arrows_without_scale(letter: &str) = "{letter} 0: the driver stands still";
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene} at {at} {unit}";
+        language_is = "language: English";
 
         // What is followed in it.
         nothing_at_the_side = "there is nothing at the side";

@@ -30,6 +30,17 @@ catalogue! {
         does_man = "Print the manual page";
 
         // Options and their values.
+        language_to_speak = "Language of screens, tables, messages and help";
+        language_auto = "As the configuration says, or LC_ALL, LC_MESSAGES, LANG";
+        language_turkish = "Turkish";
+        language_english = "English";
+        decimal_of_csv = "The decimal mark in CSV [default: point]";
+        decimal_point = "15.5";
+        decimal_comma = "15,5, as Turkish spreadsheets have it";
+        separator_of_csv = "What stands between the cells of CSV [default: comma, or semicolon with --decimal comma]";
+        separator_comma = "A comma";
+        separator_semicolon = "A semicolon";
+        separator_tab = "A tab";
         format_text = "Aligned columns, for a person";
         format_csv = "Comma separated values";
         format_json = "One object";

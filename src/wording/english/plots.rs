@@ -6,6 +6,7 @@ catalogue! {
     /// Plots, and what is plotted.
     trait PlotsWords for English {
         over(name: &str) = "over {name}";
+        extremum(value: &str, place: &str) = "{value} at {place}";
         over_time = "over time: 0 s is where the scene opens";
         extrema_marked = "maxima and minima are marked";
         extrema_not_marked = "maxima and minima are not marked";

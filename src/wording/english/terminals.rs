@@ -16,6 +16,7 @@ catalogue! {
         row_theme = "theme";
         row_frames = "frames";
         row_locale = "locale";
+        row_language = "language";
 
         // What they say.
         not_set = "not set";

@@ -6,6 +6,7 @@ use crate::page::{Cell, Units};
 use crate::quantity::Aspect;
 use crate::report::{Entry, PointRow, Tables, VectorColumn};
 use crate::tui::figures::format::Format;
+use crate::wording::words;
 
 /// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,7 +169,10 @@ impl ColumnFigure {
             ColumnFigure::AlongX(order) => ["x", "vx", "ax"][order],
             ColumnFigure::AlongY(order) => ["y", "vy", "ay"][order],
             ColumnFigure::Size(order) => ["r", "v", "a"][order],
-            ColumnFigure::Bearing(order) => ["dir r", "dir v", "dir a"][order],
+            ColumnFigure::Bearing(order) => {
+                let say = words();
+                [say.direction_r(), say.direction_v(), say.direction_a()][order]
+            }
         }
     }
 

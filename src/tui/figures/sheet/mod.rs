@@ -44,8 +44,8 @@ pub(crate) struct Sheet {
     rows: [Vec<String>; 2],
     /// Which points never move: their rates are not worth a row.
     fixed: Vec<bool>,
-    /// The width of the names.
-    names: usize,
+    /// The width of the names of rows.
+    widest: usize,
 }
 
 impl Sheet {
@@ -58,16 +58,21 @@ impl Sheet {
             short_names(&vectors.iter().map(|v| v.name.as_str()).collect::<Vec<_>>()),
             short_names(&points.iter().map(|p| p.name.as_str()).collect::<Vec<_>>()),
         ];
-        let names = rows.iter().flatten().map(|name| name.chars().count());
-        let names = names.chain([SheetPart::Vectors.title().len()]).max();
+        let widths = rows.iter().flatten().map(|name| name.chars().count());
+        let widest = widths.max().unwrap_or(0);
         let column = |part, figure| Column::new(samples, part, figure);
         Sheet {
             vectors: VECTOR_FIGURES.map(|f| column(SheetPart::Vectors, f)).into(),
             points: POINT_FIGURES.map(|f| column(SheetPart::Points, f)).into(),
             rows,
             fixed: points.iter().map(|point| point.fixed).collect(),
-            names: names.unwrap_or(0),
+            widest,
         }
+    }
+
+    /// The width of the names, and of what stands above them in the language that is spoken.
+    fn names(&self) -> usize {
+        self.widest.max(SheetPart::Vectors.title().chars().count())
     }
 
     /// How many rows a part has.
@@ -123,7 +128,7 @@ impl Sheet {
         let fit = |units: Units| {
             let widths = columns.iter().map(|column| column.width(glyphs, units));
             let opens = |c: usize| columns.get(c).is_none_or(|column| column.opens);
-            ColumnLayout::fit(&SETTING, self.names, widths.collect(), opens, width)
+            ColumnLayout::fit(&SETTING, self.names(), widths.collect(), opens, width)
         };
         let [behind, below] = [Units::Behind, Units::Below].map(fit);
         let is_same = behind.ranges().eq(below.ranges());
@@ -149,7 +154,7 @@ impl Sheet {
             let widths = columns
                 .iter()
                 .map(|c| SETTING.gap + c.width(glyphs, Units::Below));
-            self.names + widths.sum::<usize>()
+            self.names() + widths.sum::<usize>()
         };
         let pairs = self
             .vectors
@@ -252,7 +257,7 @@ impl Placed<'_> {
         let (part, row) = row;
         let name = self.sheet.rows[part as usize].get(row);
         let mut line = Line::of(TextRole::Name, name.map_or("", String::as_str));
-        line.push(self.sheet.names + SETTING.gap, words, TextRole::Aside);
+        line.push(self.sheet.names() + SETTING.gap, words, TextRole::Aside);
         line
     }
 }

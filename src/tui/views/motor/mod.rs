@@ -120,7 +120,7 @@ impl Pane for MotorView {
 
     fn csv(&self, app: &App) -> Result<String, String> {
         let motor = app.motor();
-        motor.csv().ok_or_else(|| motor.nothing())
+        motor.csv(app.csv_dialect()).ok_or_else(|| motor.nothing())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {

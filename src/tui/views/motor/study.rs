@@ -6,7 +6,7 @@ use crate::drawing::effort;
 use crate::drawing::plot::Plot;
 use crate::page::Page;
 use crate::quantity::{Catalogue, Here};
-use crate::report::{MotorReport, MotorWishes};
+use crate::report::{CsvDialect, MotorReport, MotorWishes};
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
@@ -105,11 +105,11 @@ impl MotorStudy {
     }
 
     /// The cycle step by step as comma separated values.
-    pub(crate) fn csv(&self) -> Option<String> {
+    pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
         let report = &self.studied.as_ref()?.report;
         report.duty.as_ref().ok()?;
         let mut text = Vec::new();
-        report.write_csv(&mut text).ok()?;
+        report.write_csv(dialect, &mut text).ok()?;
         String::from_utf8(text).ok()
     }
 

@@ -1,5 +1,6 @@
 //! The commands that are listed: all of the table of actions, narrowed by what is typed, the best first.
 
+use crate::document::with_ascii_letters;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::line::EditLine;
 use crate::wording::words;
@@ -35,12 +36,12 @@ impl CommandList {
 
     /// Lists what is meant by what is typed: the best first, of these the shortest, and otherwise as in the table.
     pub(crate) fn narrow(&mut self) {
-        let typed = self.line.text().to_ascii_lowercase();
+        let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
-            let texts = [row.name, (row.help)(words())];
+            let texts = [row.name, (row.hint)(words()), (row.help)(words())];
             let costs = texts
                 .iter()
-                .filter_map(|text| Some((cost(&typed, text)?, text.len())));
+                .filter_map(|text| Some((cost(&typed, text)?, text.chars().count())));
             Some((costs.min()?, at))
         });
         let mut costs: Vec<((usize, usize), usize)> = costs.collect();
@@ -81,10 +82,15 @@ fn rows() -> impl Iterator<Item = &'static ActionRow> {
     action::entries().filter(|row| row.action != Action::Palette)
 }
 
+/// In small letters of ASCII, for keyboards that have no others.
+fn plain(text: &str) -> String {
+    with_ascii_letters(text).to_ascii_lowercase()
+}
+
 /// How far a text is from what is typed, blanks left out: the letters must stand in it in their order, and each gap
 /// between them costs, least where a word begins behind it. `None` where they do not.
 fn cost(typed: &str, text: &str) -> Option<usize> {
-    let text: Vec<char> = text.to_ascii_lowercase().chars().collect();
+    let text: Vec<char> = plain(text).chars().collect();
     let begins = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
     // What the letters so far cost, by where the last of them stands.
     let mut before: Option<Vec<Option<usize>>> = None;
@@ -114,12 +120,24 @@ fn cost(typed: &str, text: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wording::Language;
 
     fn found(typed: &str) -> Vec<&'static str> {
         let mut palette = CommandList::new();
         typed.chars().for_each(|c| palette.line().push(c));
         palette.narrow();
         palette.found().map(|row| row.name).collect()
+    }
+
+    #[test]
+    fn a_command_is_found_by_its_name_in_every_language() {
+        Language::Turkish.speak();
+        for typed in ["language", "dil", "turkce"] {
+            assert_eq!(found(typed)[0], "language", "{typed}");
+        }
+        assert_eq!(found("cozum")[0], "working");
+        Language::English.speak();
+        assert_eq!(found("language")[0], "language");
     }
 
     #[test]

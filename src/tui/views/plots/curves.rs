@@ -5,7 +5,7 @@
 use crate::Vec2;
 use crate::drawing::plot::Plot;
 use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here, Quantity};
-use crate::report::curves_csv;
+use crate::report::{CsvDialect, curves_csv};
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::tui::player::compared_scene::ComparedScene;
@@ -228,8 +228,8 @@ impl Plots {
     }
 
     /// What is plotted as comma separated values; `None` where there is nothing.
-    pub(crate) fn csv(&self) -> Option<String> {
-        curves_csv(self.curves()?).ok()
+    pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
+        curves_csv(self.curves()?, dialect).ok()
     }
 }
 

@@ -148,7 +148,7 @@ impl Pane for PlotsView {
 
     fn csv(&self, app: &App) -> Result<String, String> {
         app.plots()
-            .csv()
+            .csv(app.csv_dialect())
             .ok_or_else(|| words().nothing_plotted_to_write().into())
     }
 

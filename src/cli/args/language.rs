@@ -1,0 +1,27 @@
+//! The language of what is said.
+
+use crate::wording::{Language, words};
+use clap::ValueEnum;
+
+/// The language that is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum LanguageChoice {
+    #[value(help = words().language_auto())]
+    #[default]
+    Auto,
+    #[value(help = words().language_turkish())]
+    Tr,
+    #[value(help = words().language_english())]
+    En,
+}
+
+impl LanguageChoice {
+    /// The language that is asked for, if one is.
+    pub(in crate::cli) fn asked(self) -> Option<Language> {
+        match self {
+            LanguageChoice::Auto => None,
+            LanguageChoice::Tr => Some(Language::Turkish),
+            LanguageChoice::En => Some(Language::English),
+        }
+    }
+}

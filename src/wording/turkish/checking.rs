@@ -1,0 +1,159 @@
+//! What `krank check` tells of a scene.
+
+use super::Turkish;
+use crate::wording::english::CheckingWords;
+use std::fmt::Display;
+
+catalogue! {
+    impl CheckingWords for Turkish {
+        // What they are called.
+        fact_source = "kaynak";
+        fact_note = "not";
+        fact_unit = "birim";
+        fact_parts = "parçalar";
+        fact_driver = "tahrik";
+        fact_links = "uzuvlar";
+        fact_joints = "mafsallar";
+        fact_slides = "kızaklar";
+        fact_mobility = "serbestlik";
+        fact_redundant = "fazla";
+        fact_groups = "gruplar";
+        fact_choices = "seçimler";
+        fact_assemblies = "montaj";
+        fact_loop = "döngü";
+        fact_range = "aralık";
+        fact_change = "değişim";
+        fact_near_miss = "yakın geçiş";
+        fact_mu = "mu";
+        fact_forces = "kuvvetler";
+        fact_open = "açık";
+
+        // Parts.
+        parts_and_ground(links: usize, pins: usize, slides: usize) = {
+            format!(
+                "{} ve şase, {}, {}",
+                some(links, "uzuv"),
+                some(pins, "döner mafsal"),
+                some(slides, "kızak")
+            )
+        };
+        driven_link(name: &str) = "uzuv {name}";
+        driven_slide(name: &str) = "kızak {name}";
+        driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
+            "{driven}, açılışta {at}, {speed}, {acceleration}";
+        pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pim {pin}, yarığı taşıyan: {of}";
+        link_along(name: &str, link: &str, guide: &str) =
+            "{name}: uzuv {link}, {guide} boyunca, ona göre dönmeden";
+
+        // Mobility and groups.
+        mobility_set_aside(mobility: &dyn Display, count: usize, which: &str) = {
+            let count = some(count, "fazla kısıt");
+            format!("{mobility}, {count} bir yana bırakıldı: {which}")
+        };
+        mobility_not_certain =
+            "neredeyse 2 ya da daha çok: az farklı boyutlarda bir uzuv serbest kalırdı";
+        mobility_more_at_opening =
+            "sahnenin açıldığı yerde daha çok: orası bağlı bir grubun değişim ya da ölü konumu";
+        repeats_others(part: &str) = "{part} başkalarını yineler";
+        repeats(part: &str, others: &str) = "{part} şunları yineler: {others}";
+        disagree_by(what: &str, misfit: &str) = "{what}; aralarındaki fark en çok {misfit}";
+        some_and_more(some: &str, more: usize) = "{some} ve {more} tane daha";
+        dyad(class: &str) = "diad {class}";
+        dyad_at(class: &str, point: &str) = "diad {class}, {point} noktasında";
+        coupled_group(unknowns: usize) = {
+            format!("bağlı grup, {}", some(unknowns, "bilinmeyen"))
+        };
+        coupled_group_at(point: &str, unknowns: usize) = {
+            format!("bağlı grup, {point} noktasında, {}", some(unknowns, "bilinmeyen"))
+        };
+        closed_form = "kapalı form";
+        by_newton = "Newton ile";
+        group_of_driver(driven: &str) = "tahrik: {driven}";
+        group_of_nothing(group: &str, how: &str) = "{group} ({how})";
+        group_of_link(group: &str, link: &str, how: &str) = "{group}: uzuv {link} ({how})";
+        group_of_links(group: &str, links: &str, how: &str) = "{group}: uzuvlar {links} ({how})";
+
+        // Assemblies.
+        those_of_more(count: usize) = "ve {count} tanesininkiler daha";
+        more_than(count: usize) = "en az {count}, dahası var";
+        chosen_now(choice: &str) = "{choice} şimdi";
+        rest_open(choice: &str) = "{choice} (gerisi kapanmaz)";
+        at_place(choice: &str, x: &str, y: &str) = "{choice}: ({x}, {y})";
+
+        // A first loop.
+        driven_coupler_follower_frame(lengths: &[String; 4], unit: &str) = {
+            let [driven, coupler, follower, frame] = lengths;
+            format!("tahrik {driven}, biyel {coupler}, çıkış {follower}, şase {frame} {unit}")
+        };
+        crank_rod_offset(lengths: &[String; 3], unit: &str) = {
+            let [crank, rod, offset] = lengths;
+            format!("krank {crank}, biyel {rod}, kaçıklık {offset} {unit}")
+        };
+        four_bar(inversion: &str, grashof: &str) = "dört çubuk, {inversion}: {grashof}";
+        slider_crank(what: &str) = "krank-biyel, {what}";
+        slider_crank_alone = "krank-biyel";
+        crank_turns_fully = "krank tam döner: biyel > krank + kaçıklık";
+        rod_is_crank_and_offset = "değişim konumu: biyel = krank + kaçıklık";
+        crank_rocks = "krank tam dönmez: biyel < krank + kaçıklık";
+        grashof = "Grashof, s + l < p + q";
+        grashof_change_point = "değişim konumu, s + l = p + q";
+        not_grashof = "Grashof değil, s + l > p + q";
+        crank_rocker = "krank-sarkaç";
+        rocker_crank = "sarkaç-krank";
+        double_crank = "çift krank";
+        drag_link = "çift krank (sürükleyici)";
+        double_rocker = "çift sarkaç";
+        triple_rocker = "üçlü sarkaç";
+
+        // The motion.
+        range_full(period: &dyn Display, unit: &str) =
+            "tam döner; hareket {period} {unit} sonra yinelenir";
+        range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
+        change_points_at(places: &str, unit: &str) = "konumları: {places} {unit}, kesintisiz geçilir";
+        equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
+        equal_within(tolerance: &str, unit: &str) =
+            "farkı {tolerance} {unit} içinde kalan boylar eşit sayılır: koordinatlar yuvarlanmış";
+        near_miss(at: &str, unit: &str, sine: &str, group: &str) =
+            "neredeyse değişim ya da ölü konum: {at} {unit}, sin mu = {sine}, {group}; hareket montaj \
+             biçimini korur";
+        mu_throughout(group: &str, angle: &str) =
+            "bağlama açısı, {group}: her yerde {angle} deg";
+        mu_between(group: &str, angles: [&str; 4], unit: &str) = {
+            let [least, at_least, most, at_most] = angles;
+            format!(
+                "bağlama açısı, {group}: en küçük {least} deg, {at_least} {unit} konumunda; en büyük \
+                 {most} deg, {at_most} {unit} konumunda"
+            )
+        };
+
+        // The verdict.
+        range_whole = "tam döner";
+        range_between(low: &str, high: &str, unit: &str) = "{low}..{high} {unit}";
+        some_change_points(count: usize) = "{count} değişim konumu";
+        transmission_worst(group: Option<&str>, off: &str, at: &str, unit: &str) = {
+            let group = group.map(|group| format!(" {group}")).unwrap_or_default();
+            format!("bağlama açısı{group}: 90'dan {off} deg sapma, {at} {unit}")
+        };
+        transmission_off(off: &str) = "90'dan sapma {off}";
+        nothing_of_it = "yok";
+        became(old: &str, new: &str) = "{old} -> {new}";
+
+        // What acts.
+        count_of_forces(count: usize) = "{count} kuvvet";
+        count_of_torques(count: usize) = "{count} tork";
+        count_of_presses(count: usize) = "{count} pres";
+        count_of_springs(count: usize) = "{count} yay";
+        count_of_masses(count: usize) = "{count} kütleli uzuv";
+        gravity = "yerçekimi";
+        repeated_after(what: &str, period: &dyn Display) = "{what}; {period} deg sonra yinelenir";
+        not_settled(reactions: &str) = "dengenin belirlemediği tepkiler: {reactions}";
+    }
+}
+
+/// `kızak yok`, `1 kızak`, `2 kızak`.
+fn some(count: usize, what: &str) -> String {
+    match count {
+        0 => format!("{what} yok"),
+        _ => format!("{count} {what}"),
+    }
+}

@@ -1,0 +1,162 @@
+//! What stands below the help of each command: examples, and what is to be known.
+
+use super::Turkish;
+use crate::wording::english::ExamplesWords;
+
+catalogue! {
+    impl ExamplesWords for Turkish {
+        keys_of_workbench = "\
+Tezgâhın tuşları:
+  space oynat, durdur   . bir adım ileri  , bir adım geri   r öbür yön
+  g yer yazarak git     2 bütün tablolar  n sonraki sahne   t öteki karakterler
+  a öteki montajlar     ? bütün tuşlar    q çık
+
+";
+        examples_of_krank = "\
+Örnekler:
+  krank                          derslerdeki dört çubuğu aç
+  krank slider-crank --at 30     hazır bir sahneyi 30 derecede aç
+  krank my-press.toml            bir sahne dosyasını aç
+  krank press --view tables      hazır bir sahneyi bütün tablolarıyla aç
+  krank press --print            açılan ekranı yaz ve çık
+  krank sweep four-bar -o four-bar.csv
+
+SCENE bir dosya, hazır bir sahnenin adı (krank list) ya da standart girdi için -
+olur. İçinde / olan ya da .toml ile biten ad her zaman dosyadır: ./four-bar.
+
+krank help el kitabının konularını sayar: sahne dosyası, tuşlar, sütunlar ve ötesi.
+krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
+
+Çıkış kodları: 0 tamam; 1 mekanizma isteneni yapamaz ya da çıktı yazılamaz;
+2 komut satırı ya da sahne yanlış.";
+        examples_of_list = "\
+Örnek:
+  krank list                     adları ve başlıkları";
+        examples_of_check = "\
+Örnekler:
+  krank check four-bar
+  krank check four-bar --assembly C=-
+  krank check my-press.toml --format json
+  krank check - < my-press.toml";
+        examples_of_table = "\
+Örnekler:
+  krank table four-bar --at 60
+  krank table slider-crank --at 30 --digits 10
+  krank table press --bounds --sensitivity
+  krank table four-bar-load --bounds
+  krank table four-bar --format json
+  krank table four-bar --format csv --decimal comma -o tablo.csv
+  krank table four-bar --at 240 --assembly C=-";
+        examples_of_explain = "\
+Örnekler:
+  krank explain four-bar --at 60
+  krank explain slider-crank --at 30 --digits 9
+  krank explain press --format markdown -o press.md
+
+Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle döngü
+denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve ivmeler,
+mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir de
+sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
+bağlı bir grubun denklemleri ve çözümü gösterilir, yok etme adımları değil. Bir şey
+etki ediyorsa her uzvun ve yüklü pimin dengesi tepkileriyle gelir, tahrikin
+yaptığını da sanal iş sağlar. Ölü konumda yalnız konumlar vardır; aralığın dışında
+döngüler ve verilenler söylenir, çıkış kodu 1 olur. Terminalde ya da yerelde Yunan
+harfleri yoksa adlarıyla yazılır.";
+        examples_of_draw = "\
+Örnekler:
+  krank draw four-bar --at 60
+  krank draw hoecken --traces
+  krank draw four-bar --velocities --accelerations C --size 120x40
+  krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
+
+POINTS virgülle ayrılmış nokta adları ya da all olur. Ad verilmezse --traces, sabit
+bir mafsal çevresinde çember olmayan eğrileri (başkası yoksa onları da), --velocities
+ve --accelerations bütün mafsal ve uzuv noktalarının oklarını, --forces yüklerin,
+mafsalların, kılavuzların ve tahrikin oklarını büyüklükleriyle çizer. Aynı türden
+okların ölçeği bütün harekette birdir; alttaki satır onu söyler. Gövdesi kesik olan
+ok, çizildiğinden uzundur.";
+        examples_of_sweep = "\
+Örnekler:
+  krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
+  krank sweep four-bar --columns 'C.*,*.omega' --format json
+  krank sweep four-bar --decimal comma -o tablo.csv
+  krank sweep press-ram --step 0.1 -o press.csv
+
+Sütunların adı C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax gibidir;
+krank sweep SCENE | head -n 1 bir sahneninkilerin hepsini gösterir. Bir şey etki
+ediyorsa driver.torque, driver.power, r3.B.fx (r3 uzvuna B piminde gelen kuvvet),
+r4.normal, r6.moment, ground.fx ve yuvarlama olmasa sıfır olacak iki sağlamanın
+artıkları da vardır. Tahrikin koordinatı hep ilk, state hep son sütundur: ok,
+change-point, dead-point ya da no-assembly. Olmayan değer boş hücredir (JSON: null).
+--decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayraç ;.
+--bounds her C.x ardına aynı birimde C.x.bound koyar: sahne verildiği gibi
+çözülürken hatanın aşmadığı değer. --sensitivity oraya C.x.sensitivity koyar: verilen
+boyların her biri bir birim yanlış olsa C.x en kötü ne kadar değişir.
+--from ve --to yoksa tarama bütün hareketi kapsar, sınırlarında ya da bir periyot
+sonra biter; kuvvetler varsa yüklerin periyodunda.";
+        examples_of_plot = "\
+Örnekler:
+  krank plot four-bar --columns r4.omega
+  krank plot four-bar --columns 'C.v*,r4.alpha' --size 120x40
+  krank plot slider-crank --columns C.vx --against C.x
+  krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
+
+Sütun adları krank sweep komutundaki gibidir; her birimin kendi paneli olur. Zamana
+karşı 0 s sahnenin açıldığı yerdir, tahrik oradan kendi hızı ve ivmesiyle sürer. En
+büyük ve en küçük değerler sayıları ve yerleriyle işaretlenir; bunlar resimden
+okunmaz, çözülür: değer yuvarlamaya, yer yaklaşık 1e-5 deg'e kadar. Değer yoksa
+boşluk olur.";
+        examples_of_motor = "\
+Örnekler:
+  krank motor four-bar-load
+  krank motor four-bar-load --rated 30 --peak 75 --fluctuation 0.02
+  krank motor press-ram --height 6 --torque 500 --tolerance 0.5
+  krank motor excavator-boom --from 1.8 --to 2.8
+  krank motor engine --format csv -o engine.csv
+
+Tork ve güç, çözülen tepe değerleri, ortalamaları, verilen ve geri alınan enerji;
+yüklere, yerçekimine ve atalete ayrılmış olarak; hızın ne kadar dalgalandığı ve buna
+karşı volan; şaseyi sarsan kuvvet; motorun eksiği; koç için strok, ölü noktalar, zaman
+oranı, bekleme, alt noktanın üstündeki bir yükseklikte hız ve kuvvet. Döngü, hareketin
+periyodudur, daha uzunsa yüklerinki; sınırlı aralık gidilip dönülür. Seçenekler
+sahnenin [motor] bölümünün yerine geçer. Sürtünme modellenmez.";
+        examples_of_start = "\
+Örnekler:
+  krank start four-bar --assembly C=- > crossed.toml
+  krank start my-press.toml --assembly C=-,F=+ -o my-press.toml
+
+Yalnız [start] değişir: açıklamalar, sıra ve gerisi olduğu gibi kalır. Dosya ya bir
+kerede yazılır ya hiç yazılmaz; sahnenin kendisi de olabilir. Montaj biçiminin
+hareketi sahnenin açıldığı yere gelmiyorsa tahrikin açılışı da değişir.";
+        examples_of_accuracy = "\
+Örnekler:
+  krank accuracy                 derslerdeki dört çubuk
+  krank accuracy jansen-leg --format csv -o jansen.csv
+  krank accuracy my-press.toml --positions 36000
+
+Her yöntem konum, hız ve ivme verir ve iki kat hassasiyetli bir hesapla
+karşılaştırılır. Sahnenin elvermediği yöntemler nedeniyle birlikte yazılır. Süreler bu
+makineninkidir: o sırada onu rahat bırak. Ctrl-C bitirir.";
+        examples_of_config = "\
+Örnek:
+  krank config > ~/.config/krank/config.toml
+
+Tezgâh $XDG_CONFIG_HOME/krank/config.toml dosyasını, bu değişken yoksa
+~/.config/krank/config.toml dosyasını okur, hiç yazmaz: karakterler, renkler, dil,
+tuşlar.";
+        examples_of_help = "\
+Örnekler:
+  krank help                     konular
+  krank help scene               sahne dosyasının her anahtarı
+  krank help sweep               krank sweep --help gibi
+
+Terminalde $PAGER ile, yoksa less ya da more ile gösterilir.";
+        examples_of_completions = "\
+Örnek:
+  krank completions bash > ~/.local/share/bash-completion/completions/krank";
+        examples_of_man = "\
+Örnekler:
+  krank man > krank.1
+  krank man sweep > krank-sweep.1";
+    }
+}

@@ -1,0 +1,50 @@
+//! Figures in tables, what lengths do to them, and why some are not shown.
+
+use super::Turkish;
+use crate::wording::english::FiguresWords;
+
+catalogue! {
+    impl FiguresWords for Turkish {
+        // Why some are not shown.
+        forces_disagree(at: &str, residual: &str, missed: &str, most: &str) =
+            "{at} konumundaki kuvvetler verilmedi: {residual} {missed}, oysa yuvarlama en çok {most} \
+             açıklar; onları bulmanın iki yolu uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen \
+             bildir";
+        forces_too_large(at: &str) =
+            "{at} konumundaki kuvvetler verilmedi: kimileri bir sayıya sığmayacak kadar büyük; olağan \
+             hızlar, kütleler ve yükler seç";
+        figure_too_large(figure: &str, at: &str) =
+            "{figure}, {at} konumunda bir sayıya sığmayacak kadar büyük; olağan boylar ve hızlar seç";
+
+        // Tables.
+        vector = "vektör";
+        point = "nokta";
+        given = "verilen";
+        position = "Konum";
+        velocity = "Hız";
+        acceleration = "İvme";
+        of_points(figure: &str) = "{figure}, mafsal noktaları";
+        direction = "yön";
+        direction_r = "yön r";
+        direction_v = "yön v";
+        direction_a = "yön a";
+        driver_at(driver: &str, at: &str, speed: &str, acceleration: &str) =
+            "tahrik {driver}: {at}, {speed}, {acceleration}";
+        state_is(state: &str) = "durum: {state}";
+        stars_are_found = "* bulunan; yıldızsız olanlar verilen";
+        bounds_are = "+- hatanın aşmadığı değer; ? kanıtlanamayan";
+
+        // What lengths do to them.
+        no_derivatives_by_lengths =
+            "burada büyüklüklerin boylara göre türevi yok: hareket burada biter ya da dallanır, ya da \
+             neredeyse öyle, ya da yanlış bir boy mekanizmayı sıkıştırır";
+        per(figure: &str, length: &str) = "{figure} / {length}";
+        change_for_one(unit: &str) = "1 {unit} için değişim";
+        change_for_length = "boydaki 1 için değişim";
+        without_change(change: &str, why: &str) = "{change}: {why}";
+        in_every_length = "bütün boylarda";
+        in_one = "birinde";
+        in_which = "hangisinde";
+        most_in = "en çok";
+    }
+}

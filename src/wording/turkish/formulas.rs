@@ -1,0 +1,66 @@
+//! Formulas, and what is wrong with them.
+
+use super::Turkish;
+use crate::wording::english::FormulasWords;
+
+catalogue! {
+    impl FormulasWords for Turkish {
+        // How they are written.
+        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter olabilir";
+        formula_too_deep(most: usize) = "parantezler ve işaretler {most} kattan derin iç içe";
+        no_part_of_a_formula(character: &str) = "`{character}` formülün parçası olamaz";
+        minus_without_blank(word: &str) = "`{word}`: bu bir ad mı, yoksa çıkarma mı?";
+        minus_between_blanks = "`-` iki boşluk arasında çıkarır: adlarda geçebilir";
+        formula_ends_early(wanted: &str) = "formül bitiyor, oysa şu gelmeliydi: {wanted}";
+        expected_in_formula(wanted: &str, found: &str) = "beklenen: {wanted}, bulunan: `{found}`";
+        operator_or_end = "`+`, `-`, `*`, `/`, `^` ya da formülün sonu";
+        number_or_name = "bir sayı, bir ad ya da bir parantez";
+        closing_bracket = "`)`";
+        exponent_must_be_whole = "üs bir tam sayı olmalı ve 0 olmamalı";
+        exponents_go_to(most: usize) = "`^` 1 ile {most} ve -1 ile -{most} arasını alır; kökü sqrt() alır";
+        no_function(name: &str) = "`{name}` diye bir fonksiyon yok";
+        functions_are(names: &str) = "fonksiyonlar: {names}";
+        function_takes(name: &str, least: usize, most: usize, found: usize) = {
+            let takes = match least == most {
+                true => format!("{least}"),
+                false => format!("{least} ile {most} arası"),
+            };
+            format!("{name}() {takes} değer alır, {found} değil")
+        };
+
+        number_too_large(number: &str) = "{number} sayısı çok büyük";
+
+        // What they are about.
+        blank_before_unit = "sayı ile birimi arasında boşluk olur: `2 mm`";
+        measured_in(what: &str, unit: &str) = {
+            match unit {
+                "1" => format!("`{what}` birimsiz bir sayı"),
+                unit => format!("`{what}` birimi {unit}"),
+            }
+        };
+        do_not_go_together(one: &str, other: &str) = "{one}; {other}: bunlar birlikte olmaz";
+        numbers_need_units = "sayının arkasına birimini yaz: `90 deg`, `10 mm/s`";
+        takes_an_angle(function: &str, unit: &str) = {
+            match unit {
+                "1" => format!("{function}() açı alır, bu ise birimsiz bir sayı"),
+                unit => format!("{function}() açı alır, bunun birimi ise {unit}"),
+            }
+        };
+        angles_have_units = "açıların birimi vardır: `30 deg`, `0.5 rad`";
+        takes_a_number(function: &str, unit: &str) =
+            "{function}() birimsiz bir sayı alır, bunun birimi ise {unit}: bu birimden bir değere böl";
+        no_root_of(unit: &str) = "hiçbir büyüklük {unit} biriminin köküyle ölçülmez";
+        unit_beyond_use = "bunun birimi hiçbir işe yaramaz";
+        formula_has_too_many_steps = "formül, kullandıklarıyla birlikte çok uzun";
+        formula_has_no_such_rate = "yalnız birinci ve ikinci türev bilinir";
+
+        // Figures that are defined.
+        formula_uses_itself(name: &str) = "{name} kendinden oluşuyor";
+        no_rate_of(of: &str) = "{of}: bunun türevi bilinmiyor";
+        name_of_figure_missing = "formül bir adın ve `=` işaretinin arkasında durur: `swing = r4.angle - r3.angle`";
+        name_of_figure_bad(name: &str) =
+            "`{name}` bir büyüklüğün adı olamaz: ASCII harf, rakam, `_`, `-` ve `'`, en çok 64";
+        name_of_figure_taken(name: &str) = "`{name}` zaten başka bir şeyin adı: başka bir ad seç";
+        in_formula_of(name: &str) = "{name} formülü";
+    }
+}

@@ -1,0 +1,23 @@
+//! The help over the view.
+
+use super::Turkish;
+use crate::wording::english::HelpingWords;
+use std::fmt::Display;
+
+catalogue! {
+    impl HelpingWords for Turkish {
+        help_title = "Yardım";
+        help_topic(topic: &str, page: usize, pages: usize) = "Yardım: {topic}  {page}/{pages}";
+        no_key_does_that = "bunu yapan tuş yok";
+        esc_shows_all_keys = "Esc bütün tuşları gösterir";
+        turns_to_manual(key: &dyn Display) = "{key} el kitabı";
+        shows_more(key: &dyn Display) = "{key} devamı";
+        no_command_is_that = "böyle bir komut yok";
+        nowhere = "hiçbir yerde";
+        marks_of_figures(found: char) = "{found} bulunan, gerisi verilen";
+        marks_of_figures_and_digits(found: char, unsure: char) =
+            "{found} bulunan, gerisi verilen; {unsure} kanıtlanmayan haneler";
+        marks_of_figures_and_dim_digits(found: char) =
+            "{found} bulunan, gerisi verilen; soluk haneler kanıtsız";
+    }
+}

@@ -1,0 +1,38 @@
+//! Turkish: the same sentences, in the words of a course on machine dynamics.
+//!
+//! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`; what is typed
+//! (options, keys, names of columns and of actions) stays as it is. No ending is put behind a name that comes in.
+
+mod actions;
+mod checking;
+mod commands;
+mod configuration;
+mod editing;
+mod errors;
+mod examples;
+mod exports;
+mod faults;
+mod figures;
+mod files;
+mod forces;
+mod formulas;
+mod helping;
+mod hints;
+mod manual;
+mod methods;
+mod motion;
+mod motors;
+mod offering;
+mod options;
+mod picking;
+mod plots;
+mod reactions;
+mod reading;
+mod terminals;
+mod tour;
+mod views;
+mod working;
+
+/// The language of the lectures that krank implements.
+#[derive(Debug)]
+pub(super) struct Turkish;

@@ -1,0 +1,87 @@
+//! The working of forces: free bodies, pins and the driver.
+
+use super::Turkish;
+use crate::wording::english::ReactionsWords;
+
+catalogue! {
+    impl ReactionsWords for Turkish {
+        forces_part = "Kuvvetler";
+        reactions_need_not_exist =
+            "Bu konumda tepkiler olmayabilir; tahrikin torku sanal işten bulunur.";
+        reactions_open(links: &str) =
+            "Fazla kısıtlı bir mekanizma şu uzuvların tepkilerini açık bırakır: {links}; denge tek \
+             başına onları belirlemez.";
+        order_of_groups(groups: &str) =
+            "Tepkiler, aşağıdaki uzuvların hareket denklemlerindeki bilinmeyenlerdir. Grup grup, \
+             sondan başlayarak bulunur, çünkü bir grup taşıdığını öncekilere aktarır: {groups}. En son \
+             tahrikinki gelir.";
+        dyad_of_two_arms =
+            "RRR diadında iç pimin birinci uzva kuvveti F, her uzvun dış mafsalına göre momentlerinden \
+             bulunur: e x F + M1 = 0 ve -f x F + M2 = 0; e ve f dış mafsallardan iç pime, M1 ve M2 her \
+             uzva etki eden öteki her şeyin, ataleti de içinde, momentleridir. O pimdeki bir yük ikinci \
+             uzva sayılır.";
+        no_balance_at_dead_point =
+            "Ölü konumda mekanik kazanç sonsuzdur: tahrikin hiçbir torku yükleri dengelemez, tepkiler \
+             yoktur.";
+        no_forces_without_assembly = "Mekanizma kurulamadıkça kuvvet de yoktur.";
+        no_forces_here = "Burada yoklar.";
+        loads_here = "Buradaki yükler:";
+
+        // What acts.
+        kind_press = "pres";
+        kind_spring = "yay";
+        acts_at(what: &str, point: &str) = "{what}, {point} noktasında";
+        acts_on(what: &str, link: &str) = "{what}, {link} uzvunda";
+        spring_between(from: &str, to: &str) = "L: {from} - {to}";
+        pull_of_spring = "Bir yayın çekmesi, boylar m olarak:";
+        pull = "çekme";
+        factor = "çarpan";
+        weight = "ağırlık";
+        weight_of(link: &str) = "{link} ağırlığı";
+        inertia_of(link: &str) = "{link} ataleti";
+        column_of = "neyin";
+        column_load = "yük";
+        symbols_of(symbols: &str, link: &str) = "{symbols}, {link} için";
+
+        // A free body.
+        link_part(name: &str) = "Uzuv {name}";
+        on_it = "ona etki eden";
+        motion_about(point: &str) =
+            "x ve y {point} noktasından, momentler ona göre. Hareket denklemleri:";
+        motion_about_accelerated(point: &str) =
+            "x ve y {point} noktasından, momentler ona göre. {point} noktasının ivmesi m/s^2 olarak \
+             hareket denklemleri:";
+        guide_of(slide: &str) = "{slide} kılavuzu";
+        slider_of(slide: &str) = "{slide} sürgüsü";
+        pin_by(link: &str, point: &str, by: &str) = "{link}, {point}, etki eden {by}";
+        pin_by_ground(link: &str, point: &str) = "{link}, {point}, etki eden şase";
+
+        // A pin.
+        pin_part(name: &str) = "Pim {name}";
+        load_at_pin =
+            "Pimdeki bir yük kütlesi olmayan pime etki eder; uzuvlara, orada taşıdıklarının tersi \
+             yönünde:";
+        forces_along(axis: &str, point: &str) = "{point} noktasında {axis} doğrultusundaki kuvvetler";
+
+        // The driver.
+        torque_of_driver = "Tahrikin torku";
+        force_of_driver = "Tahrikin kuvveti";
+        torque_checked_by_work(torque: &str) =
+            "Tahrikin {torque} olan torku uzuvların dengesinden gelir. Yüklerin, yerçekiminin ve \
+             ataletin sanal işi aynısını vermelidir ve onun sağlamasıdır. Her pay, kuvvetlerinin ters \
+             işaretli gücünün tahrikin hızına bölümüdür.";
+        force_checked_by_work(force: &str) =
+            "Tahrikin {force} olan kuvveti uzuvların dengesinden gelir. Yüklerin, yerçekiminin ve \
+             ataletin sanal işi aynısını vermelidir ve onun sağlamasıdır. Her pay, kuvvetlerinin ters \
+             işaretli gücünün tahrikin hızına bölümüdür.";
+        effort_by_work =
+            "Yüklerin, yerçekiminin ve ataletin sanal işiyle. Her pay, kuvvetlerinin ters işaretli \
+             gücünün tahrikin hızına bölümüdür.";
+        frame_feels(x: &str, y: &str, moment: &str) =
+            "Şaseye x boyunca {x} N, y boyunca {y} N ve başlangıç noktasına göre {moment} N m moment \
+             gelir. Güç dengesinden ve bütünün dengesinden artanlar, her biri kendi yolundan bulunmuş:";
+        virtual_work = "sanal iş";
+        forces_in(axis: &str) = "kuvvetler, {axis}";
+        moments = "momentler";
+    }
+}

@@ -1,0 +1,127 @@
+//! Reading a scene or a configuration: what is wrong with its keys, values and names, and what would mend it.
+
+use super::Turkish;
+use crate::wording::english::ReadingWords;
+
+catalogue! {
+    impl ReadingWords for Turkish {
+        // The document.
+        not_utf8(byte: u8, at: usize) = "dosya UTF-8 değil: {at} konumunda bayt 0x{byte:02x}";
+        not_a_character = "UTF-8'de bir karakter değil";
+        save_as_utf8 = "dosyayı UTF-8 olarak kaydet";
+        not_valid_toml(message: &str) = "geçerli TOML değil: {message}";
+        more_faults(count: usize) = "{count} hata daha var, gösterilmiyor";
+        given_twice(key: &str) = "{key} iki kez verilmiş";
+        the_first_time = "ilki";
+        the_second_time = "ikincisi";
+        take_one_out = "birini çıkar ya da adını değiştir";
+        unknown_key_in(of: &str, key: &str) = "{of}: bilinmeyen anahtar {key}";
+        unknown_key_here = "bilinmeyen anahtar";
+        known_keys(names: &str) = "bilinen anahtarlar: {names}";
+
+        // Values.
+        must_be(what: &str, wanted: &str, found: &str) = "{what} {wanted} olmalı, {found} değil";
+        expected(wanted: &str) = "beklenen: {wanted}";
+        for_example(example: &str) = "örneğin: {example}";
+        write_in_quotes(literal: &str) = "tırnak içinde yaz: \"{literal}\"";
+        write_without_quotes(literal: &str) = "tırnaksız yaz: {literal}";
+        a_quoted_text = "tırnak içinde bir metin";
+        a_text = "bir metin";
+        a_number = "bir sayı";
+        a_truth = "true ya da false";
+        a_date = "bir tarih";
+        a_list = "bir liste";
+        a_table = "bir tablo";
+        key_of(key: &str, of: &str) = "`{key}` ({of})";
+        part_of(part: &str, of: &str) = "{part} ({of})";
+
+        // Numbers.
+        a_finite_number = "sonlu bir sayı";
+        at_most_in_size = "büyüklükçe en çok 1e300";
+        is_not_a_number = "sayı değil";
+        is_not_finite = "çift hassasiyette sonlu değil";
+        is_too_large = "çok büyük";
+        write_a_decimal = "ondalık bir sayı yaz, 12.5 gibi";
+        choose_a_unit = "boyutların olağan sayılar olduğu bir `unit` seç";
+        must_not_be_less_than_zero(what: &str, literal: &str) =
+            "{what} eksi olamaz, oysa {literal}";
+        is_negative = "eksi";
+        leave_it_out(key: &str) = "önemi yoksa `{key}` yazma";
+        a_pair(form: &str) = "bir çift {form}";
+        must_be_a_pair(what: &str, form: &str, count: usize) =
+            "{what} bir çift {form} olmalı, {count} değer değil";
+        expected_two(count: usize) = "2 değer beklenirken {count} var";
+        write_as_a_part(part: f64) = "birin payı olarak yaz: {part}";
+        write_the_number_alone(number: &str) =
+            "yalnız sayıyı yaz: {number}; boylar sahnenin `unit` biriminde, açılar derecedir";
+
+        // What people mostly meant.
+        comments_begin_with = "açıklama # ile başlar";
+        quote_the_name = "içinde ' olan ad tırnağa alınır: \"B'\" = [0, 0]";
+        decimals_have_a_point = "ondalıklar noktayla yazılır: 0.5";
+        write_key_and_value = "anahtar = değer yaz";
+        quote_texts_and_names = "metinler ve adlar tırnağa alınır: \"A\"";
+        separate_by_commas = "bir listenin değerleri virgülle ayrılır: [0, 0]";
+        number_alone_or_speed(number: &str) =
+            "yalnız sayıyı yaz: {number}; boylar sahnenin `unit` biriminde, açılar derecedir, hız ise \
+             tırnak içinde bir metindir: \"15 rad/s\"";
+
+        // The driver.
+        driver_has_both = "tahrikte hem `link` hem `slide` var";
+        one_is_driven = "tahrik edilen bunlardan biridir";
+        driver_has_neither = "tahrikte ne `link` ne `slide` var";
+        nothing_is_driven = "tahrik edilen yok";
+        how_a_link_is_driven(example: &str) = "tahrik edilen uzuv: {example}";
+        how_a_slide_is_driven(example: &str) = "tahrik edilen kızak: {example}";
+        driver_has_other(driven: &str, other: &str, coordinate: &str) =
+            "tahrik: tahrik edilen `{driven}` için `{other}` olmaz, `{coordinate}` olur";
+        coordinate_is_meant(coordinate: &str) = "burada `{coordinate}` olmalı";
+        driver_lacks(coordinate: &str) = "tahrikte `{coordinate}` yok";
+        coordinate_is_missing(coordinate: &str) = "`{coordinate}` eksik: sahnenin açıldığı yer";
+
+        // Rates.
+        rate_is_no_number(key: &str, of: &str, typed: &str) =
+            "`{key}` ({of}) tırnak içinde bir sayı ve birim olmalı, `{typed}` değil";
+        rate_has_no_unit(key: &str, of: &str, typed: &str) = "`{key}` ({of}) birimsiz: `{typed}`";
+        rate_has_other_unit(key: &str, of: &str, typed: &str) =
+            "`{key}` ({of}) için uymayan bir birim: `{typed}`";
+        rate_has_two_marks(key: &str, of: &str, typed: &str) =
+            "`{key}` ({of}) içinde birden çok ondalık işareti var: `{typed}`";
+        rate_is_too_large(key: &str, of: &str, typed: &str) = "`{key}` ({of}) çok büyük: `{typed}`";
+        digits_without_groups = "haneleri gruplamadan yaz: 1234.5 ya da 1234,5";
+        expected_a_rate = "tırnak içinde bir sayı ve birim beklenir";
+        possible_units(units: &str) = "olabilecek birimler: {units}";
+
+        // Names.
+        noun_point = "nokta";
+        noun_link = "uzuv";
+        noun_slide = "kızak";
+        noun_vector = "vektör";
+        noun_figure = "büyüklük";
+        names_both(name: &str, other: &str, one: &str) = "{name} hem {other} hem {one} adı";
+        named_here(noun: &str) = "burada {noun}";
+        names_are_shared =
+            "noktalar, uzuvlar, kızaklar, vektörler ve büyüklükler adları paylaşır: birinin adını değiştir";
+        is_another(what: &str, name: &str, other: &str, noun: &str) =
+            "{what}: {name} {noun} değil {other}";
+        expected_name_of(noun: &str) = "bir {noun} adı beklenir";
+        that_one(noun: &str) = "o {noun}";
+        there_is_no(what: &str, noun: &str, name: &str) = "{what}: {name} adında {noun} yok";
+        unknown_noun(noun: &str) = "bilinmeyen {noun}";
+        key_stands_above(key: &str) = "sahnenin `{key}` anahtarı ilk [table] üstünde durur";
+        scene_has_no(noun: &str) = "sahnede {noun} yok";
+        those_of_scene(noun: &str, names: &str) = "sahnedekiler ({noun}): {names}";
+        name_is_reserved(name: &str) = "{name} adı ayrılmış";
+        is_reserved = "ayrılmış";
+        columns_use(names: &str) = "sütunlarda {names} kendi anlamıyla kullanılır: başka bir ad seç";
+        name_a_ground_point = "bir uzvu şaseye bağlamak için [ground] noktalarından birini adlandır";
+        name_is_empty = "ad boş olamaz";
+        is_empty = "boş";
+        name_is_too_long(name: &str, count: usize, most: usize) =
+            "{name} adı {count} karakter; en çok {most} olabilir";
+        is_too_long = "çok uzun";
+        name_contains(name: &str, odd: &str) = "{name} adında {odd} var";
+        is_no_name = "ad değil";
+        names_are_made_of = "adlar ASCII harfleri, rakamlar, `_`, `-` ve `'` ile yazılır";
+    }
+}

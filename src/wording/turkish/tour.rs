@@ -1,0 +1,41 @@
+//! The tour of the first start.
+
+use super::Turkish;
+use crate::wording::english::TourWords;
+
+catalogue! {
+    impl TourWords for Turkish {
+        tour_title(page: usize, pages: usize, title: &str) = "Tur {page}/{pages}: {title}";
+        tour_keys(next: &str) = "Enter {next}  Left geri  Esc bitir";
+
+        tour_of_the_screen = "krank'ın gösterdikleri";
+        tour_of_the_screen_text =
+            "Bir krank mekanizmayı çevirir. Çizim ölçeklidir; tablolarda her parçanın konumu, hızı ve \
+             ivmesi vardır, * krank'ın bulduğudur.\nSon satır krankın yerini ve şimdi işe yarayan \
+             tuşları söyler.";
+        tour_of_the_crank = "Krankı çevirmek";
+        tour_of_the_crank_text(keys: &[String; 10]) = {
+            let [step, step_back, play, smaller, larger, slower, faster, reverse, go_to, opening] =
+                keys;
+            format!(
+                "{step} ve {step_back} adım atar: şimdi dene. {play} tur bitince oynatır.\n\
+                 {smaller} ve {larger} adımı, {slower} ve {faster} hızı, {reverse} yönü değiştirir. \
+                 {go_to} yazdığın yere, {opening} açılışa gider."
+            )
+        };
+        tour_of_figures = "Tablolar, grafikler, güven";
+        tour_of_figures_text(tables: &str, plots: &str, motion: &str, accuracy: &str, lengths: &str) =
+            "{tables} bütün tablolar, {plots} grafikler, {motion} yine hareket.\nDeğerlerin, olduğunda, \
+             kanıtlı hata sınırı vardır: ötesindeki haneler soluk ya da noktadır. Olmayan değer - ile \
+             yazılır. {accuracy} yöntemleri ölçer, {lengths} boyların etkisini.";
+        tour_of_editing = "Düzenlemek ve kaydetmek";
+        tour_of_editing_text(open: &str, next: &str, scene: &str, undo: &str, save: &str) =
+            "{open} hazır sahne ya da dosya açar; {next} sonraki hazır sahnedir.\n{scene} sahnenin \
+             bütün sayılarını düzenlemek için sıralar, mekanizma izler. {undo} geri alır. {save} \
+             basılmadan hiçbir şey yazılmaz.";
+        tour_of_help = "Yardım nerede";
+        tour_of_help_text(help: &str, search: &str, back: &str, quit: &str, tour: &str) =
+            "{help} görünümün tuşlarını, sonra ötekileri sıralar; {search} arar. {back} bir düzey geri \
+             gider, {quit} çıkar.\n{tour} bu turu getirir. Terminalsiz: krank --help, krank man.";
+    }
+}

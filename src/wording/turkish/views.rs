@@ -1,0 +1,71 @@
+//! What the views are, and what is above and beside what they show.
+
+use super::Turkish;
+use crate::wording::english::ViewsWords;
+use std::fmt::Display;
+
+catalogue! {
+    impl ViewsWords for Turkish {
+        screen_too_small(width: u16, height: u16) = "krank için {width} x {height}";
+
+        // The line of tabs, and panes.
+        short_accuracy = "hata";
+        means_nothing_here(key: &dyn Display, help: &str) = "{key} burada bir şey yapmaz; tuşlar: {help}";
+        nothing_acts_in_short = "burada bir şey etki etmiyor: yük, yay, kütle yok";
+        layout_is(name: &str) = "düzen: {name}";
+        no_other_pane = "başka bölme yok";
+        no_split_here = "burada kaydırılacak bölme çizgisi yok";
+        more_is_shown(width: u16, height: u16) = "{width} x {height} daha çok gösterir";
+
+        drawing_with_live_tables = "Çizim, canlı tablolarla";
+        tables_all = "Bütün tablolar";
+        in_the_tables = "Tablolarda";
+        plotted_over_the_motion = "Hareket boyunca büyüklükler";
+        in_the_plots = "Grafiklerde";
+        accuracy_of_methods = "Süreye karşı hata";
+        in_the_accuracy_view = "Doğruluk görünümünde";
+        forces_everywhere = "Tahrikin yapması gereken, mafsalların ve kılavuzların taşıdığı";
+        in_the_forces_view = "Kuvvet görünümünde";
+        what_the_scene_gives = "Sahnenin verdikleri";
+        in_the_scene_view = "Sahne görünümünde";
+        working_line_by_line = "Çözüm, satır satır";
+        in_the_working = "Çözümde";
+        motor_over_a_cycle = "Bir döngüde motor";
+        in_the_motor_view = "Motor görünümünde";
+        lengths_and_figures = "Her boyun etkisi";
+        in_the_lengths_view = "Boylar görünümünde";
+
+        // Tables.
+        found = "bulunan";
+        only_here = "yalnız burada";
+        difference_of(title: &str) = "{title}, fark";
+
+        // Accuracy.
+        measuring(percent: &str) = "ölçülüyor % {percent}";
+        stopped_at(percent: &dyn Display) = "durdu % {percent}";
+        all_measured = "hepsi ölçüldü";
+
+        // Forces.
+        effort_without_bound(effort: &str) = "{effort}: sınırsız";
+        nothing_acts_at_all =
+            "Bu mekanizmaya bir şey etki etmiyor: sahnede yük, yay ve kütle yok.";
+        gravity_without_mass =
+            "Bu mekanizmaya bir şey etki etmiyor: sahnede yerçekimi var, ama hiçbir uzvun kütlesi yok.";
+        how_forces_come =
+            "Bir uzva mass ve com ver ya da dosyaya [[loads]] veya [[springs]] ekle: o zaman bu görünüm \
+             tahrikin yapması gerekeni ve her mafsalın taşıdığını gösterir.";
+        table_of_guides = "kılavuz";
+        least_norm = "en küçük norm";
+        force_on = "kuvvet";
+        ground = "şase";
+        ground_by_all = "şase, toplam";
+        direction_of_force = "yön f";
+        table_of_checks = "sağlama";
+        off_by = "fark";
+
+        // What takes too long.
+        too_many_lengths = "çok fazla boy: etkilerini krank table --sensitivity söyler";
+        too_many_links = "burada izlenecek uzuv çok fazla: krank explain hepsini yazar";
+        the_curve = "eğri";
+    }
+}

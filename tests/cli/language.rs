@@ -1,0 +1,273 @@
+//! Turkish: who chooses it, what it says, what stays, and what a spreadsheet reads.
+
+use super::{Run, command, done, folder, presets, refused, rows, run};
+use assert_cmd::Command;
+
+const UTF8: [(&str, &str); 2] = [("LC_ALL", "C.UTF-8"), ("TERM", "xterm-256color")];
+
+/// krank in an environment that is told whole.
+fn krank_in(env: &[(&str, &str)], args: &[&str]) -> Run {
+    let mut krank = Command::new(env!("CARGO_BIN_EXE_krank"));
+    run(krank.env_clear().envs(env.iter().copied()).args(args))
+}
+
+/// What it prints in Turkish where all letters can be shown.
+fn turkish(args: &[&str]) -> String {
+    let args = [args, &["--language", "tr"]].concat();
+    let Run { code, out, err } = krank_in(&UTF8, &args);
+    assert_eq!(code, 0, "{err}");
+    out
+}
+
+/// Words of English that have no place on a Turkish screen; names of columns and units are others.
+const ENGLISH: [&str; 12] = [
+    "velocity", "position", "vector", "point", "step", "turn", "play", "quit", "help", "Motion",
+    "Tables", "found",
+];
+
+fn is_turkish(screen: &str) {
+    for word in ENGLISH {
+        let mut words = screen.split(|c: char| !c.is_alphanumeric());
+        assert!(!words.any(|it| it == word), "{word}\n{screen}");
+    }
+}
+
+#[test]
+fn the_tables_have_the_words_of_the_notes() {
+    let table = turkish(&["table", "four-bar", "--at", "60"]);
+    for said in [
+        "\nKonum ",
+        "\nHız ",
+        "\nİvme ",
+        "mafsal noktaları",
+        "bulunan",
+        "tahrik r2",
+    ] {
+        assert!(table.contains(said), "{said}\n{table}");
+    }
+    is_turkish(&table);
+    // The figures are the same.
+    let figures = |text: &str| -> Vec<String> {
+        let words = text
+            .split_whitespace()
+            .map(|word| word.trim_end_matches('*'));
+        words
+            .filter(|w| w.parse::<f64>().is_ok())
+            .map(str::to_owned)
+            .collect()
+    };
+    assert_eq!(
+        figures(&table),
+        figures(&done(&["table", "four-bar", "--at", "60"]))
+    );
+}
+
+#[test]
+fn the_option_the_configuration_and_the_locale_choose_in_this_order() {
+    let spoken = |env: &[(&str, &str)], args: &[&str]| -> &str {
+        let Run { out, .. } = krank_in(env, &[&["check", "four-bar"], args].concat());
+        match out.contains("serbestlik") {
+            true => "tr",
+            false if out.contains("mobility") => "en",
+            false => "neither",
+        }
+    };
+    assert_eq!(spoken(&[], &[]), "en");
+    assert_eq!(spoken(&[("LANG", "tr_TR.UTF-8")], &[]), "tr");
+    assert_eq!(spoken(&[("LANG", "C")], &[]), "en");
+    let lang = ("LANG", "tr_TR.UTF-8");
+    assert_eq!(spoken(&[lang, ("LC_ALL", "POSIX")], &[]), "en");
+    assert_eq!(spoken(&[lang, ("LC_MESSAGES", "C")], &[]), "en");
+    assert_eq!(spoken(&[lang, ("LC_CTYPE", "C")], &[]), "tr");
+    assert_eq!(spoken(&[lang], &["--language", "en"]), "en");
+    assert_eq!(spoken(&[], &["--language=tr"]), "tr");
+    assert_eq!(spoken(&[lang], &["--language", "auto"]), "tr");
+
+    let home = folder("language-configured");
+    std::fs::create_dir_all(home.join("krank")).unwrap();
+    std::fs::write(home.join("krank/config.toml"), "language = \"tr\"\n").unwrap();
+    let configured = ("XDG_CONFIG_HOME", home.to_str().unwrap());
+    assert_eq!(spoken(&[configured, ("LANG", "en_GB.UTF-8")], &[]), "tr");
+    assert_eq!(spoken(&[configured], &["--language", "en"]), "en");
+    // Before a command it would make a scene of the command's name.
+    let first = krank_in(&[], &["--language", "tr", "check", "four-bar"]);
+    assert!(first.out.contains("serbestlik"), "{}", first.err);
+}
+
+#[test]
+fn columns_keys_and_exit_codes_are_the_same_in_both() {
+    for scene in ["four-bar-load", "press-ram", "jansen-leg"] {
+        for args in [
+            &["table", scene, "--format", "csv"][..],
+            &["table", scene, "--format", "json", "--bounds"],
+            &["check", scene, "--format", "json"],
+            &["sweep", scene, "--step", "45", "--bounds"],
+            &["sweep", scene, "--step", "45", "--format", "json"],
+            &["motor", scene, "--format", "json"],
+            &["motor", scene, "--format", "csv"],
+        ] {
+            let english = krank_in(&UTF8, args);
+            let both = krank_in(&UTF8, &[args, &["--language", "tr"]].concat());
+            assert_eq!(english.code, both.code, "{args:?}");
+            assert!(english.out == both.out, "{args:?}");
+        }
+    }
+    for (code, args) in [
+        (1, &["table", "double-rocker", "--at", "5"][..]),
+        (2, &["table", "four-bra"]),
+        (2, &["sweep", "four-bar", "--step", "0"]),
+    ] {
+        let told = krank_in(&UTF8, &[args, &["--language", "tr"]].concat());
+        assert_eq!(told.code, code, "{}", told.err);
+        assert!(told.err.starts_with("hata: "), "{}", told.err);
+    }
+}
+
+#[test]
+fn where_letters_are_missing_they_are_spelled_and_never_marked() {
+    for preset in presets() {
+        for args in [
+            &["table", &preset][..],
+            &["check", &preset],
+            &["explain", &preset],
+        ] {
+            let args = [args, &["--language", "tr"]].concat();
+            let Run { out, err, .. } = run(&mut command(&args));
+            assert!(out.is_ascii() && err.is_ascii(), "{args:?}");
+            // An unknown of the working is `?` in both languages.
+            let english = done(&args[..2]);
+            assert_eq!(
+                out.matches('?').count(),
+                english.matches('?').count(),
+                "{args:?}\n{out}"
+            );
+        }
+    }
+    for args in [
+        &["--help"][..],
+        &["sweep", "--help"],
+        &["config"],
+        &["man"],
+        &["help"],
+    ] {
+        let args = [args, &["--language", "tr"]].concat();
+        assert!(done(&args).is_ascii(), "{args:?}");
+        let all = krank_in(&UTF8, &args);
+        assert!(all.out.contains('ı'), "{args:?}");
+        let letters = |text: &str| text.chars().count();
+        assert_eq!(letters(&all.out), letters(&done(&args)), "{args:?}");
+    }
+}
+
+#[cfg(feature = "tui")]
+#[test]
+fn the_screen_of_the_four_bar_is_turkish_with_all_letters_and_without() {
+    let large = turkish(&["four-bar", "--print", "--size", "80x24"]);
+    insta::assert_snapshot!("turkish-80x24", large);
+    is_turkish(&large);
+    let args = ["four-bar", "--print", "--size", "40x12", "--language", "tr"];
+    let small = done(&args);
+    insta::assert_snapshot!("turkish-40x12", small);
+    is_turkish(&small);
+    assert!(small.is_ascii());
+    assert_eq!(
+        small.matches('?').count(),
+        1,
+        "the key of the help alone\n{small}"
+    );
+    let console = [("LANG", "tr_TR.UTF-8"), ("TERM", "linux")];
+    let console = krank_in(&console, &["four-bar", "--print", "--size", "80x24"]).out;
+    assert!(
+        console.contains("Cozum") && console.contains('\u{2502}'),
+        "{console}"
+    );
+}
+
+#[cfg(feature = "tui")]
+#[test]
+fn every_view_is_turkish() {
+    for view in [
+        "motion", "tables", "plots", "forces", "scene", "working", "motor", "lengths",
+    ] {
+        for size in ["80x24", "120x40", "40x12"] {
+            is_turkish(&turkish(&[
+                "four-bar-load",
+                "--view",
+                view,
+                "--print",
+                "--size",
+                size,
+            ]));
+        }
+    }
+}
+
+#[test]
+fn a_spreadsheet_reads_decimals_with_a_comma() {
+    let plain = [
+        "sweep",
+        "four-bar",
+        "--step",
+        "30",
+        "--columns",
+        "C.x,r4.omega",
+    ];
+    let comma = [&plain[..], &["--decimal", "comma"]].concat();
+    let text = done(&comma);
+    assert!(
+        text.starts_with("driver.angle [deg];C.x [mm];r4.omega [rad/s];state\n"),
+        "{text}"
+    );
+    let read = |separator: u8, text: &str| -> Vec<Vec<String>> {
+        let mut reader = csv::ReaderBuilder::new();
+        let mut reader = reader.delimiter(separator).from_reader(text.as_bytes());
+        let cells = |row: csv::StringRecord| row.iter().map(|c| c.replace(',', ".")).collect();
+        reader.records().map(|row| cells(row.unwrap())).collect()
+    };
+    assert!(text.contains("5,561364134655267"), "{text}");
+    assert_eq!(read(b';', &text), rows(&done(&plain)));
+    let tabs = done(&[&comma[..], &["--separator", "tab"]].concat());
+    assert_eq!(read(b'\t', &tabs), rows(&done(&plain)));
+    let semicolons = done(&[&plain[..], &["--separator", "semicolon"]].concat());
+    assert_eq!(semicolons, done(&plain).replace(',', ";"));
+    for command in ["table", "motor"] {
+        let args = [command, "four-bar-load", "--format", "csv"];
+        let text = done(&[&args[..], &["--decimal", "comma"]].concat());
+        assert_eq!(read(b';', &text), rows(&done(&args)), "{command}");
+    }
+}
+
+#[test]
+fn a_comma_is_never_both_and_csv_alone_has_dialects() {
+    let both = [
+        "sweep",
+        "four-bar",
+        "--decimal",
+        "comma",
+        "--separator",
+        "comma",
+    ];
+    let message = refused(2, &both);
+    assert!(message.contains("--separator semicolon"), "{message}");
+    let message = refused(2, &["table", "four-bar", "--decimal", "comma"]);
+    assert!(message.contains("--format csv"), "{message}");
+}
+
+#[test]
+fn a_speed_may_have_a_comma() {
+    let scene = done(&["start", "four-bar"]);
+    assert!(scene.contains("speed = \"15 rad/s\""), "{scene}");
+    let file = folder("decimal-comma").join("comma.toml");
+    let path = file.to_str().unwrap();
+    let table = |speed: &str| {
+        std::fs::write(&file, scene.replace("15 rad/s", speed)).unwrap();
+        run(&mut command(&["table", path]))
+    };
+    let [comma, point] = ["15,5 rad/s", "15.5 rad/s"].map(table);
+    assert_eq!(comma.code, 0, "{}", comma.err);
+    assert_eq!(comma.out, point.out);
+    assert!(comma.out.contains("15.5 rad/s"), "{}", comma.out);
+    let ambiguous = table("1,234.5 rad/s");
+    assert_eq!(ambiguous.code, 2);
+    assert!(ambiguous.err.contains("1234,5"), "{}", ambiguous.err);
+}
