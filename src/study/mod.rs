@@ -11,6 +11,7 @@
 mod cycle;
 mod findings;
 mod front;
+mod iterations;
 pub mod motor;
 mod rk4;
 mod spread;
@@ -18,6 +19,10 @@ mod tally;
 
 pub use crate::solver::{Method, Start, Unfit};
 pub use findings::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict};
+pub use iterations::{
+    Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,
+    NewtonTrace, SoughtKind, SoughtVector, VectorPart, half_turn,
+};
 pub use spread::Spread;
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};

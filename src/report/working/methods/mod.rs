@@ -1,0 +1,149 @@
+//! The working by a method of one's choice: the closed form, or by hand as in a lecture, every iteration told.
+
+mod bisection;
+mod construction;
+mod guess;
+mod newton;
+mod paper;
+mod problem;
+mod reduced;
+
+pub use guess::{Guess, GuessError};
+
+use super::draft::{Context, Draft};
+use super::stages::{ProblemForm, Stage};
+use super::{Working, opening};
+use crate::page::Page;
+use crate::scene::Scene;
+use crate::solver::{Solver, State};
+use crate::study::ErrorCurve;
+use crate::wording::words;
+use guess::Guesses;
+
+/// A way to fill the position table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionMethod {
+    /// The cosine theorem, or the quadratic of a guide.
+    Closed,
+    /// Newton and Raphson's method on the loop equations.
+    Newton,
+    /// Halving an interval of one unknown.
+    Bisection,
+    /// Compass and ruler.
+    Graphical,
+}
+
+/// The working by a method.
+#[derive(Clone, Debug)]
+pub struct WorkedMethod {
+    /// What is to be read.
+    pub page: Page,
+    /// The errors of every group that was iterated.
+    pub curves: Vec<ErrorCurve>,
+}
+
+impl Working {
+    /// The working of a state by a method, which begins where the guesses say.
+    ///
+    /// # Errors
+    /// In words, where a guess is none for this scene.
+    pub fn by(
+        &self,
+        method: PositionMethod,
+        (scene, solver, state): (&Scene, &Solver, &State),
+        guesses: &[Guess],
+        digits: usize,
+    ) -> Result<WorkedMethod, String> {
+        let context = self.context(scene, solver, state, digits);
+        let guesses = Guesses::new(&context, method, guesses)?;
+        let mut draft = Draft::default();
+        let mut curves = Vec::new();
+        if method == PositionMethod::Closed {
+            let page = self.of(scene, solver, state, digits).page;
+            return Ok(WorkedMethod { page, curves });
+        }
+        opening::heading(&context, &mut draft);
+        opening::polygons(&context, &mut draft);
+        draft.page.part(method.title());
+        draft.page.text(method.how());
+        if method == PositionMethod::Graphical {
+            construction::construct(&context, &mut draft);
+            let page = draft.page;
+            return Ok(WorkedMethod { page, curves });
+        }
+        for stage in sought(&context) {
+            draft.page.section(heading(&context, stage));
+            let mark = mark(&context, stage);
+            let errors = match method {
+                PositionMethod::Bisection => {
+                    bisection::halve(&context, &mut draft, stage, &guesses)
+                }
+                _ => newton::iterate(&context, &mut draft, stage, &guesses),
+            };
+            curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
+        }
+        if sought(&context).next().is_none() {
+            draft.page.text(words().nothing_sought());
+        }
+        let page = draft.page;
+        Ok(WorkedMethod { page, curves })
+    }
+}
+
+impl PositionMethod {
+    /// All methods, in the order in which the workbench shows them.
+    pub const ALL: [PositionMethod; 4] = [
+        PositionMethod::Closed,
+        PositionMethod::Newton,
+        PositionMethod::Bisection,
+        PositionMethod::Graphical,
+    ];
+
+    /// What it is called.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            PositionMethod::Closed => words().closed_form(),
+            PositionMethod::Newton => words().newton_raphson(),
+            PositionMethod::Bisection => words().bisection_title(),
+            PositionMethod::Graphical => words().by_drawing(),
+        }
+    }
+
+    fn how(self) -> String {
+        match self {
+            PositionMethod::Closed => String::new(),
+            PositionMethod::Newton => words().newton_how().into(),
+            PositionMethod::Bisection => words().bisection_how().into(),
+            PositionMethod::Graphical => words().drawing_how().into(),
+        }
+    }
+}
+
+/// The groups in which something is sought, in the order in which they are solved.
+fn sought<'a>(context: &Context<'a>) -> impl Iterator<Item = &'a Stage> + use<'a> {
+    let is_sought = |stage: &&Stage| {
+        stage.group.is_some()
+            && !matches!(stage.form, ProblemForm::Nothing)
+            && !stage.unknowns.is_empty()
+    };
+    context.stages.iter().filter(is_sought)
+}
+
+fn heading(context: &Context<'_>, stage: &Stage) -> String {
+    stage
+        .group
+        .map_or_else(String::new, |group| context.group_text(group))
+}
+
+/// What marks the errors of a group in a chart: its number, or where there is one group alone a star.
+fn mark(context: &Context<'_>, stage: &Stage) -> char {
+    if sought(context).count() == 1 {
+        return '*';
+    }
+    let number = stage.group.map_or(0, |group| group + 1);
+    let digit = u32::try_from(number)
+        .ok()
+        .and_then(|n| char::from_digit(n, 36));
+    digit.unwrap_or('#')
+}
