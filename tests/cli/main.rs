@@ -11,6 +11,7 @@ mod explain;
 mod files;
 mod forces;
 mod help;
+mod methods;
 mod motor;
 #[cfg(feature = "pictures")]
 mod pixels;

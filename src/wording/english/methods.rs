@@ -1,6 +1,6 @@
 //! Methods that could solve a scene: speed against error.
 
-use super::English;
+use super::{English, counted};
 use std::fmt::Display;
 
 catalogue! {
@@ -36,6 +36,7 @@ catalogue! {
         error_of_velocities = "vel";
         error_of_accelerations = "acc";
         failures = "fail";
+        iterations = "iter";
 
         // How they are meant.
         of_time_is =
@@ -47,6 +48,21 @@ catalogue! {
              length, and over the largest velocity and acceleration of the cycle";
         failures_are =
             "positions at which nothing was found, or another assembly; they count in no error";
+        iterations_are =
+            "steps of Newton's method, or halvings, that a position takes, of all groups together: the \
+             median and the most";
+        closed_form_is = "every dyad by its formula, without any iteration: what krank does";
+        anchors = "anchors";
+        newton_from_anchors_is =
+            "Newton's method from the nearest of many states kept: what krank does for coupled groups";
+        polished = "polished";
+        polished_is = "the closed form, and one correction from residuals of twice the precision";
+        single = "single";
+        single_precision_is = "the closed form in numbers of half the digits";
+        newton_at_tolerance = "Newton";
+        newton_is = "the loop equations made linear, solved and made linear again: full steps";
+        bisection_is =
+            "of each group half a turn that holds one root, halved until no number lies between its ends";
         best_are = "the best front: never fails, and no other such method is both faster and nearer";
         with_bounds_is =
             "as krank solves it, and a proven bound of every figure; fails where none is proved";
@@ -61,6 +77,7 @@ catalogue! {
              cycle";
 
         // A method by hand.
+        watch_a_method = "watch a method by hand";
         newton_raphson = "Newton-Raphson";
         bisection_title = "Bisection";
         by_drawing = "By compass and ruler";
@@ -87,26 +104,40 @@ catalogue! {
         jacobians(unit: &str) = "J, a line for every iteration, in {unit}, for an angle in {unit}/rad:";
         first_jacobian(unit: &str) = "J at the guess, in {unit}, for an angle in {unit}/rad:";
         largest_step = "step";
-        newton_found(steps: usize) =
-            "It converges in {steps} steps, to the assembly that is meant: near the end each error is about \
-             the square of the one before.";
-        newton_other(steps: usize) =
-            "It converges in {steps} steps, to another assembly: the loops close, but this is not the \
-             position that the motion has here. The guess decides, and nothing tells that it was wrong.";
-        newton_closes(steps: usize) =
-            "It converges in {steps} steps: the loop would close, but the motion that starts at the \
-             scene's assembly does not come here.";
-        newton_diverged(steps: usize) =
-            "It diverges: after {steps} steps an angle is more than 100 turns from its guess, or a length \
-             beyond all others. J was nearly singular, so that its step was far too long.";
-        newton_singular(steps: usize) =
-            "It ends after {steps} steps: J is singular there, det J = 0, and no step exists. Two vectors \
-             are parallel whose angles are sought, or the like.";
-        newton_unsettled(steps: usize) =
-            "It does not converge in {steps} steps: they do not become small.";
-        newton_at_dead_point(steps: usize) =
-            "It does not converge in {steps} steps: at a dead point J is singular at the solution itself, \
-             and each step does no more than halve the error, until rounding ends that.";
+        newton_found(steps: usize) = {
+            format!("It converges in {}, to the assembly that is meant.", counted(steps, "step", "steps"))
+        };
+        errors_are_squared = "Near the end each error is about the square of the one before.";
+        newton_other(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It converges in {steps}, to another assembly: the loops close, but this is not the \
+                 position that the motion has here. The guess decides, and nothing tells that it was \
+                 wrong.")
+        };
+        newton_closes(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It converges in {steps}: the loop would close, but the motion that starts at the scene's \
+                 assembly does not come here.")
+        };
+        newton_diverged(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It diverges: after {steps} an angle is more than 100 turns from its guess, or a length \
+                 beyond all others. J was nearly singular, so that its step was far too long.")
+        };
+        newton_singular(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It ends after {steps}: J is singular there, det J = 0, and no step exists. Two vectors \
+                 are parallel whose angles are sought, or the like.")
+        };
+        newton_unsettled(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It does not converge in {steps}: they do not become small.")
+        };
+        newton_at_dead_point(steps: usize) = {
+            let steps = counted(steps, "step", "steps");
+            format!("It does not converge in {steps}: at a dead point J is singular at the solution itself, \
+                 and each step does no more than halve the error, until rounding ends that.")
+        };
 
         // Halving.
         known_sides_are_k = "With K the sum of the known sides:";
@@ -114,7 +145,9 @@ catalogue! {
         no_change_of_sign =
             "f has the same sign at both ends: they enclose no root, or two, and there is nothing to halve.";
         middle_of_interval = "middle";
-        halved(count: usize) = "After {count} halvings:";
+        halved(count: usize) = {
+            format!("After {}:", counted(count, "halving", "halvings"))
+        };
         holds_the_assembly(from: &str, to: &str) =
             "This root is the assembly that is meant. The other one lies between {from} and {to}.";
         holds_the_other(from: &str, to: &str) =

@@ -59,7 +59,11 @@ impl Construction<'_> {
             .into_iter()
             .flat_map(|group| group.points.iter().copied());
         let rows = ground.chain(driven).filter_map(|point| {
+            // A centre of mass is nothing to draw from.
             let name = self.context.scene.point_name(point)?;
+            if name.contains('.') {
+                return None;
+            }
             Some(self.place(name, self.context.state.position(point), String::new()))
         });
         let rows: Vec<[String; 6]> = rows.collect();

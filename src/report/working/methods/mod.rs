@@ -56,44 +56,46 @@ impl Working {
     ) -> Result<WorkedMethod, String> {
         let context = self.context(scene, solver, state, digits);
         let guesses = Guesses::new(&context, method, guesses)?;
-        let mut draft = Draft::default();
-        let mut curves = Vec::new();
         if method == PositionMethod::Closed {
             let page = self.of(scene, solver, state, digits).page;
-            return Ok(WorkedMethod { page, curves });
+            return Ok(WorkedMethod::of(page));
         }
+        let mut draft = Draft::default();
         opening::heading(&context, &mut draft);
         opening::polygons(&context, &mut draft);
         draft.page.part(method.title());
         draft.page.text(method.how());
-        if method == PositionMethod::Graphical {
-            construction::construct(&context, &mut draft);
-            let page = draft.page;
-            return Ok(WorkedMethod { page, curves });
+        Ok(method.work(&context, draft, &guesses))
+    }
+
+    /// What a method does at a state, without all that leads to it.
+    #[must_use]
+    pub fn watched(
+        &self,
+        method: PositionMethod,
+        (scene, solver, state): (&Scene, &Solver, &State),
+        digits: usize,
+    ) -> WorkedMethod {
+        let context = self.context(scene, solver, state, digits);
+        let mut draft = Draft::default();
+        draft.page.part(method.title());
+        match Guesses::new(&context, method, &[]) {
+            Ok(guesses) => method.work(&context, draft, &guesses),
+            Err(_) => WorkedMethod::of(draft.page),
         }
-        for stage in sought(&context) {
-            draft.page.section(heading(&context, stage));
-            let mark = mark(&context, stage);
-            let errors = match method {
-                PositionMethod::Bisection => {
-                    bisection::halve(&context, &mut draft, stage, &guesses)
-                }
-                _ => newton::iterate(&context, &mut draft, stage, &guesses),
-            };
-            curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
-        }
-        if sought(&context).next().is_none() {
-            draft.page.text(words().nothing_sought());
-        }
-        let page = draft.page;
-        Ok(WorkedMethod { page, curves })
+    }
+}
+
+impl WorkedMethod {
+    fn of(page: Page) -> WorkedMethod {
+        let curves = Vec::new();
+        WorkedMethod { page, curves }
     }
 }
 
 impl PositionMethod {
-    /// All methods, in the order in which the workbench shows them.
-    pub const ALL: [PositionMethod; 4] = [
-        PositionMethod::Closed,
+    /// The methods that are watched one after the other: the closed form has a view of its own.
+    pub const WATCHED: [PositionMethod; 3] = [
         PositionMethod::Newton,
         PositionMethod::Bisection,
         PositionMethod::Graphical,
@@ -110,13 +112,36 @@ impl PositionMethod {
         }
     }
 
-    fn how(self) -> String {
+    fn how(self) -> &'static str {
         match self {
-            PositionMethod::Closed => String::new(),
-            PositionMethod::Newton => words().newton_how().into(),
-            PositionMethod::Bisection => words().bisection_how().into(),
-            PositionMethod::Graphical => words().drawing_how().into(),
+            PositionMethod::Closed => words().closed_form_is(),
+            PositionMethod::Newton => words().newton_how(),
+            PositionMethod::Bisection => words().bisection_how(),
+            PositionMethod::Graphical => words().drawing_how(),
         }
+    }
+
+    /// Group by group.
+    fn work(self, context: &Context<'_>, mut draft: Draft, guesses: &Guesses) -> WorkedMethod {
+        if self == PositionMethod::Graphical {
+            construction::construct(context, &mut draft);
+            return WorkedMethod::of(draft.page);
+        }
+        let mut curves = Vec::new();
+        for stage in sought(context) {
+            draft.page.section(heading(context, stage));
+            let errors = match self {
+                PositionMethod::Bisection => bisection::halve(context, &mut draft, stage, guesses),
+                _ => newton::iterate(context, &mut draft, stage, guesses),
+            };
+            let mark = mark(context, stage);
+            curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
+        }
+        if sought(context).next().is_none() {
+            draft.page.text(words().nothing_sought());
+        }
+        let page = draft.page;
+        WorkedMethod { page, curves }
     }
 }
 

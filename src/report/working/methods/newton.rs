@@ -6,6 +6,7 @@ use super::super::place::pieces;
 use super::super::stages::Stage;
 use super::guess::{Guesses, told};
 use super::problem::{LoopProblem, kind};
+use crate::page::Head;
 use crate::report::error_text;
 use crate::solver::Condition;
 use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, SoughtKind};
@@ -15,6 +16,9 @@ use crate::wording::words;
 const MOST_WHOLE: usize = 2;
 /// And of more than this a matrix is not read by anybody.
 const MOST_COLUMNS: usize = 6;
+
+/// In fewer steps no squares of errors are to be seen.
+const FEW: usize = 3;
 
 /// Iterates a group, and tells the errors if there is an assembly.
 pub(super) fn iterate(
@@ -145,17 +149,17 @@ impl IterationTable<'_> {
     }
 
     fn whole(&self, draft: &mut Draft) {
-        let mut head = vec!["k".to_owned()];
-        let names = self.problem.names.iter().enumerate();
-        head.extend(
-            names
-                .clone()
-                .map(|(i, name)| format!("{name} [{}]", self.unit(i))),
-        );
+        let head = |name: String, unit: &str| Head {
+            name,
+            unit: unit.to_owned(),
+        };
+        let names = || self.problem.names.iter().enumerate();
         let unit = self.context.figures.unit;
-        head.extend(self.functions().iter().map(|f| format!("{f} [{unit}]")));
-        head.extend(names.map(|(i, name)| format!("d{name} [{}]", self.unit(i))));
-        head.push(words().error_of_iteration().into());
+        let values = names().map(|(i, name)| head(name.clone(), self.unit(i)));
+        let mut heads: Vec<Head> = values.collect();
+        heads.extend(self.functions().into_iter().map(|f| head(f, unit)));
+        heads.extend(names().map(|(i, name)| head(format!("d{name}"), self.unit(i))));
+        heads.push(head(words().error_of_iteration().into(), ""));
         let row = |(k, i): (usize, &NewtonIteration)| {
             let mut row = vec![k.to_string()];
             row.extend(self.values(&i.values));
@@ -165,7 +169,7 @@ impl IterationTable<'_> {
             row
         };
         let rows = self.trace.iterations.iter().enumerate().map(row);
-        draft.wide_table(head, rows.collect());
+        draft.table_of_units("k", heads, rows.collect());
     }
 
     /// The matrix of every iteration in a line, in the scene's unit and per rad.
@@ -245,7 +249,11 @@ impl IterationTable<'_> {
         let steps = self.trace.iterations.len().saturating_sub(1);
         let is_dead = self.context.state.condition() == Condition::DeadPoint;
         match self.trace.outcome {
-            NewtonOutcome::Found => words().newton_found(steps),
+            NewtonOutcome::Found if steps < FEW => words().newton_found(steps),
+            NewtonOutcome::Found => {
+                let found = words().newton_found(steps);
+                format!("{found} {}", words().errors_are_squared())
+            }
             NewtonOutcome::OtherAssembly if self.problem.right.is_none() => {
                 words().newton_closes(steps)
             }

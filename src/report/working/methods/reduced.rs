@@ -26,6 +26,9 @@ pub(super) struct ReducedLoop<'a> {
     way: ReducedWay<'a>,
 }
 
+/// An arm along the guide itself has its root at its full length: the interval goes beyond that.
+const BEYOND: f64 = 1.5;
+
 enum ReducedWay<'a> {
     /// |m - a u(x)|^2 - b^2, with the angle of b.
     Turn {
@@ -117,7 +120,8 @@ impl ReducedLoop<'_> {
     /// The interval on the side where another value is, or on the one above the middle.
     pub(super) fn interval(&self, beside: Option<f64>) -> [f64; 2] {
         let from = match self.kind {
-            SoughtKind::Angle => angle::wrapped(self.middle),
+            // Signed: half a turn behind it lies below 360.
+            SoughtKind::Angle => half_turn(self.middle.to_radians()).to_degrees(),
             SoughtKind::Length => self.middle,
         };
         if beside.is_some_and(|x| self.off(x) < 0.0) {
@@ -207,7 +211,7 @@ impl<'a> Solution<'a> {
             kind: SoughtKind::Length,
             ahead: 0.0,
             middle: -self.known.dot(u),
-            reach: arm.value,
+            reach: BEYOND * arm.value,
             right: self.context.has_positions().then_some(member.reading.r),
             way: ReducedWay::Along {
                 known: self.known,
@@ -253,7 +257,7 @@ impl<'a> Solution<'a> {
             kind: SoughtKind::Length,
             ahead: 0.0,
             middle: -sign * t,
-            reach: size,
+            reach: BEYOND * size,
             right: self.context.has_positions().then_some(member.reading.r),
             way: ReducedWay::Reach {
                 m: -self.known,
