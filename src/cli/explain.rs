@@ -6,9 +6,14 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use crate::page::TextStyle;
-use crate::report::Working;
+use crate::drawing::{Glyphs, convergence};
+use crate::page::{Content, TextStyle};
+use crate::report::{WorkedMethod, Working};
 use crate::solver::{Condition, Order};
+use crate::wording::words;
+
+/// The errors below the tables of iterations.
+const CHART: (u16, u16) = (80, 16);
 
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -18,10 +23,21 @@ pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Fail
     let condition = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
     let working = Working::new(&scene, &solver);
-    let worked = working.of(&scene, &solver, &state, usize::from(args.digits));
+    let (method, digits) = (args.method.method(), usize::from(args.digits));
+    let stand = (&scene, &solver, state.state());
+    let worked = working.by(method, stand, &args.guess, digits);
+    let WorkedMethod { mut page, curves } = worked.map_err(Failure::Usage)?;
+    if !curves.is_empty() {
+        let (cols, rows) = CHART;
+        let chart = convergence(&curves)
+            .render(cols, rows, Glyphs::Ascii)
+            .text();
+        page.part(words().errors_by_iteration());
+        page.add(Content::Picture(chart.lines().map(str::to_owned).collect()));
+    }
     let text = match args.format {
-        TextFormat::Text => worked.page.to_text(TextStyle::plain(screen.ascii)),
-        TextFormat::Markdown => worked.page.to_markdown(screen.ascii),
+        TextFormat::Text => page.to_text(TextStyle::plain(screen.ascii)),
+        TextFormat::Markdown => page.to_markdown(screen.ascii),
     };
     write_text(args.output.output.as_deref(), &text)?;
     if condition == Condition::NoAssembly {

@@ -30,6 +30,7 @@
 mod arrow;
 mod blocks;
 mod bounds;
+mod convergence;
 mod dashes;
 mod effort;
 mod figure;
@@ -63,6 +64,7 @@ mod view;
 
 pub use blocks::Blocks;
 pub use bounds::Bounds;
+pub use convergence::convergence;
 pub use effort::effort;
 pub use figure::{Figure, LINK_HUES, Role, Shape};
 pub use ghosts::{add_before, add_ghost, add_other};

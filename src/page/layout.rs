@@ -113,6 +113,10 @@ impl Content {
             }
             Content::Facts(facts) => facts.lines(names, width),
             Content::Table(table) => table.lines(names, room),
+            Content::Picture(lines) => {
+                let lines = lines.iter().cloned();
+                lines.map(|line| Line::of(TextRole::Body, line)).collect()
+            }
         }
     }
 }

@@ -22,6 +22,7 @@ impl Page {
                     format!("```text\n{}```\n", lines.collect::<String>())
                 }
                 Content::Table(table) => columns(table),
+                Content::Picture(lines) => format!("```text\n{}\n```\n", lines.join("\n")),
             });
         }
         parts.retain(|part| !part.is_empty());

@@ -63,6 +63,8 @@ pub enum Content {
     Equations(Vec<Equation>),
     /// Figures in columns.
     Table(Table),
+    /// A drawing in characters, line by line as it stands.
+    Picture(Vec<String>),
 }
 
 /// Names, and what is told of each.
@@ -171,9 +173,11 @@ impl Content {
         match self {
             Content::Heading(..) => !matches!(next, Content::Heading(..)),
             Content::Text(text) => text.ends_with(':') && !matches!(next, Content::Heading(..)),
-            Content::Title(_) | Content::Facts(_) | Content::Equations(_) | Content::Table(_) => {
-                false
-            }
+            Content::Title(_)
+            | Content::Facts(_)
+            | Content::Equations(_)
+            | Content::Table(_)
+            | Content::Picture(_) => false,
         }
     }
 }

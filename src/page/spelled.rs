@@ -52,6 +52,7 @@ impl Content {
                 let list = list.map(|(name, told)| (shown(name), all(told))).collect();
                 Content::Facts(Facts { list, ..*facts })
             }
+            Content::Picture(lines) => Content::Picture(lines.clone()),
             Content::Table(table) => Content::Table(Table {
                 title: shown(&table.title),
                 heads: table.heads.iter().map(|head| head.shown(shown)).collect(),

@@ -124,7 +124,15 @@ impl Accuracy<'_> {
         let mut page = Page::default();
         page.title(&self.scene.name);
         page.text_below(words().positions_over_cycle(positions, &longest, unit));
-        page.table(self.table(&StudyMeasure::ALL));
+        let mut table = self.table(&StudyMeasure::ALL);
+        // All columns have room in 80, and the letters stand apart from the names.
+        table.setting.gap = 1;
+        for row in &mut table.rows {
+            if let Row::Figures { mark, .. } | Row::Told { mark, .. } = row {
+                mark.push(' ');
+            }
+        }
+        page.table(table);
         page.to_text(TextStyle::plain(ascii))
     }
 
@@ -204,6 +212,7 @@ impl Accuracy<'_> {
         let time = |part: fn(&Spread) -> f64| time.map(|t| part(&t) * 1e9);
         let errors = figures.and_then(|f| f.errors);
         let error = |part: fn(&MethodErrors) -> f64| errors.map(|e| part(&e));
+        let iterations = figures.and_then(|f| f.iterations);
         let say = for_programs();
         let reason = match finding.verdict {
             MethodVerdict::Measured(_) => None,
@@ -223,6 +232,8 @@ impl Accuracy<'_> {
             json!(figures.map(|f| f.failures)),
             json!(finding.best),
             json!(reason),
+            json!(iterations.map(|i| i.median)),
+            json!(iterations.map(|i| i.most)),
         ];
         COLUMNS
             .iter()
@@ -251,20 +262,27 @@ pub fn accuracy_notes() -> String {
 const NOTE: usize = 14;
 
 /// What each figure and mark is.
-fn notes() -> [(&'static str, &'static str); 7] {
+fn notes() -> [(&'static str, &'static str); 14] {
     [
         (words().time(), words().of_time_is()),
         (words().errors_of_three(), words().errors_are()),
         (words().failures(), words().failures_are()),
         ("*", words().best_are()),
+        (words().iterations(), words().iterations_are()),
+        (words().closed_form(), words().closed_form_is()),
+        (words().anchors(), words().newton_from_anchors_is()),
         (words().with_bounds(), words().with_bounds_is()),
+        (words().polished(), words().polished_is()),
+        (words().single(), words().single_precision_is()),
+        (words().newton_at_tolerance(), words().newton_is()),
         (words().warm_or_cold(), words().warm_or_cold_is()),
+        (words().bisection(), words().bisection_is()),
         (words().runge_kutta_n_by_m(), words().runge_kutta_is()),
     ]
 }
 
 /// The columns of CSV, and the keys of a method in JSON.
-const COLUMNS: [&str; 12] = [
+const COLUMNS: [&str; 14] = [
     "key",
     "method",
     "time [ns]",
@@ -277,6 +295,8 @@ const COLUMNS: [&str; 12] = [
     "failures",
     "best",
     "reason",
+    "iterations.median",
+    "iterations.most",
 ];
 
 /// What was measured of a method.
@@ -294,17 +314,20 @@ pub enum StudyMeasure {
     Acceleration,
     /// How often it failed.
     Failures,
+    /// How many steps or halvings it takes.
+    Iterations,
 }
 
 impl StudyMeasure {
     /// All of them.
-    pub const ALL: [StudyMeasure; 6] = [
+    pub const ALL: [StudyMeasure; 7] = [
         StudyMeasure::Time,
         StudyMeasure::Quartiles,
         StudyMeasure::Position,
         StudyMeasure::Velocity,
         StudyMeasure::Acceleration,
         StudyMeasure::Failures,
+        StudyMeasure::Iterations,
     ];
 
     fn name(self) -> &'static str {
@@ -315,6 +338,7 @@ impl StudyMeasure {
             StudyMeasure::Velocity => words().error_of_velocities(),
             StudyMeasure::Acceleration => words().error_of_accelerations(),
             StudyMeasure::Failures => words().failures(),
+            StudyMeasure::Iterations => words().iterations(),
         }
     }
 
@@ -326,7 +350,8 @@ impl StudyMeasure {
             StudyMeasure::Time
             | StudyMeasure::Position
             | StudyMeasure::Velocity
-            | StudyMeasure::Acceleration => 7,
+            | StudyMeasure::Acceleration
+            | StudyMeasure::Iterations => 7,
         }
     }
 
@@ -341,6 +366,10 @@ impl StudyMeasure {
             StudyMeasure::Velocity => error(|e| e.velocity),
             StudyMeasure::Acceleration => error(|e| e.acceleration),
             StudyMeasure::Failures => Some(figures.failures.to_string()),
+            StudyMeasure::Iterations => {
+                let counts = figures.iterations;
+                counts.map(|counts| format!("{}-{}", counts.median, counts.most))
+            }
         };
         text.unwrap_or_else(|| "-".into())
     }
@@ -350,6 +379,7 @@ impl StudyMeasure {
 mod tests {
     use super::*;
     use crate::scene::presets;
+    use crate::study::IterationCounts;
 
     fn figures(median: f64, failures: u64) -> MethodFigures {
         MethodFigures {
@@ -365,6 +395,10 @@ mod tests {
             }),
             tried: 3600,
             failures,
+            iterations: (failures > 0).then_some(IterationCounts {
+                median: 52,
+                most: 55,
+            }),
         }
     }
 
@@ -417,8 +451,8 @@ mod tests {
             finding('d', Method::Single, MethodVerdict::Pending),
         ]);
         let expected = [
-            "a* closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",
-            "b  bisection            4.00 us    3.60-4.40        -        -        -   3600",
+            "a* closed form         71.0 ns   63.9-78.1 2.3e-16  5.0e-7       0     0       -",
+            "b  bisection           4.00 us   3.60-4.40       -       -       -  3600   52-55",
         ];
         assert_eq!(lines[..2], expected);
         assert!(

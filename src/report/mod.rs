@@ -55,6 +55,6 @@ pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use verdict::{Verdict, VerdictPart};
-pub use working::{Agreement, Worked, Working};
+pub use working::{Agreement, Guess, GuessError, PositionMethod, Worked, WorkedMethod, Working};
 #[cfg(feature = "tui")]
 pub(crate) use {forces_page::missed, number::shortest, number::upwards};

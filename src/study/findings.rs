@@ -14,6 +14,15 @@ pub struct MethodErrors {
     pub acceleration: f64,
 }
 
+/// How many steps or halvings a position takes, of all groups together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct IterationCounts {
+    /// At half of the positions at the most so many.
+    pub median: u32,
+    /// Nowhere more.
+    pub most: u32,
+}
+
 /// What was measured of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MethodFigures {
@@ -25,6 +34,8 @@ pub struct MethodFigures {
     pub tried: u64,
     /// Of these, positions at which it found nothing, or another assembly.
     pub failures: u64,
+    /// Of a method that counts them, where it found the mechanism.
+    pub iterations: Option<IterationCounts>,
 }
 
 /// What there is to say about a method.

@@ -11,13 +11,20 @@
 mod cycle;
 mod findings;
 mod front;
+mod iterations;
 pub mod motor;
 mod rk4;
 mod spread;
 mod tally;
 
 pub use crate::solver::{Method, Start, Unfit};
-pub use findings::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict};
+pub use findings::{
+    Finding, Findings, IterationCounts, MethodErrors, MethodFigures, MethodVerdict,
+};
+pub use iterations::{
+    Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,
+    NewtonTrace, SoughtKind, SoughtVector, VectorPart, half_turn,
+};
 pub use spread::Spread;
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
@@ -219,6 +226,7 @@ impl Study {
                     errors: tally.errors(self.sizes),
                     tried: tally.tried,
                     failures: tally.failures,
+                    iterations: tally.iterations(),
                 })
             }
         }
@@ -283,7 +291,9 @@ impl Study {
             let found = runner.solve(methods, at);
             let deviation = found.then(|| runner.deviation(methods)).flatten();
             let met = tally.note(deviation);
-            if !met {
+            if met {
+                tally.count(runner.iterations());
+            } else {
                 runner.begin(methods);
             }
         }

@@ -1,18 +1,21 @@
 //! What is counted and timed of one method.
 
-use super::findings::MethodErrors;
+use super::findings::{IterationCounts, MethodErrors};
 use crate::solver::Deviation;
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// A result further away than this part of the longest length is another assembly, or no result.
 const MISSED: f64 = 0.1;
 
 /// The largest deviations, and how often there was none.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     worst: Deviation,
     pub(super) tried: u64,
     pub(super) failures: u64,
+    /// How often so many iterations were taken.
+    iterations: BTreeMap<u32, u64>,
 }
 
 impl Tally {
@@ -25,6 +28,27 @@ impl Tally {
             None => self.failures += 1,
         }
         met.is_some()
+    }
+
+    /// Notes how many iterations a result has taken, if its method counts them.
+    pub(super) fn count(&mut self, iterations: Option<u32>) {
+        if let Some(iterations) = iterations {
+            *self.iterations.entry(iterations).or_default() += 1;
+        }
+    }
+
+    /// How many iterations were taken.
+    pub(super) fn iterations(&self) -> Option<IterationCounts> {
+        let all: u64 = self.iterations.values().sum();
+        let mut so_far = 0;
+        let mut median = self.iterations.iter().skip_while(|(_, often)| {
+            so_far += **often;
+            2 * so_far < all
+        });
+        Some(IterationCounts {
+            median: *median.next()?.0,
+            most: *self.iterations.last_key_value()?.0,
+        })
     }
 
     /// The errors as parts of the largest velocity and acceleration.
@@ -112,6 +136,17 @@ mod tests {
         let errors = tally.errors(sizes).unwrap();
         assert_eq!((errors.position, errors.velocity), (1e-9, 0.5e-9));
         assert_eq!(errors.acceleration, 0.0);
+    }
+
+    #[test]
+    fn iterations_are_told_by_median_and_most() {
+        let mut tally = Tally::default();
+        assert_eq!(tally.iterations(), None);
+        for count in [Some(4), Some(9), None, Some(3), Some(4), Some(3)] {
+            tally.count(count);
+        }
+        let counts = IterationCounts { median: 4, most: 9 };
+        assert_eq!(tally.iterations(), Some(counts));
     }
 
     #[test]

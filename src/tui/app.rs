@@ -30,7 +30,7 @@ use super::Opened;
 use super::config::Config;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
-use crate::report::{CsvDialect, Verdict};
+use crate::report::{CsvDialect, PositionMethod, Verdict};
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::{Action, TablesAction};
@@ -110,6 +110,8 @@ pub(crate) struct App {
     motor: MotorStudy,
     /// The study of the open scene.
     study_run: StudyRun,
+    /// The method that is watched in the place of the study.
+    watched: Option<PositionMethod>,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
     /// What the open scene is held against.
@@ -144,6 +146,7 @@ impl App {
             plots: Plots::default(),
             motor: MotorStudy::default(),
             study_run: StudyRun::new(clock::wall_clock),
+            watched: None,
             previews: Previews::default(),
             comparison: Comparison::default(),
             clerk: Clerk::default(),
@@ -399,6 +402,7 @@ impl App {
             Action::Motion(action) => self.move_lens(action),
             Action::Tables(action) => self.browse(action),
             Action::Plots(action) => self.plot(action),
+            Action::Method => self.watch_next(),
             Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => {

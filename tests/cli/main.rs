@@ -12,6 +12,7 @@ mod files;
 mod forces;
 mod help;
 mod language;
+mod methods;
 mod motor;
 #[cfg(feature = "pictures")]
 mod pixels;

@@ -88,3 +88,46 @@ fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
     let line = session.press("n").last_line();
     assert!(line.contains("measuring  0 %"), "{line}");
 }
+
+#[test]
+fn a_method_is_watched_in_the_place_of_the_study() {
+    let mut session = timed(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    session.press("4");
+    let screen = session.press("m").look();
+    assert!(screen.contains("1 Newton-Raphson"), "{screen}");
+    assert!(screen.contains("error over iteration"), "{screen}");
+    let line = session.last_line();
+    assert!(
+        line.starts_with(" accuracy  four-bar  Newton-Raphson"),
+        "{line}"
+    );
+    assert!(line.contains("m method  Esc back"), "{line}");
+    let below = session.press("End").look();
+    assert!(below.contains("to the assembly that is meant"), "{below}");
+    // The guess stays where the scene opens: a step of the driver is one away from it.
+    let before = session.press("Home").look();
+    assert_ne!(session.press(".").look(), before);
+    assert!(session.press("m").look().contains("1 Bisection"));
+    let drawing = session.press("m").look();
+    assert!(drawing.contains("1 By compass and ruler"), "{drawing}");
+    assert!(!drawing.contains("error over"), "{drawing}");
+    // Behind the last one, and by Esc, the study stands again; Esc once more stops that.
+    assert!(session.press("m").look().contains("closed form"));
+    assert!(session.press("m Esc").look().contains("closed form"));
+    assert!(session.last_line().contains("measuring"));
+    assert!(session.press("Esc").last_line().contains("stopped"));
+}
+
+#[test]
+fn a_watched_method_has_room_on_every_screen() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+        let mut session = timed(preset("press"), Glyphs::Ascii, cols, rows);
+        session.press("4");
+        for _ in 0..3 {
+            let screen = session.press("m").look();
+            let fits = |line: &str| line.chars().count() <= usize::from(cols);
+            assert!(screen.lines().all(fits), "{screen}");
+            assert_eq!(screen.lines().count(), usize::from(rows), "{screen}");
+        }
+    }
+}

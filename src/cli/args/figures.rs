@@ -1,7 +1,7 @@
 //! Figures: at one place, row by row, and how exact they are.
 
 use super::{AssemblyArgs, CsvArgs, OutputArgs, PlaceArgs, SceneArgs};
-use crate::report::WrittenDecimal;
+use crate::report::{Guess, PositionMethod, WrittenDecimal};
 use crate::study::USUAL_POSITIONS;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
@@ -58,12 +58,42 @@ pub(in crate::cli) enum TextFormat {
     Markdown,
 }
 
+/// A way to fill the position table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum MethodChoice {
+    #[value(help = words().method_closed())]
+    Closed,
+    #[value(help = words().method_newton())]
+    Newton,
+    #[value(help = words().method_bisection())]
+    Bisection,
+    #[value(help = words().method_graphical())]
+    Graphical,
+}
+
+impl MethodChoice {
+    pub(in crate::cli) fn method(self) -> PositionMethod {
+        match self {
+            MethodChoice::Closed => PositionMethod::Closed,
+            MethodChoice::Newton => PositionMethod::Newton,
+            MethodChoice::Bisection => PositionMethod::Bisection,
+            MethodChoice::Graphical => PositionMethod::Graphical,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExplainArgs {
     #[command(flatten)]
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
+    #[arg(help = words().method_of_positions())]
+    #[arg(long, value_enum, default_value_t = MethodChoice::Closed)]
+    pub(in crate::cli) method: MethodChoice,
+    #[arg(help = words().guess_of_vectors())]
+    #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',')]
+    pub(in crate::cli) guess: Vec<Guess>,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = TextFormat::Text)]
     pub(in crate::cli) format: TextFormat,

@@ -6,7 +6,7 @@ use super::figures::Figures;
 use super::polygon::{Loop, Polygon, Term};
 use super::sides::{SideReading, SideShape, Turns};
 use super::stages::{Schedule, Stage};
-use crate::page::{Page, Setting, Table};
+use crate::page::{Block, Content, Head, Page, Setting, Table, Units};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
@@ -213,6 +213,19 @@ impl Draft {
             table.row(cells.next().unwrap_or_default(), cells);
         }
         self.page.table(table);
+    }
+
+    /// The same with units in a line of their own below the names, where both would be too wide.
+    pub(super) fn table_of_units(&mut self, title: &str, heads: Vec<Head>, rows: Vec<Vec<String>>) {
+        self.wide_table(vec![title.to_owned()], rows);
+        if let Some(Block {
+            content: Content::Table(table),
+            ..
+        }) = self.page.blocks.last_mut()
+        {
+            table.heads = heads;
+            table.setting.units = Units::Below;
+        }
     }
 
     /// `symbol = formula = value`: what comes out.

@@ -61,7 +61,7 @@ impl Solution<'_> {
     }
 
     /// The components of the sum of the known sides.
-    fn write_known(&self, draft: &mut Draft, size: f64) {
+    pub(super) fn write_known(&self, draft: &mut Draft, size: f64) {
         let f = self.figures;
         let k = self.known;
         for (axis, label, value) in [(Multiplier::X, "Kx", k.x), (Multiplier::Y, "Ky", k.y)] {
@@ -135,19 +135,12 @@ impl Solution<'_> {
     pub(super) fn swing(&self, draft: &mut Draft, arm: &[Term], slide: Term) {
         let f = self.figures;
         let member = self.member(slide);
-        let (name, u) = (member.side.name.clone(), member.reading.u);
+        let name = member.side.name.clone();
         let [mx, my] = self.write_m(draft);
         let size = self.write_length(draft, "m", [&mx, &my]);
-        // The other sides of the arm, along the guide's vector and across it: they never change.
-        let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
-        let rest = others.fold(Vec2::ZERO, |sum, o| {
-            let r = o.reading.vector();
-            sum + if o.reversed { -r } else { r }
-        });
         let sign = if slide.reversed { -1.0 } else { 1.0 };
-        let (t0, e) = (u.dot(rest), u.cross(rest));
-        let has_rest = rest.norm() > 1e-12 * size.max(member.reading.r.abs());
-        let (t0, e) = if has_rest { (t0, e) } else { (0.0, 0.0) };
+        let [t0, e] = self.beside_guide(arm, slide, size.max(member.reading.r.abs()));
+        let has_rest = [t0, e] != [0.0, 0.0];
         let is_back = t0 + sign * member.reading.r < 0.0;
         let known = |symbol, value: f64| Expression::known(symbol, f.beside(value, size), value);
         let m = || Expression::known("m", f.number(size), size);
@@ -183,6 +176,20 @@ impl Solution<'_> {
         let value = draft.reckoned(&theta, &angle, |value| turn(f, value));
         draft.agree_angle(&theta, value, member.reading.theta, loss);
         self.write_link_angle(draft, member.side, value, loss);
+    }
+
+    /// How far the other sides of an arm lie along its guide's vector and to the left of it: they never change.
+    pub(super) fn beside_guide(&self, arm: &[Term], slide: Term, size: f64) -> [f64; 2] {
+        let u = self.member(slide).reading.u;
+        let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
+        let rest = others.fold(Vec2::ZERO, |sum, o| {
+            let r = o.reading.vector();
+            sum + if o.reversed { -r } else { r }
+        });
+        match rest.norm() > 1e-12 * size {
+            true => [u.dot(rest), u.cross(rest)],
+            false => [0.0; 2],
+        }
     }
 
     // ---- two positions

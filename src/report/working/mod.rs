@@ -16,6 +16,7 @@ mod free_body;
 mod guided;
 mod loads;
 mod loop_finder;
+mod methods;
 mod opening;
 mod pins;
 mod place;
@@ -29,6 +30,7 @@ mod symbols;
 mod triangle;
 
 pub use draft::Agreement;
+pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
 
 use crate::page::Page;
 use crate::scene::Scene;
@@ -74,6 +76,32 @@ impl Working {
     /// significant digits.
     #[must_use]
     pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
+        let context = self.context(scene, solver, state, digits);
+        let mut draft = Draft::default();
+        opening::heading(&context, &mut draft);
+        opening::polygons(&context, &mut draft);
+        opening::position_table(&context, &mut draft);
+        place::equations(&context, &mut draft);
+        place::solutions(&context, &mut draft);
+        rates::rates(&context, &mut draft, Order::Velocity);
+        rates::rates(&context, &mut draft, Order::Acceleration);
+        points::points(&context, &mut draft);
+        forces::forces(&context, &mut draft);
+        check::check(&context, &mut draft);
+        Worked {
+            page: draft.page,
+            agreements: draft.agreements,
+        }
+    }
+
+    /// What every part is written from.
+    fn context<'a>(
+        &'a self,
+        scene: &'a Scene,
+        solver: &'a Solver,
+        state: &'a State,
+        digits: usize,
+    ) -> Context<'a> {
         let mut context = Context {
             scene,
             solver,
@@ -90,20 +118,6 @@ impl Working {
         };
         context.read_sides();
         context.find_fastest();
-        let mut draft = Draft::default();
-        opening::heading(&context, &mut draft);
-        opening::polygons(&context, &mut draft);
-        opening::position_table(&context, &mut draft);
-        place::equations(&context, &mut draft);
-        place::solutions(&context, &mut draft);
-        rates::rates(&context, &mut draft, Order::Velocity);
-        rates::rates(&context, &mut draft, Order::Acceleration);
-        points::points(&context, &mut draft);
-        forces::forces(&context, &mut draft);
-        check::check(&context, &mut draft);
-        Worked {
-            page: draft.page,
-            agreements: draft.agreements,
-        }
+        context
     }
 }

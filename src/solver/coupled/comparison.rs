@@ -7,9 +7,9 @@ use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
 
 /// Newton's method has failed where it needs more steps: quadratic convergence takes four or five.
-const MOST_STEPS: usize = 50;
+const MOST_STEPS: u32 = 50;
 /// Halvings of half a turn after which no double lies between the ends.
-const MOST_HALVINGS: usize = 60;
+const MOST_HALVINGS: u32 = 60;
 
 /// How the one unknown of a group is an angle.
 #[derive(Clone, Copy, Debug)]
@@ -37,26 +37,23 @@ impl Coupled {
         self.shift(room.z, change);
     }
 
-    /// Full steps from the z in the scratch until one is no larger than the tolerance; whether that
-    /// came to pass.
+    /// Full steps from the z in the scratch until one is no larger than the tolerance, and how many that
+    /// were; `None` where it did not come to pass.
     pub(in crate::solver) fn newton<T: Number>(
         &self,
         q: T,
         tolerance: f64,
         state: &State<T>,
         scratch: &mut Scratch<T>,
-    ) -> bool {
+    ) -> Option<u32> {
         let mut room = self.open(scratch);
-        for _ in 0..MOST_STEPS {
+        for steps in 1..=MOST_STEPS {
             self.residuals(q, state, &mut room);
-            let Some(size) = self.step(q, state, &mut room) else {
-                return false;
-            };
-            if size <= tolerance {
-                return true;
+            if self.step(q, state, &mut room)? <= tolerance {
+                return Some(steps);
             }
         }
-        false
+        None
     }
 
     /// One step of Newton's method from the residuals in the room, and its largest component; `None`
@@ -120,7 +117,7 @@ impl Coupled {
     }
 
     /// Halves half a turn in which the condition changes its sign once, the one that the side tells (the
-    /// sign of the determinant), and puts the angle found into z. Whether there was a change of sign.
+    /// sign of the determinant), and puts the angle found into z. How often; `None` without a change of sign.
     ///
     /// The condition is a + b cos(angle - c) in all its forms, so that its extremes, between which
     /// exactly one closing lies on either side, follow from three values.
@@ -131,7 +128,7 @@ impl Coupled {
         q: f64,
         state: &State,
         scratch: &mut Scratch,
-    ) -> bool {
+    ) -> Option<u32> {
         let mut room = self.open(scratch);
         let mut value = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -148,13 +145,15 @@ impl Coupled {
         };
         let (mut above, mut below) = (highest, highest + sense * 2.0 * quarter);
         if !(value(above) >= 0.0 && value(below) <= 0.0) {
-            return false;
+            return None;
         }
-        for _ in 0..MOST_HALVINGS {
+        let mut halvings = 0;
+        while halvings < MOST_HALVINGS {
             let middle = 0.5 * (above + below);
             if middle == above || middle == below {
                 break;
             }
+            halvings += 1;
             if value(middle) > 0.0 {
                 above = middle;
             } else {
@@ -162,7 +161,7 @@ impl Coupled {
             }
         }
         value(below);
-        true
+        Some(halvings)
     }
 
     /// Puts the group at an angle, and says how far the condition is from holding there.

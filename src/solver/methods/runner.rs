@@ -36,11 +36,15 @@ enum RunnerWork {
         state: Workspace,
         tolerance: f64,
         start: Start,
+        /// Of all groups at the last position.
+        steps: u32,
     },
     Bisection {
         state: Workspace,
         /// The signs of the dyads in closed form, which tell the side of a change point.
         signs: Vec<f64>,
+        /// Of all groups at the last position.
+        halvings: u32,
     },
 }
 
@@ -72,10 +76,12 @@ impl Methods {
                 state: rows()?,
                 tolerance,
                 start,
+                steps: 0,
             },
             Method::Bisection => RunnerWork::Bisection {
                 state: rows()?,
                 signs: self.solver.engine.signs.clone(),
+                halvings: 0,
             },
             Method::Integration { .. } => return None,
         };
@@ -122,24 +128,38 @@ impl Runner {
                     state,
                     tolerance,
                     start,
+                    steps,
                 },
                 Some(rows),
             ) => {
+                *steps = 0;
                 if *start == Start::Cold {
                     state.scratch.numbers.copy_from_slice(&rows.opening.numbers);
                 }
                 run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
-                    group.newton(q, *tolerance, state, scratch)
+                    let own = group.newton(q, *tolerance, state, scratch);
+                    *steps += own.unwrap_or(0);
+                    own.is_some()
                 })
             }
-            (RunnerWork::Bisection { state, signs }, Some(rows)) => {
+            (
+                RunnerWork::Bisection {
+                    state,
+                    signs,
+                    halvings,
+                },
+                Some(rows),
+            ) => {
+                *halvings = 0;
                 solver.motion.passages.choose(&solver.engine, at, signs);
                 let mut closings = rows.closings.iter().enumerate();
                 run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
-                    closings.next().is_some_and(|(number, closing)| {
+                    let own = closings.next().and_then(|(number, closing)| {
                         let side = group.side * rows.flip(number, solver, signs);
-                        closing.is_some_and(|way| group.bisect(way, side, q, state, scratch))
-                    })
+                        closing.and_then(|way| group.bisect(way, side, q, state, scratch))
+                    });
+                    *halvings += own.unwrap_or(0);
+                    own.is_some()
                 })
             }
             (
@@ -175,6 +195,18 @@ impl Runner {
             | RunnerWork::Bisection { state, .. } => subjects.deviation(state, reference),
         })
     }
+
+    /// Steps or halvings of all groups at the last position, of a method that counts them.
+    pub(crate) fn iterations(&self) -> Option<u32> {
+        match &self.work {
+            RunnerWork::Newton { steps, .. } => Some(*steps),
+            RunnerWork::Bisection { halvings, .. } => Some(*halvings),
+            RunnerWork::Solver(_)
+            | RunnerWork::Bounded { .. }
+            | RunnerWork::Single { .. }
+            | RunnerWork::Polished { .. } => None,
+        }
+    }
 }
 
 /// The closed forms in single precision; coupled groups from the solver's anchors. The assembly is
@@ -191,7 +223,7 @@ fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspa
     follow(guide, state);
     let at = f32::exactly(at);
     run::<_, ACCELERATION>(&solver.engine, at, state, |group, q, state, scratch| {
-        group.newton(q, TOLERANCE, state, scratch)
+        group.newton(q, TOLERANCE, state, scratch).is_some()
     })
 }
 

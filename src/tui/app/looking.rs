@@ -2,6 +2,7 @@
 
 use super::super::views::{self, Listing, Need};
 use super::{App, Mode, View};
+use crate::report::PositionMethod;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
 use ratatui::layout::Size;
@@ -55,6 +56,8 @@ impl App {
         open_scene.answer(needs.contains(&Need::Lengths));
         open_scene.balance_forces(forces);
         open_scene.explain(needs.contains(&Need::Working));
+        let watched = self.watched.filter(|_| needs.contains(&Need::Study));
+        open_scene.watch(watched);
         if needs.contains(&Need::Values) {
             self.relist();
         }
@@ -112,6 +115,29 @@ impl App {
         self.shell.composition.keep(view, size);
         self.attend_to_panes();
         self.lay_out();
+    }
+
+    /// Watches the next method at work on the present state; behind the last one the study stands again.
+    pub(super) fn watch_next(&mut self) {
+        let all = PositionMethod::WATCHED;
+        let here = all.iter().position(|method| Some(*method) == self.watched);
+        self.watch_method(all.get(here.map_or(0, |place| place + 1)).copied());
+        if let Some(why) = View::Accuracy.pane().nothing(self) {
+            self.shell.say(why);
+        }
+    }
+
+    /// Watches a method, or none.
+    pub(super) fn watch_method(&mut self, method: Option<PositionMethod>) {
+        self.watched = method;
+        self.found = None;
+        self.shell.scroll[View::Accuracy as usize] = 0;
+        self.attend_to_panes();
+    }
+
+    /// Whether a method is watched in the view that is looked at.
+    pub(crate) fn is_watching(&self) -> bool {
+        self.watched.is_some() && self.shell.view == View::Accuracy
     }
 
     /// Begins a study, goes on with it or repeats it.

@@ -145,6 +145,8 @@ impl App {
         }
         if self.shell.mode != Mode::Normal {
             self.shell.mode = Mode::Normal;
+        } else if self.is_watching() {
+            self.watch_method(None);
         } else if self.is_working() {
             self.study_run.stop();
         } else if self.shell.composition.leave_alone(self.shell.size) {

@@ -110,6 +110,8 @@ pub(crate) enum Action {
     Tables(TablesAction),
     /// Of the plots alone.
     Plots(PlotsAction),
+    /// Watch the next method, in the accuracy view alone.
+    Method,
     /// Of the scene view alone.
     Scene(SceneAction),
     /// Show or hide the keys.
@@ -287,7 +289,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
     use PlotsAction as P;
     use SceneAction as S;
     use TablesAction as T;
-    use View::{Motion, Plots, Scene, Tables};
+    use View::{Accuracy, Motion, Plots, Scene, Tables};
     type W = dyn Words;
     [
         ActionSection { title: W::the_motion, entries: &[
@@ -360,6 +362,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Plots, entry(A::Plots(P::Choose), "choose-plots", W::choose_plots, W::choose_what_is_plotted, &[Char('x'), Key::Enter])),
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
+        within(Accuracy, entry(A::Method, "method", W::method, W::watch_a_method, &[Char('m')])),
         ] },
         ActionSection { title: W::the_scene, entries: &[
         within(Scene, entry(A::Scene(S::Edit), "edit", W::edit, W::type_another_value, &[Key::Enter])),

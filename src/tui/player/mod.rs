@@ -10,6 +10,7 @@ pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
 pub(crate) mod steps;
+pub(crate) mod watched_method;
 
 use super::Opened;
 use crate::tui::figures::format::rounded;

@@ -4,7 +4,7 @@ use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
 use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, Forces, Tables, Verdict};
+use crate::report::{Answers, Forces, PositionMethod, Tables, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
@@ -15,6 +15,7 @@ use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::explained::Explained;
+use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::{Opened, Origin};
 use std::path::PathBuf;
 
@@ -47,6 +48,8 @@ pub(crate) struct OpenScene {
     assembly_list: Option<AssemblyList>,
     /// The working of the state, while that is looked at.
     explained: Option<Explained>,
+    /// A method at work on the state, while that is watched.
+    watched: Option<WatchedMethod>,
 }
 
 /// What is asked about the given lengths, and what came of it.
@@ -85,6 +88,7 @@ impl OpenScene {
             state,
             assembly_list: None,
             explained: None,
+            watched: None,
         }
     }
 
@@ -165,6 +169,9 @@ impl OpenScene {
         if let Some(explained) = &mut self.explained {
             explained.go(&self.opened, at);
         }
+        if let Some(watched) = &mut self.watched {
+            watched.go(&self.opened, at);
+        }
     }
 
     /// Need the forces, here and from now on, or ceases to.
@@ -208,6 +215,19 @@ impl OpenScene {
     /// The working of the state, if that was asked and the scene is not too large.
     pub(crate) fn explained(&self) -> Option<&Explained> {
         self.explained.as_ref()
+    }
+
+    /// Watches a method, here and from now on, or none.
+    pub(crate) fn watch(&mut self, method: Option<PositionMethod>) {
+        if self.watched.as_ref().map(WatchedMethod::method) != method {
+            let new = |method| WatchedMethod::new(method, &self.opened, self.at);
+            self.watched = method.and_then(new);
+        }
+    }
+
+    /// The method at work, if one is watched and the scene is not too large.
+    pub(crate) fn watched(&self) -> Option<&WatchedMethod> {
+        self.watched.as_ref()
     }
 
     /// Measures what the state costs, without its bounds. What is shown of the state stays: it may have forces.

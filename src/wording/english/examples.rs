@@ -51,6 +51,8 @@ Examples:
   krank explain four-bar --at 60
   krank explain slider-crank --at 30 --digits 9
   krank explain press --format markdown -o press.md
+  krank explain four-bar --method newton --guess r3=20,r4=280
+  krank explain four-bar --method bisection --guess r3=0..90
 
 Vector polygons, position table, loop equations in components and projected,
 the solution of every group, velocities and accelerations by the differentiated

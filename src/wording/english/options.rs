@@ -59,6 +59,12 @@ catalogue! {
         how_to_write_motor = "How to write it; CSV has the cycle step by step";
         digits_of_tables = "Significant digits of text tables; CSV and JSON always carry all";
         digits = "Significant digits";
+        method_of_positions = "By which method positions are found";
+        method_closed = "The closed form, then velocities, accelerations and forces";
+        method_newton = "Newton-Raphson on the loop equations, iteration by iteration";
+        method_bisection = "Halving an interval of one unknown";
+        method_graphical = "Compass and ruler, step by step";
+        guess_of_vectors = "Where a method begins: r3=20,r4=280 in deg or the scene's unit, for bisection r3=0..90 [default: a sketch of the opening]";
         leave_units_out = "Leave the units out";
         add_bounds = "Add what the error of each figure does not exceed; nothing where no bound can be proved";
         add_sensitivity = "Add what the given lengths do to each figure: by how much it changes for one unit of length";

@@ -52,6 +52,8 @@ krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
   krank explain four-bar --at 60
   krank explain slider-crank --at 30 --digits 9
   krank explain press --format markdown -o press.md
+  krank explain four-bar --method newton --guess r3=20,r4=280
+  krank explain four-bar --method bisection --guess r3=0..90
 
 Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle döngü
 denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve ivmeler,

@@ -135,5 +135,13 @@ catalogue! {
         theme_light = "Açık zemin için";
         theme_dark = "Koyu zemin için";
         theme_plain = "Renksiz";
+
+        // Methods.
+        method_of_positions = "Konumların hangi yöntemle bulunduğu";
+        method_closed = "Kapalı form, sonra hızlar, ivmeler ve kuvvetler";
+        method_newton = "Döngü denklemlerine Newton-Raphson, yineleme yineleme";
+        method_bisection = "Bir bilinmeyenin aralığını ikiye bölme";
+        method_graphical = "Pergel ve cetvel, adım adım";
+        guess_of_vectors = "Yöntemin başladığı yer: r3=20,r4=280, deg ya da sahnenin birimiyle; ikiye bölme için r3=0..90 [yoksa: açılışın bir taslağı]";
     }
 }

@@ -11,12 +11,13 @@ pub(crate) mod study_run;
 
 use super::pane::{Copied, Need, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
-use crate::drawing::trade_off;
+use crate::drawing::{convergence, trade_off};
 use crate::page::{Line, Page};
 use crate::report::{Accuracy, StudyMeasure};
 use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
+use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -66,6 +67,52 @@ fn arrange(area: Rect) -> AccuracyAreas {
     }
 }
 
+/// Where the errors of a method and its iterations stand.
+struct MethodAreas {
+    /// `None` where there are no errors, or no room for them.
+    chart: Option<Rect>,
+    list: Rect,
+}
+
+/// Columns of a table of iterations; beside that the chart has room on a wide screen, and above it on a high one.
+const ITERATIONS: u16 = 80;
+const LEAST_HEIGHT: u16 = 18;
+const CHART_ROWS: u16 = 8;
+
+fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
+    let whole = MethodAreas {
+        chart: None,
+        list: inset(area),
+    };
+    if watched.curves().is_empty() {
+        return whole;
+    }
+    let beside = area.width.checked_sub(ITERATIONS + 1 + MARGIN);
+    if let Some(width) = beside.filter(|&width| width >= LEAST_CHART) {
+        let (x, rest) = (area.x + width, area.width - width);
+        let list = inset(Rect {
+            x,
+            width: rest,
+            ..area
+        });
+        let chart = Some(Rect { width, ..area });
+        return MethodAreas { chart, list };
+    }
+    if area.height < LEAST_HEIGHT {
+        return whole;
+    }
+    let height = CHART_ROWS.max(area.height / 3);
+    let (y, rest) = (area.y + height, area.height - height);
+    MethodAreas {
+        chart: Some(Rect { height, ..area }),
+        list: inset(Rect {
+            y,
+            height: rest,
+            ..area
+        }),
+    }
+}
+
 /// Speed against error.
 pub(super) struct AccuracyView;
 
@@ -90,16 +137,35 @@ impl Pane for AccuracyView {
         Need::Study
     }
 
+    fn nothing(&self, app: &App) -> Option<&'static str> {
+        let is_missing = app.is_watching() && app.open_scene().watched().is_none();
+        is_missing.then(|| words().too_many_links())
+    }
+
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let Some(findings) = app.study_run().findings() else {
-            return;
-        };
-        render_chart(app, findings, arrange(body).chart, buffer);
+        match (app.open_scene().watched(), app.study_run().findings()) {
+            (Some(watched), _) => {
+                if let Some(area) = beside_method(watched, body).chart {
+                    let chart = convergence(watched.curves());
+                    show(
+                        &chart.render(area.width, area.height, app.glyphs()),
+                        area,
+                        buffer,
+                    );
+                }
+            }
+            (None, Some(findings)) => render_chart(app, findings, arrange(body).chart, buffer),
+            (None, None) => return,
+        }
         let (lines, list) = self.listed(app, body);
         page::render(app, self.view(), &lines, list, buffer);
     }
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
+        if let Some(watched) = app.open_scene().watched() {
+            let list = beside_method(watched, body).list;
+            return (page::lines(app, watched.page(), list), list);
+        }
         let list = arrange(body).list;
         let findings = app.study_run().findings();
         let lines = findings.map_or_else(Vec::new, |findings| lines(app, findings, list));
@@ -111,10 +177,21 @@ impl Pane for AccuracyView {
     }
 
     fn hints(&self, app: &App) -> &'static [Action] {
+        if app.is_watching() {
+            return &[
+                Action::Help,
+                Action::Method,
+                Action::Back,
+                Action::LineDown,
+                Action::StepForward,
+                Action::Quit,
+            ];
+        }
         match app.study_run().phase() {
             Phase::Running => &[
                 Action::Help,
                 Action::Back,
+                Action::Method,
                 Action::LineDown,
                 Action::MOTION,
                 Action::Quit,
@@ -122,6 +199,7 @@ impl Pane for AccuracyView {
             Phase::Idle | Phase::Stopped | Phase::Done => &[
                 Action::Help,
                 Action::Look(View::Accuracy),
+                Action::Method,
                 Action::LineDown,
                 Action::MOTION,
                 Action::Quit,
@@ -130,6 +208,9 @@ impl Pane for AccuracyView {
     }
 
     fn progress(&self, app: &App) -> Option<String> {
+        if let Some(watched) = app.open_scene().watched() {
+            return Some(watched.method().title().into());
+        }
         let percent = (app.study_run().progress() * 100.0).floor();
         match app.study_run().phase() {
             Phase::Idle => None,

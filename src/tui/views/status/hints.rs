@@ -99,6 +99,7 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Scene(SceneAction::NudgeDown) => words().less(),
         Action::Scene(SceneAction::NudgeUp) => words().more(),
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
+        Action::Back if app.is_watching() && *app.mode() == Mode::Normal => words().back(),
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => words().stop(),
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => words().next(),
         Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {

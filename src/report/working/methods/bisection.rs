@@ -1,0 +1,142 @@
+//! The table of halvings.
+
+use super::super::draft::{Context, Draft};
+use super::super::solution::Solution;
+use super::super::stages::{ProblemForm, Stage};
+use super::guess::Guesses;
+use super::problem::longest;
+use super::reduced::{ReducedLoop, figure};
+use crate::report::error_text;
+use crate::study::{Bisection, SoughtKind};
+use crate::wording::words;
+
+/// Halves an interval of one unknown of a group, and tells the errors of the middles.
+pub(super) fn halve(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    stage: &Stage,
+    guesses: &Guesses,
+) -> Option<Vec<f64>> {
+    let solution = Solution::new(context, stage).filter(|_| has_form(stage));
+    let Some(solution) = solution else {
+        draft.page.text(why_not(stage));
+        return None;
+    };
+    if !context.has_positions() && !solution.is_known() {
+        draft.page.text(words().not_without_groups_before());
+        return None;
+    }
+    let reduced = solution.reduced(draft, stage)?;
+    let f = context.figures;
+    let [a, b] = begins(&reduced, guesses);
+    let size = match reduced.kind {
+        SoughtKind::Angle => 180.0,
+        SoughtKind::Length => reduced.reach,
+    };
+    let places = i32::try_from(f.digits).unwrap_or(i32::MAX);
+    let finest = size * 10.0_f64.powi(-places);
+    let halved = Bisection::of(a, b, finest, |x| reduced.value(x));
+    let unit = match reduced.kind {
+        SoughtKind::Angle => "deg",
+        SoughtKind::Length => f.unit,
+    };
+    let [from, to] = [a, b].map(|v| format!("{} {unit}", f.angle(v)));
+    let [low, high] = halved.ends.map(|v| format!("{} {}^2", f.number(v), f.unit));
+    draft
+        .page
+        .text(words().between_ends(&reduced.symbol, &from, &to));
+    draft.page.equation([format!("f({from})"), low]);
+    draft.page.equation([format!("f({to})"), high]);
+    if halved.root().is_none() {
+        draft.page.text(words().no_change_of_sign());
+        return None;
+    }
+    table(draft, context, &reduced, &halved, unit);
+    conclude(context, draft, &reduced, &halved);
+    let longest = longest(context);
+    let errors = halved
+        .halvings
+        .iter()
+        .map(|h| reduced.error(h.middle, longest));
+    errors.collect()
+}
+
+fn has_form(stage: &Stage) -> bool {
+    matches!(
+        stage.form,
+        ProblemForm::Triangle(..) | ProblemForm::Quadratic(..) | ProblemForm::Swing(..)
+    )
+}
+
+fn why_not(stage: &Stage) -> String {
+    match stage.form {
+        ProblemForm::Guides(..) => words().two_guides_are_linear().into(),
+        _ => words().nothing_to_halve(stage.unknowns.len()),
+    }
+}
+
+/// The interval that was said, the one around what was said, or the one that holds the assembly.
+fn begins(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
+    match guesses.said(reduced.unknown) {
+        None => reduced.interval(reduced.right),
+        Some([from, to]) if from == to => {
+            let (at, half) = (from + reduced.ahead, reduced.reach / 2.0);
+            [at - half, at + half]
+        }
+        Some(between) => between.map(|v| v + reduced.ahead),
+    }
+}
+
+fn table(
+    draft: &mut Draft,
+    context: &Context<'_>,
+    reduced: &ReducedLoop<'_>,
+    halved: &Bisection,
+    unit: &str,
+) {
+    let f = context.figures;
+    let head = ["a", "b"].map(|end| format!("{end} [{unit}]"));
+    let middle = format!("{} [{unit}]", words().middle_of_interval());
+    let value = format!("f [{}^2]", f.unit);
+    let error = words().error_of_iteration();
+    let rows = (0_usize..).zip(&halved.halvings).map(|(k, h)| {
+        let [a, b, middle] = [h.a, h.b, h.middle].map(|v| f.number(v));
+        let error = reduced.error(h.middle, longest(context));
+        let error = error.map_or_else(|| "-".into(), error_text);
+        [k.to_string(), a, b, middle, f.number(h.value), error]
+    });
+    let [a, b] = head;
+    draft.table(["k", &a, &b, &middle, &value, error], rows.collect());
+}
+
+/// The root, what follows from it, and which assembly that is.
+fn conclude(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    reduced: &ReducedLoop<'_>,
+    halved: &Bisection,
+) {
+    let (f, Some(root)) = (context.figures, halved.root()) else {
+        return;
+    };
+    let (symbol, follows) = reduced.follows(root);
+    draft
+        .page
+        .text(words().halved(halved.halvings.len().saturating_sub(1)));
+    draft
+        .page
+        .equation([reduced.symbol.clone(), figure(f, reduced.kind, root)]);
+    draft
+        .page
+        .equation([symbol.to_owned(), figure(f, SoughtKind::Angle, follows)]);
+    let Some(right) = reduced.right else {
+        return;
+    };
+    let is_right = reduced.is_beside(root, right);
+    let [from, to] = reduced.interval(Some(2.0 * reduced.middle - root));
+    let [from, to] = [from, to].map(|v| figure(f, reduced.kind, v));
+    draft.page.text(match is_right {
+        true => words().holds_the_assembly(&from, &to),
+        false => words().holds_the_other(&from, &to),
+    });
+}

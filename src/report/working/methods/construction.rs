@@ -1,0 +1,348 @@
+//! The drawing with compass and ruler, step by step, and what can be read off it.
+
+use super::super::draft::{Context, Draft};
+use super::super::polygon::{Loop, Term};
+use super::super::solution::Solution;
+use super::super::stages::{ProblemForm, Stage};
+use super::paper::{Sheet, read_off};
+use super::{heading, sought};
+use crate::wording::words;
+use crate::{Vec2, angle};
+
+/// The steps of a drawing on one sheet.
+pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
+    if !context.has_positions() {
+        draft.page.text(words().no_assembly_to_draw());
+        return;
+    }
+    let sheet = Sheet::of(context);
+    draft.page.text(words().scale_of_sheet(&sheet.scale()));
+    let drawing = Construction { context, sheet };
+    drawing.given(draft);
+    for stage in sought(context) {
+        draft.page.section(heading(context, stage));
+        match Solution::new(context, stage) {
+            Some(solution) => drawing.group(draft, stage, &solution),
+            None => draft
+                .page
+                .text(words().not_by_compass(stage.unknowns.len())),
+        }
+    }
+}
+
+struct Construction<'a> {
+    context: &'a Context<'a>,
+    sheet: Sheet,
+}
+
+/// Two ways in which a point can lie on two lines.
+struct Crossing<'a> {
+    name: &'a str,
+    assembly: Vec2,
+    other: Vec2,
+    /// The sine of the angle at which they cross.
+    sine: f64,
+}
+
+/// What is read off: its symbol, value, unit and what it may be off.
+type Reading<'a> = (&'a str, f64, &'a str, f64);
+
+impl Construction<'_> {
+    /// What is there before anything is sought: the ground, and what the driver places.
+    fn given(&self, draft: &mut Draft) {
+        let mechanism = &self.context.scene.mechanism;
+        let driver = self.context.solver.plan().groups.first();
+        let ground = mechanism
+            .point_ids()
+            .filter(|&p| mechanism.point(p).ground.is_some());
+        let driven = driver
+            .into_iter()
+            .flat_map(|group| group.points.iter().copied());
+        let rows = ground.chain(driven).filter_map(|point| {
+            // A centre of mass is nothing to draw from.
+            let name = self.context.scene.point_name(point)?;
+            if name.contains('.') {
+                return None;
+            }
+            Some(self.place(name, self.context.state.position(point), String::new()))
+        });
+        let rows: Vec<[String; 6]> = rows.collect();
+        draft.page.text(words().points_to_begin_with());
+        self.places(draft, rows);
+    }
+
+    fn place(&self, name: &str, at: Vec2, which: String) -> [String; 6] {
+        let f = self.context.figures;
+        let size = at.norm();
+        let [x, y] = [at.x, at.y].map(|v| f.beside(v, size));
+        let [on_x, on_y] = [at.x, at.y].map(|v| self.sheet.length(v));
+        [name.to_owned(), x, y, on_x, on_y, which]
+    }
+
+    fn places(&self, draft: &mut Draft, rows: Vec<[String; 6]>) {
+        let unit = self.context.figures.unit;
+        let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{unit}]"));
+        let [on_x, on_y] = ["x", "y"].map(|axis| words().on_paper(axis));
+        let point = words().point();
+        if rows.iter().all(|row| row[5].is_empty()) {
+            let rows = rows.into_iter().map(|[a, b, c, d, e, _]| [a, b, c, d, e]);
+            draft.table([point, &x, &y, &on_x, &on_y], rows.collect());
+        } else {
+            draft.table([point, &x, &y, &on_x, &on_y, words().which_it_is()], rows);
+        }
+    }
+
+    fn group(&self, draft: &mut Draft, stage: &Stage, solution: &Solution<'_>) {
+        match &stage.form {
+            ProblemForm::Triangle(a, b) => self.two_circles(draft, solution, a, b),
+            ProblemForm::Quadratic(arm, slide) => {
+                self.circle_and_line(draft, solution, arm, *slide);
+            }
+            ProblemForm::Swing(arm, slide) => self.along_a_pin(draft, solution, arm, *slide),
+            ProblemForm::Guides(a, b) => self.two_lines(draft, solution, *a, *b),
+            ProblemForm::Nothing | ProblemForm::Sum(_) | ProblemForm::System => {
+                draft
+                    .page
+                    .text(words().not_by_compass(stage.unknowns.len()));
+            }
+        }
+    }
+
+    /// `300 mm (60.0 mm)`: as it is, and on paper.
+    fn both(&self, length: f64) -> String {
+        let f = self.context.figures;
+        words().also_on_paper(&f.number(length), f.unit, &self.sheet.length(length))
+    }
+
+    /// A circle about the far end of each arm.
+    fn two_circles(&self, draft: &mut Draft, solution: &Solution<'_>, a: &[Term], b: &[Term]) {
+        let [first, second] = solution.in_order(a, b);
+        let [p, x, q] = solution.joints(&first, &second);
+        let (one, two) = (solution.arm(&first), solution.arm(&second));
+        let Some([from, at]) = self.ends(solution.of, &first) else {
+            return;
+        };
+        let m = -solution.known;
+        for (centre, arm) in [(p, &one), (q, &two)] {
+            let radius = self.both(arm.value);
+            draft
+                .page
+                .text(words().draw_a_circle(centre, &arm.length, &radius));
+        }
+        let (along, across) = (
+            (at - from).dot(m) / m.norm2(),
+            (at - from).cross(m) / m.norm2(),
+        );
+        let mirrored = from + m * along + Vec2::new(-m.y, m.x) * across;
+        let crossing = Crossing {
+            name: x,
+            assembly: at,
+            other: mirrored,
+            sine: one.direction().cross(two.direction()),
+        };
+        let blur = self.cross(draft, &crossing);
+        let turned = |arm: f64| (blur / arm).to_degrees();
+        let (theta, other) = (one.theta.as_str(), two.theta.as_str());
+        self.read(
+            draft,
+            &[
+                (theta, angle::wrapped(one.solved), "deg", turned(one.value)),
+                (other, angle::wrapped(two.solved), "deg", turned(two.value)),
+            ],
+        );
+    }
+
+    /// A circle with the arm, a line along the guide.
+    fn circle_and_line(
+        &self,
+        draft: &mut Draft,
+        solution: &Solution<'_>,
+        arm: &[Term],
+        slide: Term,
+    ) {
+        let [first, second] = solution.in_order(arm, &[slide]);
+        let [p, x, q] = solution.joints(&first, &second);
+        let is_arm_first = first != [slide];
+        let own = solution.arm(arm);
+        let member = solution.member(slide);
+        let Some([from, at]) = self.ends(solution.of, &first) else {
+            return;
+        };
+        let (pivot, through) = if is_arm_first { (p, q) } else { (q, p) };
+        // Along the loop the arm leads to the joint, or away from it.
+        let rod = own.direction() * own.value;
+        let centre = if is_arm_first { from } else { at + rod };
+        let theta = member.side.theta();
+        let direction = self.context.figures.direction(member.reading.theta);
+        draft
+            .page
+            .text(words().draw_a_line(through, &theta, &direction));
+        let radius = self.both(own.value);
+        draft
+            .page
+            .text(words().draw_a_circle(pivot, &own.length, &radius));
+        let u = member.reading.u;
+        let foot = at + u * u.dot(centre - at);
+        let crossing = Crossing {
+            name: x,
+            assembly: at,
+            other: foot * 2.0 - at,
+            sine: u.dot(own.direction()),
+        };
+        let blur = self.cross(draft, &crossing);
+        let (name, unit) = (member.side.name.as_str(), self.context.figures.unit);
+        let turned = (blur / own.value).to_degrees();
+        self.read(
+            draft,
+            &[
+                (name, member.reading.r, unit, blur),
+                (&own.theta, angle::wrapped(own.solved), "deg", turned),
+            ],
+        );
+    }
+
+    /// A line through a pin, or past it: what turns and slides at once.
+    fn along_a_pin(&self, draft: &mut Draft, solution: &Solution<'_>, arm: &[Term], slide: Term) {
+        let [own, _] = solution.in_order(arm, &[]);
+        let Some((first, last)) = own.first().zip(own.last()) else {
+            return;
+        };
+        let (p, q) = (
+            self.context.polygon.ends(*first).0,
+            self.context.polygon.ends(*last).1,
+        );
+        let member = solution.member(slide);
+        let m = solution.known.norm();
+        let [t, e] = solution.beside_guide(arm, slide, m);
+        if e == 0.0 {
+            draft.page.text(words().draw_through(p, q));
+        } else {
+            draft
+                .page
+                .text(words().draw_a_tangent(p, q, &self.both(e.abs())));
+        }
+        if t != 0.0 {
+            let name = &member.side.name;
+            draft
+                .page
+                .text(words().leave_out_beyond(name, &self.both(t.abs())));
+        }
+        let blur = self.sheet.blur(1.0);
+        let (name, unit) = (member.side.name.as_str(), self.context.figures.unit);
+        let theta = member.side.theta();
+        self.read(
+            draft,
+            &[
+                (name, member.reading.r, unit, blur),
+                (&theta, member.reading.theta, "deg", (blur / m).to_degrees()),
+            ],
+        );
+    }
+
+    /// Two lines along guides.
+    fn two_lines(&self, draft: &mut Draft, solution: &Solution<'_>, a: Term, b: Term) {
+        let [first, second] = solution.in_order(&[a], &[b]);
+        let [p, x, q] = solution.joints(&first, &second);
+        let sides = [a, b].map(|term| solution.member(term));
+        let is_a_first = first == [a];
+        let ends = if is_a_first { [p, q] } else { [q, p] };
+        for (through, side) in ends.into_iter().zip(&sides) {
+            let direction = self.context.figures.direction(side.reading.theta);
+            draft
+                .page
+                .text(words().draw_a_line(through, &side.side.theta(), &direction));
+        }
+        let sine = sides[0].reading.u.cross(sides[1].reading.u);
+        let blur = self.sheet.blur(sine);
+        draft.page.text(words().lines_meet_in(x));
+        let unit = self.context.figures.unit;
+        let reading = |side: &super::super::equations::LoopSide<'_>| side.reading.r;
+        self.read(
+            draft,
+            &[
+                (&sides[0].side.name, reading(&sides[0]), unit, blur),
+                (&sides[1].side.name, reading(&sides[1]), unit, blur),
+            ],
+        );
+    }
+
+    /// Where two lines meet, and how well that can be seen.
+    fn cross(&self, draft: &mut Draft, of: &Crossing<'_>) -> f64 {
+        let blur = self.sheet.blur(of.sine);
+        draft.page.text(words().they_meet_in_two());
+        let rows = vec![
+            self.place(of.name, of.assembly, words().the_assembly().into()),
+            self.place(
+                &format!("{}'", of.name),
+                of.other,
+                words().the_other().into(),
+            ),
+        ];
+        self.places(draft, rows);
+        let degrees = of.sine.abs().min(1.0).asin().to_degrees();
+        let [degrees, _] = read_off(degrees, 0.5);
+        let [_, off] = read_off(0.0, blur);
+        let (name, unit) = (of.name, self.context.figures.unit);
+        draft
+            .page
+            .text(words().they_cross_at(&degrees, name, &off, unit));
+        blur
+    }
+
+    /// What is sought, as it is and as it is read.
+    fn read(&self, draft: &mut Draft, readings: &[Reading<'_>]) {
+        draft.page.text(words().read_off_sheet());
+        let f = self.context.figures;
+        let rows = readings.iter().map(|&(symbol, value, unit, blur)| {
+            let exact = match unit {
+                "deg" => f.direction(value),
+                _ => f.number(value),
+            };
+            let [read, off] = read_off(value, blur);
+            [symbol.to_owned(), unit.to_owned(), read, off, exact]
+        });
+        let head = [
+            words().sought_here(),
+            "",
+            words().as_read(),
+            "+-",
+            words().as_solved(),
+        ];
+        draft.table(head, rows.collect());
+    }
+
+    /// Where an arm of a loop begins and ends.
+    fn ends(&self, of: &Loop, arm: &[Term]) -> Option<[Vec2; 2]> {
+        let places = self.nodes(of)?;
+        let count = of.terms.len();
+        let place = |term: &Term| of.terms.iter().position(|t| t == term);
+        let begin = places[place(arm.first()?)?];
+        let end = places[(place(arm.last()?)? + 1) % count];
+        Some([begin, end])
+    }
+
+    /// Where each term of a loop begins: from a point that has a name, along the vectors.
+    fn nodes(&self, of: &Loop) -> Option<Vec<Vec2>> {
+        let (scene, count) = (self.context.scene, of.terms.len());
+        let point = |term: &Term| {
+            let name = self.context.polygon.ends(*term).0;
+            let mut points = scene.mechanism.point_ids();
+            points.find(|&point| scene.point_name(point) == Some(name))
+        };
+        let (first, point) = of
+            .terms
+            .iter()
+            .enumerate()
+            .find_map(|(i, term)| Some((i, point(term)?)))?;
+        let mut at = self.context.state.position(point);
+        let mut places = vec![Vec2::ZERO; count];
+        for step in 0..count {
+            let place = (first + step) % count;
+            places[place] = at;
+            let term = of.terms[place];
+            let vector = self.context.readings[term.side].vector();
+            at += if term.reversed { -vector } else { vector };
+        }
+        Some(places)
+    }
+}

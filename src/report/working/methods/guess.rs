@@ -1,0 +1,299 @@
+//! Where a method begins: what is guessed by the name of a vector, and what is read off the scene's rough start
+//! positions where nothing is said.
+
+use super::super::draft::Context;
+use super::super::sides::{Side, SideShape, Turns};
+use super::super::stages::LoopUnknown;
+use super::PositionMethod;
+use super::problem::{kind, longest, name};
+use crate::nearest::did_you_mean;
+use crate::scene::Unit;
+use crate::solver::{Order, Workspace};
+use crate::study::SoughtKind;
+use crate::wording::words;
+use crate::{Body, LinkId, PointId, Vec2, angle};
+use std::fmt;
+use std::str::FromStr;
+
+/// `r3=20`, `r4=120mm` or `r3=0..90`: where a vector is guessed to be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guess {
+    /// The vector.
+    name: String,
+    /// A value twice, or the ends of an interval.
+    between: [f64; 2],
+    unit: Option<GuessUnit>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum GuessUnit {
+    Degrees,
+    Radians,
+    Length(Unit),
+}
+
+/// A guess cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GuessError;
+
+impl fmt::Display for GuessError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(words().guess_is_written())
+    }
+}
+
+impl std::error::Error for GuessError {}
+
+impl FromStr for Guess {
+    type Err = GuessError;
+
+    fn from_str(text: &str) -> Result<Guess, GuessError> {
+        let (name, value) = text.split_once('=').ok_or(GuessError)?;
+        let (name, value) = (name.trim(), value.trim());
+        let number = value.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let unit = match &value[number.len()..] {
+            "" => None,
+            "deg" => Some(GuessUnit::Degrees),
+            "rad" => Some(GuessUnit::Radians),
+            symbol => {
+                let unit = Unit::ALL.into_iter().find(|unit| unit.symbol() == symbol);
+                Some(GuessUnit::Length(unit.ok_or(GuessError)?))
+            }
+        };
+        let read = |text: &str| match text.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            _ => Err(GuessError),
+        };
+        let between = match number.split_once("..") {
+            Some((from, to)) => [read(from)?, read(to)?],
+            None => [read(number)?; 2],
+        };
+        if name.is_empty() {
+            return Err(GuessError);
+        }
+        let name = name.to_owned();
+        Ok(Guess {
+            name,
+            between,
+            unit,
+        })
+    }
+}
+
+/// The guesses for a scene.
+pub(super) struct Guesses {
+    /// What was said: in degrees of the link, or in the scene's unit.
+    said: Vec<(LoopUnknown, [f64; 2])>,
+    /// Where the scene opens.
+    opening: Workspace,
+}
+
+impl Guesses {
+    /// # Errors
+    /// In words: a name that is none, nothing sought there, a unit that is missing or does not fit, an interval for
+    /// a method that begins at one place.
+    pub(super) fn new(
+        context: &Context<'_>,
+        method: PositionMethod,
+        guesses: &[Guess],
+    ) -> Result<Guesses, String> {
+        if let (Some(guess), PositionMethod::Closed | PositionMethod::Graphical) =
+            (guesses.first(), method)
+        {
+            return Err(words().needs_no_guess(&guess.name));
+        }
+        let mut opening = context.solver.state();
+        let start = context.scene.mechanism.driver().start;
+        let _ = context.solver.solve(start, Order::Position, &mut opening);
+        let mut said: Vec<(LoopUnknown, [f64; 2])> = Vec::new();
+        for guess in guesses {
+            let found = meant(context, guess)?;
+            if said.iter().any(|(unknown, _)| *unknown == found.0) {
+                return Err(words().guessed_twice(&guess.name));
+            }
+            if method == PositionMethod::Newton && guess.between[0] != guess.between[1] {
+                return Err(words().guess_is_one_value(&guess.name));
+            }
+            said.push(found);
+        }
+        Ok(Guesses { said, opening })
+    }
+
+    /// What was said of this: in degrees of the link, or in the scene's unit.
+    pub(super) fn said(&self, unknown: LoopUnknown) -> Option<[f64; 2]> {
+        let said = self.said.iter().find(|(of, _)| *of == unknown);
+        said.map(|(_, between)| *between)
+    }
+
+    /// Where to begin: what was said, or what one reads off a sketch. In degrees, or in the scene's unit.
+    pub(super) fn one(&self, context: &Context<'_>, unknown: LoopUnknown) -> f64 {
+        if let Some([value, _]) = self.said(unknown) {
+            return value;
+        }
+        match unknown {
+            LoopUnknown::Angle(link) => (self.rough_angle(context, link) / 10.0).round() * 10.0,
+            LoopUnknown::Travel(slide) => {
+                let step = 10.0_f64.powf(longest(context).log10().floor()) / 2.0;
+                let travel = self.opening.known().travel(slide).position;
+                (travel / step).round() * step
+            }
+            LoopUnknown::Length(_) | LoopUnknown::Direction(_) => f64::NAN,
+        }
+    }
+
+    /// The direction of a link between two of its points, where the scene says roughly that they are.
+    fn rough_angle(&self, context: &Context<'_>, link: LinkId) -> f64 {
+        let of = context.scene.mechanism.link(link);
+        let members = &of.members;
+        let apart = |a: PointId, b: PointId| {
+            let local = of.local(b)? - of.local(a)?;
+            (local.norm() > 0.0).then_some((a, b, local))
+        };
+        let own = of.ends.and_then(|(from, to)| apart(from, to));
+        let pair = own.or_else(|| {
+            let first = members.first()?.point;
+            members.iter().find_map(|member| apart(first, member.point))
+        });
+        let told = pair.and_then(|(a, b, local)| {
+            let between = self.rough(context, b) - self.rough(context, a);
+            let far = between.norm() > 0.1 * local.norm();
+            far.then(|| angle::degrees(between) - angle::degrees(local))
+        });
+        let exact = || self.opening.known().angle(link);
+        angle::wrapped(told.filter(|t| t.is_finite()).unwrap_or_else(exact))
+    }
+
+    fn rough(&self, context: &Context<'_>, point: PointId) -> Vec2 {
+        let start = context.scene.mechanism.start().iter();
+        let said = start
+            .filter(|(of, _)| *of == point)
+            .map(|&(_, at)| at)
+            .next();
+        said.unwrap_or_else(|| self.opening.known().position(point))
+    }
+}
+
+/// What is sought of the vector or link of a name, with how far its angle lies ahead of the link's.
+fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)>> {
+    let is_sought = |unknown: &(LoopUnknown, f64)| {
+        let mut stages = context.stages.iter().filter(|stage| stage.group.is_some());
+        stages.any(|stage| stage.unknowns.contains(&unknown.0))
+    };
+    let turning = |turns: Turns| match turns {
+        Turns::With(link, ahead) => Some((LoopUnknown::Angle(link), ahead)),
+        Turns::Never | Turns::Freely => None,
+    };
+    let of_side = |side: &Side| {
+        let travel = match side.shape {
+            SideShape::Slide(slide) => Some((LoopUnknown::Travel(slide), 0.0)),
+            SideShape::Link(_) | SideShape::Rigid(..) | SideShape::Free(..) => None,
+        };
+        [turning(side.turns), travel]
+    };
+    let of_link = |link: LinkId| {
+        [
+            turning(context.polygon.locks.turns(Body::Link(link), 0.0)),
+            None,
+        ]
+    };
+    let side = context.polygon.sides.iter().find(|side| side.name == name);
+    let mut links = context.scene.mechanism.link_ids();
+    let found = side.map(of_side).or_else(|| {
+        let link = links.find(|&link| context.scene.link_name(link) == name);
+        link.map(of_link)
+    })?;
+    Some(found.into_iter().flatten().filter(is_sought).collect())
+}
+
+/// What a guess is about, and its values: in degrees of the link, or in the scene's unit.
+fn meant(context: &Context<'_>, guess: &Guess) -> Result<(LoopUnknown, [f64; 2]), String> {
+    let Some(found) = sought_of(context, &guess.name) else {
+        let mend = did_you_mean(&guess.name, vectors(context));
+        let mend = mend.unwrap_or_else(|| words().sought_are(&sought_names(context)));
+        return Err(words().guess_of_nothing(&guess.name, &mend));
+    };
+    let fits = |(unknown, _): &(LoopUnknown, f64)| match guess.unit {
+        None => true,
+        Some(GuessUnit::Length(_)) => kind(*unknown) == SoughtKind::Length,
+        Some(GuessUnit::Degrees | GuessUnit::Radians) => kind(*unknown) == SoughtKind::Angle,
+    };
+    let fitting: Vec<_> = found.iter().copied().filter(fits).collect();
+    let unit = context.figures.unit;
+    let (unknown, ahead) = match (&fitting[..], found.is_empty()) {
+        (_, true) => return Err(words().not_sought(&guess.name, &sought_names(context))),
+        ([], false) => {
+            let is_angle = found.iter().any(|(u, _)| kind(*u) == SoughtKind::Angle);
+            let unit = if is_angle { "deg" } else { unit };
+            return Err(words().other_unit(&guess.name, unit));
+        }
+        ([one], _) => *one,
+        (_, false) => return Err(words().unit_missing(&guess.name, unit)),
+    };
+    let value = |value: f64| match guess.unit {
+        Some(GuessUnit::Radians) => value.to_degrees() - ahead,
+        Some(GuessUnit::Length(of)) => value * of.in_units_of(context.scene.unit),
+        Some(GuessUnit::Degrees) | None => value - ahead,
+    };
+    Ok((unknown, guess.between.map(value)))
+}
+
+/// The names of all vectors.
+fn vectors<'a>(context: &'a Context<'_>) -> impl Iterator<Item = &'a str> {
+    context.polygon.sides.iter().map(|side| side.name.as_str())
+}
+
+/// The vectors in which something is sought, by their names.
+fn sought_names(context: &Context<'_>) -> String {
+    let is_sought = |name: &&str| sought_of(context, name).is_some_and(|found| !found.is_empty());
+    let names: Vec<&str> = vectors(context).filter(is_sought).collect();
+    names.join(", ")
+}
+
+/// `θ3 = 30 deg, θ4 = 290 deg`.
+pub(super) fn told(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
+    let f = context.figures;
+    let one = |&(unknown, value): &(LoopUnknown, f64)| {
+        let unit = match kind(unknown) {
+            SoughtKind::Angle => "deg",
+            SoughtKind::Length => f.unit,
+        };
+        format!("{} = {} {unit}", name(context, unknown), f.angle(value))
+    };
+    values.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_guess_is_a_name_and_a_value_or_an_interval() {
+        let of = |text: &str| text.parse::<Guess>();
+        let guess = of("r3=20").unwrap();
+        assert_eq!(
+            (guess.name.as_str(), guess.between, guess.unit),
+            ("r3", [20.0; 2], None)
+        );
+        let guess = of("r3 = -0.5rad").unwrap();
+        assert_eq!(
+            (guess.between, guess.unit),
+            ([-0.5; 2], Some(GuessUnit::Radians))
+        );
+        let guess = of("r4=1e2..2.5e2mm").unwrap();
+        assert_eq!(guess.between, [100.0, 250.0]);
+        assert_eq!(guess.unit, Some(GuessUnit::Length(Unit::Millimetre)));
+        for wrong in [
+            "",
+            "r3",
+            "=20",
+            "r3=",
+            "r3=x",
+            "r3=20furlong",
+            "r3=nan",
+            "r3=1..",
+            "r3=inf",
+        ] {
+            assert_eq!(of(wrong), Err(GuessError), "{wrong}");
+        }
+    }
+}

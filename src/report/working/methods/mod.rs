@@ -1,0 +1,174 @@
+//! The working by a method of one's choice: the closed form, or by hand as in a lecture, every iteration told.
+
+mod bisection;
+mod construction;
+mod guess;
+mod newton;
+mod paper;
+mod problem;
+mod reduced;
+
+pub use guess::{Guess, GuessError};
+
+use super::draft::{Context, Draft};
+use super::stages::{ProblemForm, Stage};
+use super::{Working, opening};
+use crate::page::Page;
+use crate::scene::Scene;
+use crate::solver::{Solver, State};
+use crate::study::ErrorCurve;
+use crate::wording::words;
+use guess::Guesses;
+
+/// A way to fill the position table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionMethod {
+    /// The cosine theorem, or the quadratic of a guide.
+    Closed,
+    /// Newton and Raphson's method on the loop equations.
+    Newton,
+    /// Halving an interval of one unknown.
+    Bisection,
+    /// Compass and ruler.
+    Graphical,
+}
+
+/// The working by a method.
+#[derive(Clone, Debug)]
+pub struct WorkedMethod {
+    /// What is to be read.
+    pub page: Page,
+    /// The errors of every group that was iterated.
+    pub curves: Vec<ErrorCurve>,
+}
+
+impl Working {
+    /// The working of a state by a method, which begins where the guesses say.
+    ///
+    /// # Errors
+    /// In words, where a guess is none for this scene.
+    pub fn by(
+        &self,
+        method: PositionMethod,
+        (scene, solver, state): (&Scene, &Solver, &State),
+        guesses: &[Guess],
+        digits: usize,
+    ) -> Result<WorkedMethod, String> {
+        let context = self.context(scene, solver, state, digits);
+        let guesses = Guesses::new(&context, method, guesses)?;
+        if method == PositionMethod::Closed {
+            let page = self.of(scene, solver, state, digits).page;
+            return Ok(WorkedMethod::of(page));
+        }
+        let mut draft = Draft::default();
+        opening::heading(&context, &mut draft);
+        opening::polygons(&context, &mut draft);
+        draft.page.part(method.title());
+        draft.page.text(method.how());
+        Ok(method.work(&context, draft, &guesses))
+    }
+
+    /// What a method does at a state, without all that leads to it.
+    #[must_use]
+    pub fn watched(
+        &self,
+        method: PositionMethod,
+        (scene, solver, state): (&Scene, &Solver, &State),
+        digits: usize,
+    ) -> WorkedMethod {
+        let context = self.context(scene, solver, state, digits);
+        let mut draft = Draft::default();
+        draft.page.part(method.title());
+        match Guesses::new(&context, method, &[]) {
+            Ok(guesses) => method.work(&context, draft, &guesses),
+            Err(_) => WorkedMethod::of(draft.page),
+        }
+    }
+}
+
+impl WorkedMethod {
+    fn of(page: Page) -> WorkedMethod {
+        let curves = Vec::new();
+        WorkedMethod { page, curves }
+    }
+}
+
+impl PositionMethod {
+    /// The methods that are watched one after the other: the closed form has a view of its own.
+    pub const WATCHED: [PositionMethod; 3] = [
+        PositionMethod::Newton,
+        PositionMethod::Bisection,
+        PositionMethod::Graphical,
+    ];
+
+    /// What it is called.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            PositionMethod::Closed => words().closed_form(),
+            PositionMethod::Newton => words().newton_raphson(),
+            PositionMethod::Bisection => words().bisection_title(),
+            PositionMethod::Graphical => words().by_drawing(),
+        }
+    }
+
+    fn how(self) -> &'static str {
+        match self {
+            PositionMethod::Closed => words().closed_form_is(),
+            PositionMethod::Newton => words().newton_how(),
+            PositionMethod::Bisection => words().bisection_how(),
+            PositionMethod::Graphical => words().drawing_how(),
+        }
+    }
+
+    /// Group by group.
+    fn work(self, context: &Context<'_>, mut draft: Draft, guesses: &Guesses) -> WorkedMethod {
+        if self == PositionMethod::Graphical {
+            construction::construct(context, &mut draft);
+            return WorkedMethod::of(draft.page);
+        }
+        let mut curves = Vec::new();
+        for stage in sought(context) {
+            draft.page.section(heading(context, stage));
+            let errors = match self {
+                PositionMethod::Bisection => bisection::halve(context, &mut draft, stage, guesses),
+                _ => newton::iterate(context, &mut draft, stage, guesses),
+            };
+            let mark = mark(context, stage);
+            curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
+        }
+        if sought(context).next().is_none() {
+            draft.page.text(words().nothing_sought());
+        }
+        let page = draft.page;
+        WorkedMethod { page, curves }
+    }
+}
+
+/// The groups in which something is sought, in the order in which they are solved.
+fn sought<'a>(context: &Context<'a>) -> impl Iterator<Item = &'a Stage> + use<'a> {
+    let is_sought = |stage: &&Stage| {
+        stage.group.is_some()
+            && !matches!(stage.form, ProblemForm::Nothing)
+            && !stage.unknowns.is_empty()
+    };
+    context.stages.iter().filter(is_sought)
+}
+
+fn heading(context: &Context<'_>, stage: &Stage) -> String {
+    stage
+        .group
+        .map_or_else(String::new, |group| context.group_text(group))
+}
+
+/// What marks the errors of a group in a chart: its number, or where there is one group alone a star.
+fn mark(context: &Context<'_>, stage: &Stage) -> char {
+    if sought(context).count() == 1 {
+        return '*';
+    }
+    let number = stage.group.map_or(0, |group| group + 1);
+    let digit = u32::try_from(number)
+        .ok()
+        .and_then(|n| char::from_digit(n, 36));
+    digit.unwrap_or('#')
+}

@@ -1,0 +1,277 @@
+//! The table of Newton and Raphson's iterations.
+
+use super::super::draft::{Context, Draft};
+use super::super::equations::{Multiplier, in_figures, in_symbols};
+use super::super::place::pieces;
+use super::super::stages::Stage;
+use super::guess::{Guesses, told};
+use super::problem::{LoopProblem, kind};
+use crate::page::Head;
+use crate::report::error_text;
+use crate::solver::Condition;
+use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, SoughtKind};
+use crate::wording::words;
+
+/// Of more unknowns than this the values stand alone: residuals, steps and matrix are told by their sizes.
+const MOST_WHOLE: usize = 2;
+/// And of more than this a matrix is not read by anybody.
+const MOST_COLUMNS: usize = 6;
+
+/// In fewer steps no squares of errors are to be seen.
+const FEW: usize = 3;
+
+/// Iterates a group, and tells the errors if there is an assembly.
+pub(super) fn iterate(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    stage: &Stage,
+    guesses: &Guesses,
+) -> Option<Vec<f64>> {
+    let Some(problem) = LoopProblem::of(context, stage) else {
+        draft.page.text(words().not_without_groups_before());
+        return None;
+    };
+    if !problem.system.is_square() {
+        let (equations, unknowns) = (2 * problem.system.loops.len(), problem.names.len());
+        draft.page.text(words().not_square(equations, unknowns));
+        return None;
+    }
+    let start = stage.unknowns.iter().map(|&u| (u, guesses.one(context, u)));
+    let start: Vec<_> = start.collect();
+    let guess: Vec<f64> = start.iter().map(|&(u, v)| inside(kind(u), v)).collect();
+    let trace = problem.system.newton(&guess, problem.right.as_deref());
+    let is_said = stage.unknowns.iter().any(|&u| guesses.said(u).is_some());
+    draft.page.text(match is_said {
+        true => words().begins_at_guess(&told(context, &start)),
+        false => words().begins_at_start(&told(context, &start)),
+    });
+    let table = IterationTable {
+        context,
+        problem: &problem,
+        trace: &trace,
+    };
+    table.equations(draft, stage);
+    if problem.names.len() <= MOST_WHOLE {
+        table.whole(draft);
+        table.matrices(draft);
+    } else {
+        table.sizes(draft);
+        table.first_matrix(draft);
+    }
+    draft.page.text(table.ends());
+    let errors = trace.iterations.iter().filter_map(|i| i.error);
+    let errors: Vec<f64> = errors.collect();
+    (!errors.is_empty()).then_some(errors)
+}
+
+/// Degrees, or the scene's unit, as the method counts.
+pub(super) fn inside(kind: SoughtKind, value: f64) -> f64 {
+    match kind {
+        SoughtKind::Angle => value.to_radians(),
+        SoughtKind::Length => value,
+    }
+}
+
+/// As people read it.
+fn outside(kind: SoughtKind, value: f64) -> f64 {
+    match kind {
+        SoughtKind::Angle => value.to_degrees(),
+        SoughtKind::Length => value,
+    }
+}
+
+struct IterationTable<'a> {
+    context: &'a Context<'a>,
+    problem: &'a LoopProblem,
+    trace: &'a NewtonTrace,
+}
+
+impl IterationTable<'_> {
+    fn unit(&self, place: usize) -> &'static str {
+        match self.problem.system.kinds[place] {
+            SoughtKind::Angle => "deg",
+            SoughtKind::Length => self.context.figures.unit,
+        }
+    }
+
+    /// `fx` and `fy`; with several loops `f1x`, `f1y`, `f2x`.
+    fn functions(&self) -> Vec<String> {
+        let loops = self.problem.system.loops.len();
+        let of = |number: usize| {
+            let number = if loops == 1 {
+                String::new()
+            } else {
+                (number + 1).to_string()
+            };
+            ["x", "y"].map(|axis| format!("f{number}{axis}"))
+        };
+        (0..loops).flat_map(of).collect()
+    }
+
+    fn equations(&self, draft: &mut Draft, stage: &Stage) {
+        let mut functions = self.functions().into_iter();
+        for &number in &stage.loops {
+            let members = self
+                .context
+                .members(&self.context.polygon.loops[number], stage);
+            for axis in [Multiplier::X, Multiplier::Y] {
+                let pieces = pieces(&members, &axis, self.context.figures);
+                let symbols = in_symbols(&pieces);
+                let figures = in_figures(&pieces, self.context.figures);
+                draft
+                    .page
+                    .equation([functions.next().unwrap_or_default(), symbols, figures]);
+            }
+        }
+    }
+
+    fn values(&self, of: &[f64]) -> Vec<String> {
+        let kinds = self.problem.system.kinds.iter();
+        let f = self.context.figures;
+        let values = kinds.zip(of).map(|(&kind, &v)| f.number(outside(kind, v)));
+        values.collect()
+    }
+
+    /// What is smaller than the rounding of the longest length is nought.
+    fn residual(&self, value: f64) -> String {
+        small(value, self.problem.system.longest)
+    }
+
+    fn steps(&self, of: &NewtonIteration) -> Vec<String> {
+        let kinds = self.problem.system.kinds.iter();
+        match &of.step {
+            None => kinds.map(|_| "-".to_owned()).collect(),
+            Some(step) => kinds
+                .zip(step)
+                .map(|(&kind, &d)| small(outside(kind, d), 0.0))
+                .collect(),
+        }
+    }
+
+    fn whole(&self, draft: &mut Draft) {
+        let head = |name: String, unit: &str| Head {
+            name,
+            unit: unit.to_owned(),
+        };
+        let names = || self.problem.names.iter().enumerate();
+        let unit = self.context.figures.unit;
+        let values = names().map(|(i, name)| head(name.clone(), self.unit(i)));
+        let mut heads: Vec<Head> = values.collect();
+        heads.extend(self.functions().into_iter().map(|f| head(f, unit)));
+        heads.extend(names().map(|(i, name)| head(format!("d{name}"), self.unit(i))));
+        heads.push(head(words().error_of_iteration().into(), ""));
+        let row = |(k, i): (usize, &NewtonIteration)| {
+            let mut row = vec![k.to_string()];
+            row.extend(self.values(&i.values));
+            row.extend(i.residuals.iter().map(|&f| self.residual(f)));
+            row.extend(self.steps(i));
+            row.push(i.error.map_or_else(|| "-".into(), error_text));
+            row
+        };
+        let rows = self.trace.iterations.iter().enumerate().map(row);
+        draft.table_of_units("k", heads, rows.collect());
+    }
+
+    /// The matrix of every iteration in a line, in the scene's unit and per rad.
+    fn matrices(&self, draft: &mut Draft) {
+        draft
+            .page
+            .text(words().jacobians(self.context.figures.unit));
+        let mut head = vec!["k".to_owned()];
+        for function in self.functions() {
+            let names = self.problem.names.iter();
+            head.extend(names.map(|name| format!("d{function}/d{name}")));
+        }
+        head.push("det J".into());
+        let row = |(k, i): (usize, &NewtonIteration)| {
+            let size = i.jacobian.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let f = self.context.figures;
+            let mut row = vec![k.to_string()];
+            row.extend(i.jacobian.iter().map(|&v| f.beside(v, size)));
+            row.push(f.beside(i.determinant, size * size));
+            row
+        };
+        let rows = self.trace.iterations.iter().enumerate().map(row);
+        draft.wide_table(head, rows.collect());
+    }
+
+    /// Many unknowns: their values, and how large all else is.
+    fn sizes(&self, draft: &mut Draft) {
+        let unit = self.context.figures.unit;
+        let mut head = vec!["k".to_owned()];
+        head.extend([format!("|f| [{unit}]"), words().largest_step().into()]);
+        head.push(words().error_of_iteration().into());
+        let names = self.problem.names.iter().enumerate();
+        head.extend(names.map(|(i, name)| format!("{name} [{}]", self.unit(i))));
+        let row = |(k, i): (usize, &NewtonIteration)| {
+            let largest = i
+                .residuals
+                .iter()
+                .fold(0.0_f64, |most, f| most.max(f.abs()));
+            let step = i
+                .step
+                .as_deref()
+                .map(|step| self.problem.system.largest(step));
+            let mut row = vec![k.to_string(), self.residual(largest)];
+            row.extend([step, i.error].map(|v| v.map_or_else(|| "-".into(), error_text)));
+            row.extend(self.values(&i.values));
+            row
+        };
+        let rows = self.trace.iterations.iter().enumerate().map(row);
+        draft.wide_table(head, rows.collect());
+    }
+
+    fn first_matrix(&self, draft: &mut Draft) {
+        let (n, f) = (self.problem.names.len(), self.context.figures);
+        if n > MOST_COLUMNS {
+            draft.page.text(words().jacobian_too_large(n));
+            return;
+        }
+        let Some(first) = self.trace.iterations.first() else {
+            return;
+        };
+        draft.page.text(words().first_jacobian(f.unit));
+        let head = std::iter::once("J".to_owned()).chain(self.problem.names.iter().cloned());
+        let rows = first
+            .jacobian
+            .chunks(n)
+            .zip(self.functions())
+            .map(|(row, name)| {
+                let size = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+                let cells = row.iter().map(|&v| f.beside(v, size));
+                std::iter::once(name).chain(cells).collect()
+            });
+        draft.wide_table(head.collect(), rows.collect());
+    }
+
+    /// What has become of the guess.
+    fn ends(&self) -> String {
+        let steps = self.trace.iterations.len().saturating_sub(1);
+        let is_dead = self.context.state.condition() == Condition::DeadPoint;
+        match self.trace.outcome {
+            NewtonOutcome::Found if steps < FEW => words().newton_found(steps),
+            NewtonOutcome::Found => {
+                let found = words().newton_found(steps);
+                format!("{found} {}", words().errors_are_squared())
+            }
+            NewtonOutcome::OtherAssembly if self.problem.right.is_none() => {
+                words().newton_closes(steps)
+            }
+            NewtonOutcome::OtherAssembly => words().newton_other(steps),
+            NewtonOutcome::Diverged => words().newton_diverged(steps),
+            NewtonOutcome::Singular(_) => words().newton_singular(steps),
+            NewtonOutcome::Unsettled if is_dead => words().newton_at_dead_point(steps),
+            NewtonOutcome::Unsettled => words().newton_unsettled(steps),
+        }
+    }
+}
+
+/// A figure that goes to nought: two digits and an exponent tell more of it than a row of noughts.
+fn small(value: f64, size: f64) -> String {
+    let is_nothing = value.abs() <= 4.0 * f64::EPSILON * size;
+    match value.abs() {
+        _ if is_nothing || value == 0.0 => "0".into(),
+        0.1..1e5 => format!("{value:.4}"),
+        _ => format!("{value:.1e}"),
+    }
+}

@@ -1,0 +1,104 @@
+//! A drawing on paper: its scale, and what can be read off it.
+
+use super::super::draft::Context;
+use crate::Vec2;
+use crate::scene::Unit;
+
+/// What a line of a pencil, the compass and the eye together are off, in mm on paper.
+const BLUR: f64 = 0.2;
+/// An A4 sheet without its borders, in mm.
+const SHEET: [f64; 2] = [250.0, 170.0];
+/// Scales are these times a power of ten.
+const STEPS: [f64; 3] = [1.0, 2.0, 5.0];
+
+/// A sheet with its scale.
+pub(super) struct Sheet {
+    /// So many mm are one on paper.
+    reduced: f64,
+    /// The scene's unit in mm.
+    unit: f64,
+}
+
+impl Sheet {
+    /// The largest usual scale at which all points lie on the sheet.
+    pub(super) fn of(context: &Context<'_>) -> Sheet {
+        let unit = context.scene.unit.in_units_of(Unit::Millimetre);
+        let points = context.scene.mechanism.point_ids();
+        let places = points.map(|point| context.state.position(point));
+        let (mut low, mut high) = (Vec2::new(f64::MAX, f64::MAX), Vec2::new(f64::MIN, f64::MIN));
+        for at in places.filter(|at| at.x.is_finite() && at.y.is_finite()) {
+            low = Vec2::new(low.x.min(at.x), low.y.min(at.y));
+            high = Vec2::new(high.x.max(at.x), high.y.max(at.y));
+        }
+        let sides = [high.x - low.x, high.y - low.y].map(|side| side * unit);
+        let [long, short] = if sides[0] >= sides[1] {
+            sides
+        } else {
+            [sides[1], sides[0]]
+        };
+        let needed = (long / SHEET[0]).max(short / SHEET[1]);
+        let scales = (-9..=12).flat_map(|power| STEPS.map(|step| step * 10.0_f64.powi(power)));
+        let reduced = scales
+            .into_iter()
+            .find(|&scale| scale >= needed)
+            .unwrap_or(1.0);
+        Sheet { reduced, unit }
+    }
+
+    /// `1:5`, `2:1`.
+    pub(super) fn scale(&self) -> String {
+        if self.reduced >= 1.0 {
+            format!("1:{:.0}", self.reduced)
+        } else {
+            format!("{:.0}:1", self.reduced.recip())
+        }
+    }
+
+    /// What a length measures on paper, in mm to a tenth.
+    pub(super) fn length(&self, length: f64) -> String {
+        let length = length * self.unit / self.reduced;
+        format!("{:.1}", if length.abs() < 0.05 { 0.0 } else { length })
+    }
+
+    /// How well a place is known, in the scene's unit, where two lines cross at an angle of this sine.
+    pub(super) fn blur(&self, sine: f64) -> f64 {
+        BLUR * self.reduced / self.unit / sine.abs()
+    }
+}
+
+/// A figure with no more decimals than are known, and by how much it may be off.
+pub(super) fn read_off(value: f64, blur: f64) -> [String; 2] {
+    if !(blur.is_finite() && blur < 1e6) {
+        return ["-".into(), "-".into()];
+    }
+    let places = (-blur.log10()).ceil().clamp(0.0, 9.0) as usize;
+    [value, blur].map(|v| format!("{v:.places$}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_figure_has_the_decimals_that_can_be_read() {
+        assert_eq!(read_off(29.379_46, 0.38), ["29.4", "0.4"]);
+        assert_eq!(read_off(412.6, 2.1), ["413", "2"]);
+        assert_eq!(read_off(0.123_456, 0.004), ["0.123", "0.004"]);
+        assert_eq!(read_off(1.0, f64::INFINITY), ["-", "-"]);
+    }
+
+    #[test]
+    fn scales_are_told_as_on_drawings() {
+        let sheet = |reduced| Sheet {
+            reduced,
+            unit: 10.0,
+        };
+        assert_eq!(
+            [5.0, 0.5, 100.0].map(|r| sheet(r).scale()),
+            ["1:5", "2:1", "1:100"]
+        );
+        // 30 cm at 1:5.
+        assert_eq!(sheet(5.0).length(30.0), "60.0");
+        assert!((sheet(5.0).blur(0.5) - 0.2).abs() < 1e-12);
+    }
+}

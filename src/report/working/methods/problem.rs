@@ -1,0 +1,113 @@
+//! The equations of a group as numbers, and what is sought in them by its symbol.
+
+use super::super::draft::Context;
+use super::super::sides::{Side, SideShape, Turns};
+use super::super::stages::{LoopUnknown, Stage};
+use super::super::symbols;
+use crate::angle;
+use crate::study::{LoopSum, LoopSystem, SoughtKind, SoughtVector, VectorPart};
+
+/// What a group seeks in its loops.
+pub(super) struct LoopProblem {
+    pub(super) system: LoopSystem,
+    /// The symbols of what is sought.
+    pub(super) names: Vec<String>,
+    /// The solver's values, where there is an assembly.
+    pub(super) right: Option<Vec<f64>>,
+}
+
+impl LoopProblem {
+    /// `None` where it stands on what is not known.
+    pub(super) fn of(context: &Context<'_>, stage: &Stage) -> Option<LoopProblem> {
+        let kinds = stage.unknowns.iter().map(|unknown| kind(*unknown));
+        let system = LoopSystem {
+            loops: stage
+                .loops
+                .iter()
+                .map(|&number| sum(context, stage, number))
+                .collect::<Option<_>>()?,
+            kinds: kinds.collect(),
+            longest: longest(context),
+        };
+        let names = stage.unknowns.iter().map(|&u| name(context, u));
+        let right = stage.unknowns.iter().map(|&u| right(context, u));
+        Some(LoopProblem {
+            system,
+            names: names.collect(),
+            right: right
+                .collect::<Option<_>>()
+                .filter(|_| context.has_positions()),
+        })
+    }
+}
+
+pub(super) fn kind(unknown: LoopUnknown) -> SoughtKind {
+    match unknown {
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => SoughtKind::Angle,
+        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => SoughtKind::Length,
+    }
+}
+
+/// The symbol of what is sought.
+pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
+    let side = |side: usize| context.polygon.sides.get(side);
+    match unknown {
+        LoopUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
+        LoopUnknown::Travel(slide) => context.scene.slide_name(slide).to_owned(),
+        LoopUnknown::Length(of) => side(of).map_or_else(String::new, |side| side.name.clone()),
+        LoopUnknown::Direction(of) => side(of).map_or_else(String::new, Side::theta),
+    }
+}
+
+/// The solver's value: in rad, or in the scene's unit.
+fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
+    match unknown {
+        LoopUnknown::Angle(link) => Some(angle::radians(context.state.angle(link))),
+        LoopUnknown::Travel(slide) => {
+            let is_it = |side: &Side| side.shape == SideShape::Slide(slide);
+            let place = context.polygon.sides.iter().position(is_it)?;
+            context.readings.get(place).map(|reading| reading.r)
+        }
+        LoopUnknown::Length(_) | LoopUnknown::Direction(_) => None,
+    }
+}
+
+/// The longest side in this state.
+pub(super) fn longest(context: &Context<'_>) -> f64 {
+    let sides = context.readings.iter().map(|reading| reading.r.abs());
+    sides
+        .filter(|r| r.is_finite())
+        .fold(f64::MIN_POSITIVE, f64::max)
+}
+
+fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {
+    let place = |unknown| stage.unknowns.iter().position(|&u| u == unknown);
+    let mut sum = LoopSum::default();
+    for member in context.members(&context.polygon.loops[number], stage) {
+        let sign = if member.reversed { -1.0 } else { 1.0 };
+        let length = match (member.sought[0], member.side.shape) {
+            (false, _) => VectorPart::Known(member.reading.r),
+            (true, SideShape::Slide(slide)) => {
+                VectorPart::Sought(place(LoopUnknown::Travel(slide))?, 0.0)
+            }
+            (true, _) => return None,
+        };
+        let angle = match (member.sought[1], member.side.turns) {
+            (false, _) => VectorPart::Known(angle::radians(member.reading.theta)),
+            (true, Turns::With(link, offset)) => {
+                VectorPart::Sought(place(LoopUnknown::Angle(link))?, angle::radians(offset))
+            }
+            (true, _) => return None,
+        };
+        if member.sought == [false, false] {
+            sum.known += member.reading.vector() * sign;
+        } else {
+            sum.sought.push(SoughtVector {
+                sign,
+                length,
+                angle,
+            });
+        }
+    }
+    Some(sum)
+}

@@ -1,0 +1,287 @@
+//! A loop of two unknowns as one equation of one: the other is removed by the squared length of its arm.
+
+use super::super::draft::{Context, Draft};
+use super::super::expression::Expression;
+use super::super::figures::Figures;
+use super::super::polygon::Term;
+use super::super::sides::{SideShape, Turns};
+use super::super::solution::{DyadArm, Solution};
+use super::super::stages::{LoopUnknown, ProblemForm, Stage};
+use crate::study::{SoughtKind, half_turn};
+use crate::wording::words;
+use crate::{Vec2, angle};
+
+/// One equation f(x) = 0 with a root on either side of x = `middle`, no further away than `reach`; x in degrees, or
+/// in the scene's unit.
+pub(super) struct ReducedLoop<'a> {
+    pub(super) symbol: String,
+    pub(super) unknown: LoopUnknown,
+    pub(super) kind: SoughtKind,
+    /// What x is when what is sought is 0.
+    pub(super) ahead: f64,
+    pub(super) middle: f64,
+    pub(super) reach: f64,
+    /// x of the assembly, where there is one.
+    pub(super) right: Option<f64>,
+    way: ReducedWay<'a>,
+}
+
+/// An arm along the guide itself has its root at its full length: the interval goes beyond that.
+const BEYOND: f64 = 1.5;
+
+enum ReducedWay<'a> {
+    /// |m - a u(x)|^2 - b^2, with the angle of b.
+    Turn {
+        m: Vec2,
+        a: DyadArm<'a>,
+        b: DyadArm<'a>,
+    },
+    /// |K + x u|^2 - a^2 along a guide of known direction, with the angle of a.
+    Along {
+        known: Vec2,
+        u: Vec2,
+        arm: DyadArm<'a>,
+    },
+    /// (x + t)^2 + e^2 - m^2 along a guide that turns with x, with its angle.
+    Reach {
+        m: Vec2,
+        sign: f64,
+        t: f64,
+        e: f64,
+        theta: String,
+    },
+}
+
+impl ReducedLoop<'_> {
+    /// f at x.
+    pub(super) fn value(&self, x: f64) -> f64 {
+        match &self.way {
+            ReducedWay::Turn { m, a, b } => {
+                (*m - angle::unit(x + a.ahead) * a.value).norm2() - b.value * b.value
+            }
+            ReducedWay::Along { known, u, arm } => {
+                (*known + *u * x).norm2() - arm.value * arm.value
+            }
+            ReducedWay::Reach { m, sign, t, e, .. } => {
+                (sign * x + t) * (sign * x + t) + e * e - m.norm2()
+            }
+        }
+    }
+
+    /// What follows once x is known: an angle by its symbol, in degrees.
+    pub(super) fn follows(&self, x: f64) -> (&str, f64) {
+        match &self.way {
+            ReducedWay::Turn { m, a, b } => {
+                let rest = *m - angle::unit(x + a.ahead) * a.value;
+                (&b.theta, angle::wrapped(angle::degrees(rest) - b.ahead))
+            }
+            ReducedWay::Along { known, u, arm } => {
+                let rest = -(*known + *u * x);
+                (&arm.theta, angle::wrapped(angle::degrees(rest) - arm.ahead))
+            }
+            ReducedWay::Reach {
+                m,
+                sign,
+                t,
+                e,
+                theta,
+            } => {
+                let own = Vec2::new(sign * x + t, *e);
+                (
+                    theta,
+                    angle::wrapped(angle::degrees(*m) - angle::degrees(own)),
+                )
+            }
+        }
+    }
+
+    /// Whether x lies on the same side of the middle as another one.
+    pub(super) fn is_beside(&self, x: f64, other: f64) -> bool {
+        self.off(x) * self.off(other) > 0.0
+    }
+
+    /// How far x is from the assembly: in rad, or in parts of the longest length.
+    pub(super) fn error(&self, x: f64, longest: f64) -> Option<f64> {
+        let off = x - self.right?;
+        Some(match self.kind {
+            SoughtKind::Angle => half_turn(off.to_radians()).abs(),
+            SoughtKind::Length => off.abs() / longest,
+        })
+    }
+
+    /// How far x is from the middle, an angle within half a turn.
+    fn off(&self, x: f64) -> f64 {
+        match self.kind {
+            SoughtKind::Angle => half_turn((x - self.middle).to_radians()).to_degrees(),
+            SoughtKind::Length => x - self.middle,
+        }
+    }
+
+    /// The interval on the side where another value is, or on the one above the middle.
+    pub(super) fn interval(&self, beside: Option<f64>) -> [f64; 2] {
+        let from = match self.kind {
+            // Signed: half a turn behind it lies below 360.
+            SoughtKind::Angle => half_turn(self.middle.to_radians()).to_degrees(),
+            SoughtKind::Length => self.middle,
+        };
+        if beside.is_some_and(|x| self.off(x) < 0.0) {
+            [from - self.reach, from]
+        } else {
+            [from, from + self.reach]
+        }
+    }
+}
+
+impl<'a> Solution<'a> {
+    /// The loop as one equation, written; `None` where it has no such form.
+    pub(super) fn reduced(&self, draft: &mut Draft, stage: &Stage) -> Option<ReducedLoop<'a>> {
+        match &stage.form {
+            ProblemForm::Triangle(a, b) => self.reduced_turn(draft, a, b),
+            ProblemForm::Quadratic(arm, slide) => self.reduced_along(draft, arm, *slide),
+            ProblemForm::Swing(arm, slide) => self.reduced_reach(draft, arm, *slide),
+            ProblemForm::Nothing
+            | ProblemForm::Guides(..)
+            | ProblemForm::Sum(_)
+            | ProblemForm::System => None,
+        }
+    }
+
+    fn reduced_turn(&self, draft: &mut Draft, a: &[Term], b: &[Term]) -> Option<ReducedLoop<'a>> {
+        let f = self.figures;
+        let [first, second] = self.in_order(a, b);
+        let [p, x, q] = self.joints(&first, &second);
+        let (link, ahead) = turning(self.context, &first)?;
+        let (one, two) = (self.arm(&first), self.arm(&second));
+        draft.page.text(words().with_m_between(p, q, x));
+        let _ = self.write_m(draft);
+        let at = match one.ahead {
+            0.0 => one.theta.clone(),
+            more => format!("{} + {}", one.theta, f.angle(more)),
+        };
+        let part = |m: &str, function: &str| format!("({m} - {} {function}({at}))^2", one.length);
+        let symbols = format!(
+            "{} + {} - {}^2",
+            part("mx", "cos"),
+            part("my", "sin"),
+            two.length
+        );
+        draft.page.equation([format!("f({})", one.theta), symbols]);
+        let m = -self.known;
+        Some(ReducedLoop {
+            symbol: one.theta.clone(),
+            unknown: LoopUnknown::Angle(link),
+            kind: SoughtKind::Angle,
+            ahead: if first.len() == 1 { ahead } else { 0.0 },
+            middle: angle::wrapped(angle::degrees(m) - one.ahead),
+            reach: angle::TURN / 2.0,
+            right: self.context.has_positions().then_some(one.solved),
+            way: ReducedWay::Turn { m, a: one, b: two },
+        })
+    }
+
+    fn reduced_along(
+        &self,
+        draft: &mut Draft,
+        arm: &[Term],
+        slide: Term,
+    ) -> Option<ReducedLoop<'a>> {
+        let member = self.member(slide);
+        let SideShape::Slide(id) = member.side.shape else {
+            return None;
+        };
+        let arm = self.arm(arm);
+        let name = &member.side.name;
+        let theta = member.side.theta();
+        let plus = if slide.reversed { "-" } else { "+" };
+        let size = self.known.norm().max(arm.value);
+        draft.page.text(words().known_sides_are_k());
+        self.write_known(draft, size);
+        let part = |k: &str, function: &str| format!("({k} {plus} {name} {function}({theta}))^2");
+        let symbols = format!(
+            "{} + {} - {}^2",
+            part("Kx", "cos"),
+            part("Ky", "sin"),
+            arm.length
+        );
+        draft.page.equation([format!("f({name})"), symbols]);
+        let u = member.reading.u * if slide.reversed { -1.0 } else { 1.0 };
+        Some(ReducedLoop {
+            symbol: name.clone(),
+            unknown: LoopUnknown::Travel(id),
+            kind: SoughtKind::Length,
+            ahead: 0.0,
+            middle: -self.known.dot(u),
+            reach: BEYOND * arm.value,
+            right: self.context.has_positions().then_some(member.reading.r),
+            way: ReducedWay::Along {
+                known: self.known,
+                u,
+                arm,
+            },
+        })
+    }
+
+    fn reduced_reach(
+        &self,
+        draft: &mut Draft,
+        arm: &[Term],
+        slide: Term,
+    ) -> Option<ReducedLoop<'a>> {
+        let (f, member) = (self.figures, self.member(slide));
+        let SideShape::Slide(id) = member.side.shape else {
+            return None;
+        };
+        let [mx, my] = self.write_m(draft);
+        let size = self.write_length(draft, "m", [&mx, &my]);
+        let [t, e] = self.beside_guide(arm, slide, size);
+        let sign = if slide.reversed { -1.0 } else { 1.0 };
+        let name = &member.side.name;
+        let written = |symbol, v: f64| Expression::known(symbol, f.beside(v, size), v);
+        let mut along =
+            Expression::known(name.as_str(), name.clone(), f64::NAN).minus_if(slide.reversed);
+        if t != 0.0 || e != 0.0 {
+            let [t, e] = [t, e].map(|v| f.beside(v, size));
+            draft.page.text(words().others_turn_with(name, &t, &e));
+            along = along + written("t", 0.0);
+        }
+        let square = along.squared();
+        let square = match e {
+            0.0 => square,
+            e => square + written("e", e).squared(),
+        };
+        let whole = square - written("m", size).squared();
+        draft.page.equation([format!("f({name})"), whole.symbols()]);
+        Some(ReducedLoop {
+            symbol: name.clone(),
+            unknown: LoopUnknown::Travel(id),
+            kind: SoughtKind::Length,
+            ahead: 0.0,
+            middle: -sign * t,
+            reach: BEYOND * size,
+            right: self.context.has_positions().then_some(member.reading.r),
+            way: ReducedWay::Reach {
+                m: -self.known,
+                sign,
+                t,
+                e,
+                theta: member.side.theta(),
+            },
+        })
+    }
+}
+
+/// The link with which the sides of an arm turn, and how far the first lies ahead of it.
+fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> {
+    match context.polygon.sides.get(arm.first()?.side)?.turns {
+        Turns::With(link, ahead) => Some((link, ahead)),
+        Turns::Never | Turns::Freely => None,
+    }
+}
+
+/// A value as it is written: an angle within a turn, or a length.
+pub(super) fn figure(figures: Figures, kind: SoughtKind, value: f64) -> String {
+    match kind {
+        SoughtKind::Angle => format!("{} deg", figures.direction(value)),
+        SoughtKind::Length => format!("{} {}", figures.number(value), figures.unit),
+    }
+}

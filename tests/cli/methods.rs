@@ -1,0 +1,257 @@
+//! `explain --method`: iterations, halvings and a drawing, and what is said of a guess that is none.
+
+use super::{command, done, folder, krank, refused, run};
+
+/// The table below its head, as cells.
+fn table(text: &str, head: &str) -> Vec<Vec<String>> {
+    let lines = text
+        .lines()
+        .skip_while(|line| !line.trim_start().starts_with(head));
+    let rows = lines.skip(1).take_while(|line| !line.trim().is_empty());
+    rows.map(|row| row.split_whitespace().map(str::to_owned).collect())
+        .collect()
+}
+
+/// The values were worked out apart from krank, by Cramer's rule on the two equations written out, in Python.
+#[test]
+fn newtons_table_of_the_lectures_four_bar_is_right_line_by_line() {
+    let text = done(&[
+        "explain",
+        "four-bar",
+        "--method",
+        "newton",
+        "--guess",
+        "r3=20,r4=280",
+    ]);
+    let expected = [
+        "0 20.0000 280.000 -24.6802 -56.9934 10.0538 9.9335 1.9e-1",
+        "1 30.0538 289.934 -5.1010 1.8242 -0.6701 0.8152 1.4e-2",
+        "2 29.3837 290.749 -2.7e-2 1.4e-2 -4.3e-3 3.8e-3 7.4e-5",
+        "3 29.3794 290.753 -9.2e-7 1.1e-7 -8.3e-8 1.7e-7 3.0e-9",
+    ];
+    let rows = table(&text, "k  theta3");
+    assert_eq!(rows.len(), 5, "{text}");
+    for (row, expected) in rows.iter().zip(expected) {
+        assert_eq!(row.join(" "), expected);
+    }
+    assert_eq!(rows[4][..5].join(" "), "4 29.3794 290.753 0 0");
+    let determinants = table(&text, "k   dfx/dtheta3");
+    assert_eq!(determinants[0][5], "-73860.6");
+    assert!(
+        text.contains("It converges in 4 steps, to the assembly that is meant."),
+        "{text}"
+    );
+    assert!(text.contains("\nerror over iteration\n"), "{text}");
+}
+
+#[test]
+fn what_becomes_of_a_bad_guess_is_named() {
+    for (guess, end) in [
+        ("r3=-60,r4=40", "to another assembly"),
+        ("r3=20,r4=200", "It ends after 0 steps: J is singular there"),
+        ("r3=20,r4=20", "It ends after 0 steps: J is singular there"),
+        ("r3=20,r4=199.99", "It diverges: after 1 step "),
+    ] {
+        let text = done(&[
+            "explain", "four-bar", "--method", "newton", "--guess", guess,
+        ]);
+        assert!(text.contains(end), "{guess}: {text}");
+    }
+    // At a dead point each step halves the error, and no more.
+    let check = done(&["check", "double-rocker", "--format", "json"]);
+    let place = super::json(&check)["dead_points"][0].as_f64().unwrap();
+    let at = place.to_string();
+    let text = done(&[
+        "explain",
+        "double-rocker",
+        "--method",
+        "newton",
+        "--at",
+        &at,
+    ]);
+    assert!(text.contains("at a dead point J is singular at"), "{text}");
+}
+
+/// f(theta3) = (350 - 300 cos)^2 + (-86.6025 - 300 sin)^2 - 250^2 at the middles, worked out in Python.
+#[test]
+fn halvings_keep_the_half_in_which_the_sign_changes() {
+    let guess = ["explain", "four-bar", "--method", "bisection", "--guess"];
+    let text = done(&[&guess[..], &["r3=0..90"]].concat());
+    let rows = table(&text, "k  a");
+    let expected = [
+        "0 0 90.0000 45.0000 45749.9 2.7e-1",
+        "1 0 45.0000 22.5000 -16629.9 1.2e-1",
+        "2 22.5000 45.0000 33.7500 11759.7 7.6e-2",
+        "3 22.5000 33.7500 28.1250 -3208.97 2.2e-2",
+    ];
+    for (row, expected) in rows.iter().zip(expected) {
+        assert_eq!(row.join(" "), expected);
+    }
+    assert!(
+        text.contains("theta3 = 29.3794 deg\n  theta4 = 290.753 deg\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("This root is the assembly that is meant."),
+        "{text}"
+    );
+    let other = done(&[&guess[..], &["r3=-90..0"]].concat());
+    assert!(
+        other.contains("This root is the other assembly."),
+        "{other}"
+    );
+    let none = done(&[&guess[..], &["r3=40..90"]].concat());
+    assert!(none.contains("f has the same sign at both ends"), "{none}");
+}
+
+#[test]
+fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
+    let text = done(&["explain", "four-bar", "--method", "graphical"]);
+    for piece in [
+        "an A4 sheet at 1:2.",
+        "Draw a circle about B with r3 = 300.000 mm (150.0 mm on paper).",
+        "Draw a circle about D with r4 = 250.000 mm (125.0 mm on paper).",
+    ] {
+        assert!(text.contains(piece), "{piece}: {text}");
+    }
+    // Crossing of the circles by the cosine theorem, m^2 = 130000: 180 - beta - gamma = 81.37 deg.
+    assert!(
+        text.contains("They cross at 81.4 deg, so that C is known to 0.4 mm."),
+        "{text}"
+    );
+    let read = table(&text, "sought");
+    assert_eq!(read[0][..2], ["theta3", "deg"]);
+    assert_eq!(read[0].last().unwrap(), "29.3794");
+}
+
+#[test]
+fn groups_that_seek_more_at_once_say_why_not() {
+    for (method, why) in [
+        ("bisection", "Not by bisection: it seeks 4 unknowns at once"),
+        (
+            "graphical",
+            "Not by compass and ruler: it seeks 4 unknowns at once",
+        ),
+        ("newton", "It converges in"),
+    ] {
+        let text = done(&["explain", "stephenson-six-bar", "--method", method]);
+        assert!(text.contains(why), "{text}");
+    }
+}
+
+#[test]
+fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
+    let of = |scene: &str, method: &str, guess: &str| {
+        refused(2, &["explain", scene, "--method", method, "--guess", guess])
+    };
+    for (scene, method, guess, told) in [
+        ("four-bar", "newton", "q3=20", "no vector is named `q3`"),
+        (
+            "four-bar",
+            "newton",
+            "r2=20",
+            "`r2` is given, or goes with the driver; sought are r3, r4",
+        ),
+        (
+            "four-bar",
+            "newton",
+            "r3=20mm",
+            "of `r3` the deg are sought",
+        ),
+        (
+            "four-bar",
+            "newton",
+            "r3=0..90",
+            "r3=FROM..TO is for bisection",
+        ),
+        ("four-bar", "newton", "r3=1,r3=2", "given twice"),
+        ("four-bar", "newton", "r3", "write NAME=VALUE"),
+        (
+            "four-bar",
+            "closed",
+            "r3=20",
+            "--method newton and bisection begin at a guess",
+        ),
+        (
+            "slotted-lever",
+            "newton",
+            "r3=20",
+            "both length and angle are sought",
+        ),
+    ] {
+        let err = of(scene, method, guess);
+        assert!(err.contains(told), "{guess}: {err}");
+    }
+    let args = [
+        "explain",
+        "slotted-lever",
+        "--method",
+        "newton",
+        "--guess",
+        "r3=20cm,r4=80",
+    ];
+    let text = done(&args);
+    assert!(
+        text.contains("From the guess theta4 = 80 deg, r3 = 200 mm:")
+            || text.contains("From the guess r3 = 200 mm, theta4 = 80 deg:"),
+        "{text}"
+    );
+}
+
+/// Every preset by every method: no line is too long, none is empty at its end, and the closed form is as it was.
+#[test]
+fn every_preset_is_worked_by_every_method() {
+    for name in super::presets() {
+        for method in ["newton", "bisection", "graphical"] {
+            let text = done(&["explain", &name, "--method", method]);
+            assert!(text.is_ascii(), "{name} {method}");
+            assert!(
+                text.lines().all(|l| l.len() <= 80 && l.trim_end() == l),
+                "{name} {method}: {text}"
+            );
+        }
+        assert_eq!(
+            done(&["explain", &name, "--method", "closed"]),
+            done(&["explain", &name])
+        );
+    }
+}
+
+#[test]
+fn outside_the_motion_nothing_is_found_and_the_code_is_1() {
+    for method in ["newton", "bisection", "graphical"] {
+        let heard = krank(&[
+            "explain",
+            "double-rocker",
+            "--method",
+            method,
+            "--at",
+            "200",
+        ]);
+        assert_eq!(heard.code, 1, "{method}");
+        assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
+        assert!(
+            !heard.out.contains("assembly that is meant"),
+            "{}",
+            heard.out
+        );
+    }
+}
+
+#[test]
+fn markdown_has_the_chart_between_fences() {
+    let file = folder("methods").join("newton.md");
+    let path = file.to_str().unwrap();
+    let mut args = command(&[
+        "explain", "four-bar", "--method", "newton", "--format", "markdown",
+    ]);
+    let heard = run(args.args(["--at", "200", "-o", path]));
+    assert_eq!((heard.code, heard.out.as_str()), (0, ""));
+    let written = std::fs::read_to_string(&file).unwrap();
+    assert!(written.contains("\n| k | theta3 \\[deg\\] |"), "{written}");
+    assert!(
+        written.contains("```text\nerror over iteration\n"),
+        "{written}"
+    );
+    assert_eq!(written.matches("```").count() % 2, 0);
+}
