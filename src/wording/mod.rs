@@ -38,6 +38,7 @@ pub(crate) trait Words:
     + PickingWords
     + PlotsWords
     + ReactionsWords
+    + ReportingWords
     + TerminalsWords
     + TourWords
     + ViewsWords
