@@ -131,9 +131,9 @@ impl VectorDiagram {
         };
         for arrow in &self.arrows {
             let ends = [arrow.from, arrow.to].map(|p| sheet.scale.place(p));
-            sheet.taken.extend((0..=8).map(|k| {
-                ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 8.0)
-            }));
+            sheet
+                .taken
+                .extend((0..=8).map(|k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 8.0)));
         }
         for arc in &self.arcs {
             sheet.arc(arc);
@@ -163,16 +163,36 @@ impl VectorDiagram {
                 role: Role::Label,
             });
         }
+        // Heads lie above the shafts of what follows.
+        for arrow in &self.arrows {
+            let (middle, to) = ((arrow.from + arrow.to) * 0.5, arrow.to);
+            figure.add(Shape::Arrow {
+                from: middle,
+                to,
+                role: Role::Velocity,
+                cut: false,
+            });
+        }
         let reach = Reach::by_hand(&self.places(), &[]);
         let (cols, most) = CHARACTERS;
         let of_rows = |rows| WorldView::fit(&reach, cols, rows, CELL_ASPECT);
-        let drawn = render(&figure, &WorldView::snug(most, of_rows), Glyphs::Ascii).text();
-        drawn.lines().map(|line| line.trim_end().to_owned()).collect()
+        let drawn = render(&figure, &WorldView::snug(most, of_rows), Glyphs::Ascii);
+        lines_drawn(&drawn.text())
     }
 
     fn places(&self) -> Vec<Vec2> {
         self.arrows.iter().flat_map(|a| [a.from, a.to]).collect()
     }
+}
+
+/// What was drawn in characters, without the blank lines before and behind it.
+pub(crate) fn lines_drawn(text: &str) -> Vec<String> {
+    let lines = text.lines().map(|line| line.trim_end().to_owned());
+    let mut lines: Vec<String> = lines.skip_while(String::is_empty).collect();
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    lines
 }
 
 /// From the plane to the sheet.
@@ -194,7 +214,11 @@ impl DiagramScale {
         let [low_y, high_y] = [f64::min, f64::max].map(|of| bound(of, |p| p.y));
         let room = SHEET - Vec2::new(2.0, 2.0) * MARGIN;
         let each = (room.x / (high_x - low_x)).min(room.y / (high_y - low_y));
-        let each = if each.is_finite() && each > 0.0 { each } else { 1.0 };
+        let each = if each.is_finite() && each > 0.0 {
+            each
+        } else {
+            1.0
+        };
         // In the middle of the sheet's width.
         let spare = (room.x / each - (high_x - low_x)) * 0.5;
         DiagramScale {
@@ -263,12 +287,15 @@ impl DiagramSheet {
             let (tip, before) = (on_ring(arc.to, ARC), on_ring(arc.to - 14.0, ARC));
             let back = (before - tip) / (before - tip).norm() * 5.0;
             let side = back.perp() * 0.5;
-            self.art.polyline([tip + back + side, tip, tip + back - side], "arc");
+            self.art
+                .polyline([tip + back + side, tip, tip + back - side], "arc");
         }
         self.taken.extend(ring);
         let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
-        let seats = shares.map(|share| on_ring(arc.to * share, ARC + ASIDE));
-        let seat = self.freest(seats.to_vec());
+        let seats = [1.0, 2.0]
+            .into_iter()
+            .flat_map(|out| shares.map(|share| on_ring(arc.to * share, ARC + out * ASIDE)));
+        let seat = self.freest(seats.collect());
         self.name(seat, "of-arc", &arc.name);
     }
 

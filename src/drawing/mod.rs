@@ -61,8 +61,10 @@ mod trace;
 mod trade_off;
 mod view;
 
+pub use crate::page::SvgGround;
 pub use blocks::Blocks;
 pub use bounds::Bounds;
+pub(crate) use diagram::lines_drawn;
 pub use diagram::{ArrowKind, DiagramArc, DiagramArrow, VectorDiagram};
 pub use effort::effort;
 pub use figure::{Figure, LINK_HUES, Role, Shape};
@@ -72,7 +74,6 @@ pub use labels::Labels;
 pub use legend::{LegendEntry, LegendPiece, legend_lines};
 pub use linkage::{Layers, linkage};
 pub use overlay::{Overlay, Wanted};
-pub use crate::page::SvgGround;
 pub use picture::{artwork, svg, svg_on};
 pub use plot::{Chart, Datum, DecadeAxis};
 pub use points::{moving_points, usual_arrows, usual_traces};

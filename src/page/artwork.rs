@@ -90,7 +90,11 @@ impl Artwork {
     /// A closed outline.
     pub(crate) fn polygon(&mut self, points: impl IntoIterator<Item = Vec2>, class: &str) {
         let corners: Vec<Vec2> = points.into_iter().filter(|p| p.is_finite()).collect();
-        let runs = if corners.is_empty() { vec![] } else { vec![corners] };
+        let runs = if corners.is_empty() {
+            vec![]
+        } else {
+            vec![corners]
+        };
         self.path(runs, true, class);
     }
 

@@ -36,8 +36,7 @@ figcaption{color:var(--quiet);font-size:.9rem;margin-top:.3rem}
 @media print{body{margin:0;padding:0;max-width:none;font-size:10.5pt}table,.eq{break-inside:avoid}\
 h2,h3{break-after:avoid}}
 ";
-const DARK: &str =
-    ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
+const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
 
 impl Page {
     /// The page as an HTML file.
@@ -130,8 +129,9 @@ fn columns(table: &Table) -> String {
     let heads = table.heads.iter().map(|head| marked_up(&head.whole()));
     let heads: String = heads.map(|head| format!("<th>{head}</th>")).collect();
     let title = marked_up(&table.title);
-    let mut text =
-        format!("<div class=\"sheet\"><table>\n<thead><tr><th>{title}</th>{heads}</tr></thead>\n<tbody>\n");
+    let mut text = format!(
+        "<div class=\"sheet\"><table>\n<thead><tr><th>{title}</th>{heads}</tr></thead>\n<tbody>\n"
+    );
     let count = table.heads.len();
     for row in &table.rows {
         let (mark, name) = row.label(true);
@@ -139,7 +139,10 @@ fn columns(table: &Table) -> String {
         let cells = match row {
             Row::Part(_) => "<td></td>".repeat(count),
             Row::Told { words, .. } => {
-                format!("<td class=\"told\" colspan=\"{count}\">{}</td>", marked_up(words))
+                format!(
+                    "<td class=\"told\" colspan=\"{count}\">{}</td>",
+                    marked_up(words)
+                )
             }
             Row::Figures { cells, .. } => {
                 let cells = (0..count).map(|k| cells.get(k).and_then(Option::as_ref));
@@ -177,7 +180,7 @@ fn formula(text: &str) -> String {
                     index => write!(out, "<sub>{}</sub>", marked_up(index)),
                 }
             }
-            MathPiece::Function(name) => write!(out, "{name}"),
+            MathPiece::Function(name) | MathPiece::Unit(name) => write!(out, "{name}"),
             MathPiece::Number(digits, None) => write!(out, "{digits}"),
             MathPiece::Number(digits, Some(power)) => {
                 let power = power.replace('-', "\u{2212}");

@@ -95,7 +95,8 @@ fn columns(table: &Table) -> String {
             Row::Told { words, .. } => texts.push(words.clone()),
             Row::Figures { cells, .. } => {
                 let text = |cell: &Option<super::Cell>| {
-                    cell.as_ref().map_or_else(String::new, |c| c.text.trim().to_owned())
+                    cell.as_ref()
+                        .map_or_else(String::new, |c| c.text.trim().to_owned())
                 };
                 texts.extend(cells.iter().map(text));
             }
@@ -187,6 +188,7 @@ fn one(piece: &MathPiece) -> String {
             "sin" | "cos" | "tan" => format!("\\{name} "),
             name => format!("\\operatorname{{{name}}}"),
         },
+        MathPiece::Unit(name) => format!("\\text{{{name}}}"),
         MathPiece::Number(digits, None) => digits.clone(),
         MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
         MathPiece::Power(raised) => format!("^{{{raised}}}"),
@@ -203,9 +205,9 @@ fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str
         matches!(piece, None | Some(MathPiece::Sign('+' | '-' | '=' | '·')))
     };
     let is_word = |piece: Option<&MathPiece>| {
-        matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
+        matches!(piece, Some(MathPiece::Unit(_)))
+            || matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
     };
-    // A word stands apart from what comes before a sign, too.
     if is_word(before) || is_word(behind) {
         "\\ "
     } else if is_sign(before) || is_sign(behind) {
@@ -279,7 +281,10 @@ mod tests {
             formula("-r2 ω2^2 cos(θ2)"),
             "-r_{\\text{2}}\\,\\omega _{\\text{2}}^{2}\\,\\cos (\\theta _{\\text{2}})"
         );
-        assert_eq!(formula("sqrt(m^2 + (2)) mm"), "\\sqrt{m^{2} + (2)}\\ \\text{mm}");
+        assert_eq!(
+            formula("sqrt(m^2 + (2)) mm"),
+            "\\sqrt{m^{2} + (2)}\\ \\text{mm}"
+        );
         assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
         assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");
     }

@@ -7,6 +7,8 @@ pub(super) enum MathPiece {
     Symbol(String, String, usize),
     /// `cos`.
     Function(String),
+    /// A unit of one letter, which is no symbol: the `s` of `mm/s`.
+    Unit(String),
     /// A number, and the power of ten behind it.
     Number(String, Option<String>),
     /// What is raised: `2`.
@@ -54,13 +56,27 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
                 None => (name, 0),
             };
             i += length(&name) + [0, 4, 6][order];
-            pieces.push(named(&name, order));
+            pieces.push(match is_unit(&name, &pieces) {
+                true => MathPiece::Unit(name),
+                false => named(&name, order),
+            });
         } else {
             i += 1;
             pieces.push(MathPiece::Sign(c));
         }
     }
     pieces
+}
+
+/// Whether a letter stands where a unit does: `mm/s`, `5 N`, `5 N m`.
+fn is_unit(name: &str, before: &[MathPiece]) -> bool {
+    let is_newton = |piece: &MathPiece| *piece == MathPiece::Unit("N".into());
+    match (name, before) {
+        ("s", [.., MathPiece::Sign('/')]) => true,
+        ("N", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
+        ("m", [.., newton, MathPiece::Blank]) => is_newton(newton),
+        _ => false,
+    }
 }
 
 /// `e-14` behind a number.
@@ -176,6 +192,10 @@ mod tests {
             pieces("d2r4/dt2 r4"),
             [symbol("r", "4", 2), Blank, symbol("r", "4", 0)]
         );
+        let unit = |name: &str| MathPiece::Unit(name.into());
+        assert_eq!(pieces("mm/s")[2], unit("s"));
+        assert_eq!(pieces("2 N m")[2..], [unit("N"), Blank, unit("m")]);
+        assert_eq!(pieces("2 m r3")[2], symbol("m", "", 0));
         assert_eq!(pieces("dist")[0], symbol("dist", "", 0));
     }
 }

@@ -178,7 +178,10 @@ mod tests {
             dark: ".a{fill:#fff}\n",
         };
         let light = sheet.scoped("art", false);
-        assert!(light.contains("\n.art .a,.art path.b{fill:none}\n"), "{light}");
+        assert!(
+            light.contains("\n.art .a,.art path.b{fill:none}\n"),
+            "{light}"
+        );
         assert!(light.contains(".art text{font:13px"), "{light}");
         assert!(sheet.scoped("art", true).ends_with(".art .a{fill:#fff}\n"));
     }

@@ -117,7 +117,12 @@ fn mixed(digits: &str) -> String {
         let digits = digits.get(2 * k..2 * k + 2).unwrap_or("00");
         u8::from_str_radix(digits, 16).unwrap_or(0)
     };
-    format!("{{rgb,255:red,{};green,{};blue,{}}}", part(0), part(1), part(2))
+    format!(
+        "{{rgb,255:red,{};green,{};blue,{}}}",
+        part(0),
+        part(1),
+        part(2)
+    )
 }
 
 fn place(at: Vec2) -> String {

@@ -48,16 +48,16 @@ pub use difference::Pairing;
 pub use errors::Missing;
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
-pub use paper::Report;
 pub use motor::{MotorReport, MotorWishes, RamReport};
+pub use paper::{Report, ReportFormat};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use verdict::{Verdict, VerdictPart};
 pub use working::{
-    Agreement, LoopVector, LoopVectors, Notation, PointMotion, PointParts, VectorFigure, Worked, Working,
-    WorkingPart,
+    Agreement, LoopVector, LoopVectors, PointMotion, PointParts, VectorFigure, Worked, Working,
+    WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
 pub(crate) use {forces_page::missed, number::shortest, number::upwards};

@@ -3,6 +3,7 @@
 mod figures;
 mod motor;
 mod pictures;
+mod report;
 mod workbench;
 
 pub(super) use figures::{
@@ -10,6 +11,7 @@ pub(super) use figures::{
 };
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
+pub(super) use report::ReportArgs;
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
@@ -58,6 +60,8 @@ pub(super) enum Command {
     Table(TableArgs),
     #[command(about = words().does_explain(), after_help = words().examples_of_explain())]
     Explain(ExplainArgs),
+    #[command(about = words().does_report(), after_help = words().examples_of_report())]
+    Report(ReportArgs),
     #[command(about = words().does_draw(), after_help = words().examples_of_draw())]
     Draw(DrawArgs),
     #[command(about = words().does_sweep(), after_help = words().examples_of_sweep())]

@@ -60,13 +60,7 @@ impl Plot {
 
     /// The same as a picture for a page.
     #[must_use]
-    pub fn artwork(
-        &self,
-        title: &str,
-        size: Vec2,
-        extrema: bool,
-        here: Option<&Here>,
-    ) -> Artwork {
+    pub fn artwork(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> Artwork {
         let mut sheet = PaperSheet {
             plot: self,
             art: Artwork::new(size, title, SHEET),

@@ -1,6 +1,6 @@
 //! Vectors to scale: the polygon of each loop, and velocities and accelerations from one pole.
 
-use super::{Subject, picture};
+use super::{ReportedState, picture};
 use crate::Vec2;
 use crate::angle;
 use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
@@ -16,7 +16,7 @@ const MOST_IN_PARTS: usize = 8;
 /// A smaller part of the longest vector is rounding, or too short to be seen.
 const SEEN: f64 = 1e-3;
 
-impl Subject<'_> {
+impl ReportedState<'_> {
     /// The polygon that the vectors of each loop close.
     pub(super) fn polygons(&self, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
@@ -38,13 +38,16 @@ impl Subject<'_> {
         if motions.is_empty() {
             return;
         }
-        page.section(words().points_to_scale());
+        page.heading(words().points_to_scale());
         self.table_of_points(&motions, page);
         for (order, unit, captions) in [
             (
                 Order::Velocity,
                 format!("{}/s", self.scene.unit.symbol()),
-                [words().velocities_of_joints(), words().velocities_of_centres()],
+                [
+                    words().velocities_of_joints(),
+                    words().velocities_of_centres(),
+                ],
             ),
             (
                 Order::Acceleration,
@@ -56,8 +59,10 @@ impl Subject<'_> {
             ),
         ] {
             for (is_centre, caption) in [false, true].into_iter().zip(captions) {
-                let of: Vec<&PointMotion> =
-                    motions.iter().filter(|m| m.is_centre == is_centre).collect();
+                let of: Vec<&PointMotion> = motions
+                    .iter()
+                    .filter(|m| m.is_centre == is_centre)
+                    .collect();
                 let diagram = from_pole(&of, order, &unit);
                 if !diagram.is_empty() {
                     show(page, &diagram, caption.to_owned());
@@ -188,4 +193,60 @@ fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagra
         }
     }
     diagram
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::ArtElement;
+    use crate::report::Working;
+    use crate::scene::{Scene, presets};
+    use crate::solver::Solver;
+
+    /// The vectors of a polygon as they are drawn, in their order.
+    fn drawn(diagram: &VectorDiagram) -> Vec<Vec2> {
+        let art = diagram.artwork("loop");
+        let of = |element: &ArtElement| match element {
+            ArtElement::Path { runs, class, .. }
+                if ["given", "driven", "sought"].contains(&class.as_str()) =>
+            {
+                Some(runs[0][1] - runs[0][0])
+            }
+            _ => None,
+        };
+        let all = art.elements().iter().filter_map(of);
+        all.take(diagram.arrows.len()).collect()
+    }
+
+    #[test]
+    fn polygons_close_wherever_a_preset_stands() {
+        let mut closed = 0;
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let working = Working::new(&scene, &solver);
+            let mut state = solver.state();
+            let (low, high) = solver.motion().range.ends();
+            for k in 0..=4 {
+                let at = low + (high - low) * f64::from(k) / 4.0;
+                let _ = solver.solve(at, Order::Acceleration, &mut state);
+                for of in working.loop_vectors(&scene, &solver, &state, 6) {
+                    let diagram = polygon(&of, "mm").unwrap();
+                    let drawn = drawn(&diagram);
+                    let terms = of.vectors.iter().zip(drawn);
+                    let sum = terms.fold(Vec2::ZERO, |sum, (vector, line)| {
+                        sum + if vector.is_reversed { -line } else { line }
+                    });
+                    assert!(
+                        sum.norm() < 1.0,
+                        "{} at {at}: {} {sum:?}",
+                        preset.name,
+                        of.sum
+                    );
+                    closed += 1;
+                }
+            }
+        }
+        assert!(closed > 150, "{closed}");
+    }
 }

@@ -1,6 +1,6 @@
 //! The linkage as it stands, and with the forces that act.
 
-use super::{Subject, picture};
+use super::{ReportedState, picture};
 use crate::drawing::{
     self, Glyphs, Labels, Layers, Overlay, Wanted, WorldView, legend_lines, render,
 };
@@ -14,7 +14,7 @@ const PAPER: (u16, u16) = (84, 44);
 const CHARACTERS: (u16, u16) = (76, 26);
 const ASPECT: f64 = 2.0;
 
-impl Subject<'_> {
+impl ReportedState<'_> {
     /// The linkage in its state.
     pub(super) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
@@ -47,7 +47,7 @@ impl Subject<'_> {
         let mut figure = drawing::linkage(self.scene, &self.reach, self.state, layers);
         overlay.add_to(&mut figure, self.scene, self.solver, self.state, 1.0);
         let view = |(cols, most): (u16, u16)| {
-            let of_rows = |rows| WorldView::along(reach, self.state.at(), cols, rows, ASPECT);
+            let of_rows = |rows| WorldView::pose(reach, self.state.at(), cols, rows, ASPECT);
             WorldView::snug(most, of_rows)
         };
         let on_paper = view(PAPER);
@@ -56,8 +56,7 @@ impl Subject<'_> {
         let artwork = drawing::artwork(&figure, &on_paper, &caption, &legend, labels);
         let in_cells = view(CHARACTERS);
         let drawn = render(&figure, &in_cells, Glyphs::Ascii).text();
-        let mut characters: Vec<String> =
-            drawn.lines().map(|line| line.trim_end().to_owned()).collect();
+        let mut characters = drawing::lines_drawn(&drawn);
         let legend = overlay.legend(&in_cells, 1.0);
         let width = usize::from(in_cells.cols());
         for line in legend_lines(&legend, Glyphs::Ascii, width, 2) {

@@ -1,12 +1,12 @@
 //! Tables with a column per vector, as the lecture has them: empty, and then filled.
 
-use super::Subject;
+use super::ReportedState;
 use crate::page::{Cell, Page, Row, Table};
 use crate::report::working::{LoopVectors, VectorFigure};
 use crate::solver::Order;
 use crate::wording::words;
 
-impl Subject<'_> {
+impl ReportedState<'_> {
     /// The tables of an order before anything is found.
     pub(super) fn asked(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());

@@ -5,11 +5,14 @@
 
 mod diagrams;
 mod drawings;
+mod format;
 mod loop_tables;
 mod plots;
 
+pub use format::ReportFormat;
+
 use super::check::Check;
-use super::working::{LoopVectors, Notation, Worked, Working, WorkingPart};
+use super::working::{LoopVectors, Worked, Working, WorkingNotation, WorkingPart};
 use crate::drawing::Reach;
 use crate::page::{Block, Content, Illustration, Page};
 use crate::scene::Scene;
@@ -24,7 +27,7 @@ pub struct Report {
 }
 
 /// What a report is written from.
-struct Subject<'a> {
+struct ReportedState<'a> {
     scene: &'a Scene,
     solver: &'a Solver,
     state: &'a State,
@@ -40,7 +43,7 @@ impl Report {
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
         let working = Working::new(scene, solver);
-        let subject = Subject {
+        let reported = ReportedState {
             loops: working.loop_vectors(scene, solver, state, digits),
             reach: Reach::of(scene, solver),
             working,
@@ -50,12 +53,12 @@ impl Report {
             digits,
         };
         Report {
-            page: subject.page(),
+            page: reported.page(),
         }
     }
 }
 
-impl Subject<'_> {
+impl ReportedState<'_> {
     fn has_positions(&self) -> bool {
         self.state.condition() != Condition::NoAssembly
     }
@@ -72,7 +75,7 @@ impl Subject<'_> {
             self.solver,
             self.state,
             self.digits,
-            Notation::Lecture,
+            WorkingNotation::Lecture,
         );
         let mut written = std::mem::take(&mut page.blocks).into_iter();
         let begins = parts.iter().map(|(_, begin)| *begin);
@@ -104,9 +107,9 @@ impl Subject<'_> {
                 page.blocks.extend(blocks.next());
                 self.asked(Order::Position, page);
             }
-            WorkingPart::PositionTable
-            | WorkingPart::Equations
-            | WorkingPart::Check => page.blocks.extend(blocks),
+            WorkingPart::PositionTable | WorkingPart::Equations | WorkingPart::Check => {
+                page.blocks.extend(blocks)
+            }
             WorkingPart::Positions => {
                 page.blocks.extend(blocks);
                 self.told(Order::Position, page);
@@ -161,8 +164,8 @@ fn definitions(page: &mut Page) {
     ] {
         page.equation(sides);
     }
-    page.equation(["μ(α)·μ(β)", "ν(α)·ν(β)", "cos(α - β)"]);
-    page.equation(["μ(α)·ν(β)", "sin(α - β)"]);
+    page.equation(["μ(a)·μ(b)", "ν(a)·ν(b)", "cos(a - b)"]);
+    page.equation(["μ(a)·ν(b)", "sin(a - b)"]);
 }
 
 /// A picture behind what leads to it.

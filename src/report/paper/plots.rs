@@ -1,13 +1,11 @@
 //! Positions and rates of every vector over the whole motion.
 
-use super::{Subject, picture};
+use super::{ReportedState, picture};
 use crate::Vec2;
-use crate::drawing::Glyphs;
 use crate::drawing::plot::{Plot, PlotStyle};
+use crate::drawing::{Glyphs, lines_drawn};
 use crate::page::{Illustration, Page};
-use crate::quantity::{
-    Abscissa, Aspect, Catalogue, Curves, Quantity, Subject as QuantitySubject,
-};
+use crate::quantity::{Abscissa, Aspect, Catalogue, Curves, Quantity, Subject};
 use crate::scene::VectorKind;
 use crate::wording::words;
 use std::sync::Arc;
@@ -19,7 +17,7 @@ const COLUMNS: u16 = 76;
 const ROWS: u16 = 22;
 const ASPECT: f64 = 2.0;
 
-impl Subject<'_> {
+impl ReportedState<'_> {
     /// A plot for positions, velocities and accelerations each; of many vectors several.
     pub(super) fn plots(&self, page: &mut Page) {
         page.part(words().plots_part());
@@ -50,8 +48,7 @@ impl Subject<'_> {
             }
         };
         let vectors = self.scene.vectors.iter().map(|vector| vector.kind);
-        let subjects: Vec<QuantitySubject> =
-            vectors.filter(moves).map(QuantitySubject::from).collect();
+        let subjects: Vec<Subject> = vectors.filter(moves).map(Subject::from).collect();
         let all = catalogue.figures().into_iter();
         all.filter(|q| q.aspect == of && subjects.contains(&q.subject))
             .collect()
@@ -83,10 +80,7 @@ impl Subject<'_> {
             page,
             Illustration {
                 artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
-                characters: characters
-                    .lines()
-                    .map(|line| line.trim_end().to_owned())
-                    .collect(),
+                characters: lines_drawn(&characters),
                 caption,
             },
         );

@@ -13,7 +13,7 @@
 
 use super::figures::{Figures, WrittenSum, factor};
 use super::sides::{Side, SideReading, Turns};
-use super::symbols::{self, Notation};
+use super::symbols::{self, WorkingNotation};
 use crate::Vec2;
 use crate::solver::Order;
 
@@ -111,7 +111,7 @@ impl Multiplier {
     }
 
     /// The unit vector in words.
-    pub(super) fn name(&self, notation: Notation) -> String {
+    pub(super) fn name(&self, notation: WorkingNotation) -> String {
         match self {
             Multiplier::X => "x".into(),
             Multiplier::Y => "y".into(),

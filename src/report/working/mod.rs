@@ -32,7 +32,7 @@ mod vectors;
 
 pub use draft::Agreement;
 pub use point_parts::{PointMotion, PointParts};
-pub use symbols::Notation;
+pub use symbols::WorkingNotation;
 pub use vectors::{LoopVector, LoopVectors, VectorFigure};
 
 use crate::page::Page;
@@ -126,7 +126,7 @@ impl Working {
     /// significant digits.
     #[must_use]
     pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
-        self.written(scene, solver, state, digits, Notation::Krank)
+        self.written(scene, solver, state, digits, WorkingNotation::Krank)
     }
 
     /// The same in a notation.
@@ -137,7 +137,7 @@ impl Working {
         solver: &Solver,
         state: &State,
         digits: usize,
-        notation: Notation,
+        notation: WorkingNotation,
     ) -> Worked {
         let mut context = self.context(scene, solver, state, digits);
         context.notation = notation;
@@ -176,7 +176,7 @@ impl Working {
                 digits,
                 unit: scene.unit.symbol(),
             },
-            notation: Notation::Krank,
+            notation: WorkingNotation::Krank,
             readings: Vec::new(),
             fastest: [0.0; 2],
         };

@@ -50,7 +50,11 @@ impl Working {
         let places = places(&context);
         let moving = mechanism.point_ids().filter_map(|point| {
             let name = scene.point_name(point)?;
-            mechanism.point(point).ground.is_none().then_some((point, name))
+            mechanism
+                .point(point)
+                .ground
+                .is_none()
+                .then_some((point, name))
         });
         let motion = |(point, name): (PointId, &str)| PointMotion {
             symbols: ["v", "a"].map(|figure| of_point(figure, name)),

@@ -2,7 +2,7 @@
 
 /// How unit vectors are called.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Notation {
+pub enum WorkingNotation {
     /// u along an angle, and n at right angles to it.
     #[default]
     Krank,
@@ -10,20 +10,20 @@ pub enum Notation {
     Lecture,
 }
 
-impl Notation {
+impl WorkingNotation {
     /// The unit vector along an angle.
     pub(super) fn along(self, theta: &str) -> String {
         match self {
-            Notation::Krank => format!("u({theta})"),
-            Notation::Lecture => format!("μ({theta})"),
+            WorkingNotation::Krank => format!("u({theta})"),
+            WorkingNotation::Lecture => format!("μ({theta})"),
         }
     }
 
     /// The unit vector at right angles to it, to its left.
     pub(super) fn across(self, theta: &str) -> String {
         match self {
-            Notation::Krank => format!("n({theta})"),
-            Notation::Lecture => format!("ν({theta})"),
+            WorkingNotation::Krank => format!("n({theta})"),
+            WorkingNotation::Lecture => format!("ν({theta})"),
         }
     }
 }

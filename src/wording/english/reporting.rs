@@ -16,7 +16,7 @@ catalogue! {
         polygon_of_loop(number: usize, sum: &str) =
             "Loop {number}: the vector polygon {sum} = 0, to scale; angles stand at the tails.";
         loop_number(number: usize) = "loop {number}";
-        tables_asked = "Given, and with a mark of question what is sought:";
+        tables_asked = "Given, and with a question mark what is sought:";
         tables_told = "Given, and behind their symbols the figures that were found:";
 
         // Velocities and accelerations of points.
@@ -39,8 +39,27 @@ catalogue! {
         plotted_are(what: &str, names: &str) = "{what}: {names}.";
         facts_part = "The mechanism";
 
+        // On the command line.
+        does_report = "Write a report to hand in: drawing, polygons, tables, working and plots of one angle";
+        format_of_report = "How to write it [default: by the file's ending, or html]";
+        format_html = "One HTML file with its pictures inside, for a browser and for paper";
+        format_latex = "LaTeX for a plain TeX Live, its pictures in TikZ";
+        examples_of_report = "\
+Examples:
+  krank report four-bar --at 60 -o four-bar.html
+  krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
+  krank report press --format markdown
+
+The drawing; the vector polygon of every loop to scale; position, velocity and
+acceleration tables with a column per vector, empty (theta3 = ?) and then
+filled; the working of `krank explain` with the unit vectors mu and nu of the
+lectures; velocities and accelerations of joints and centres of mass from one
+pole, to scale; forces where anything acts; plots over the whole motion; and
+what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
+
         // In the workbench.
         report = "report";
+        too_many_links_to_report = "too many links to report on here: krank report does it";
         write_a_report = "write a report";
         the_report = "the report";
     }
