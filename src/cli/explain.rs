@@ -33,7 +33,9 @@ pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Fail
             .render(cols, rows, Glyphs::Ascii)
             .text();
         page.part(words().errors_by_iteration());
-        page.add(Content::Picture(chart.lines().map(str::to_owned).collect()));
+        page.add(Content::Characters(
+            chart.lines().map(str::to_owned).collect(),
+        ));
     }
     let text = match args.format {
         TextFormat::Text => page.to_text(TextStyle::plain(screen.ascii)),

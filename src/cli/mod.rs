@@ -23,6 +23,7 @@ mod progress;
 #[cfg(not(feature = "tui"))]
 #[path = "no_progress.rs"]
 mod progress;
+mod report;
 mod screen;
 mod source;
 mod sweep;
@@ -104,6 +105,7 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Explain(args)) => explain::explain(args, screen),
+        Some(Command::Report(args)) => report::report(args, screen),
         Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),

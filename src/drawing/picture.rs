@@ -9,9 +9,9 @@ use super::legend::LegendEntry;
 use super::pattern;
 use super::raster::Raster;
 use super::render::{Glyphs, draw_order, render_into};
-use super::svg::{Svg, SvgGround, SvgStyle, TextAnchor};
 use super::view::WorldView;
 use crate::Vec2;
+use crate::page::{Artwork, StyleSheet, SvgGround, TextAnchor};
 use std::borrow::Cow;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -34,7 +34,7 @@ const SPRING: f64 = 7.0;
 
 /// Paper, ink, and the hues of the workbench's palettes for a light and a dark ground; roles are told by
 /// dashes, weights and heads too.
-const STYLE: SvgStyle = SvgStyle {
+const STYLE: StyleSheet = StyleSheet {
     light: "\
 .link,.driver{stroke-width:6}
 .plate{stroke:none;fill-opacity:.14}
@@ -113,6 +113,18 @@ pub fn svg_on(
     legend: &[LegendEntry],
     labels: &mut Labels,
 ) -> String {
+    artwork(figure, view, title, legend, labels).svg(ground)
+}
+
+/// The same as a picture for a page.
+#[must_use]
+pub fn artwork(
+    figure: &Figure,
+    view: &WorldView,
+    title: &str,
+    legend: &[LegendEntry],
+    labels: &mut Labels,
+) -> Artwork {
     let cell = Vec2::new(COLUMN, COLUMN * view.aspect());
     let size = Vec2::new(
         f64::from(view.cols()) * cell.x,
@@ -123,20 +135,20 @@ pub fn svg_on(
     let mut picture = Picture {
         view,
         cell,
-        svg: Svg::new(whole, title, STYLE),
+        art: Artwork::new(whole, title, STYLE),
     };
     for shape in draw_order(figure) {
         picture.shape(shape);
     }
     picture.names(figure, labels);
     picture.legend(legend, size);
-    picture.svg.finish(ground)
+    picture.art
 }
 
 struct Picture<'a> {
     view: &'a WorldView,
     cell: Vec2,
-    svg: Svg,
+    art: Artwork,
 }
 
 impl Picture<'_> {
@@ -150,25 +162,25 @@ impl Picture<'_> {
         match *shape {
             Shape::Line { from, to, role } => {
                 let ends = [from, to].map(|p| self.place(p));
-                self.svg.polyline(ends, &class(role));
+                self.art.polyline(ends, &class(role));
             }
             Shape::Outline { ref corners, role } => {
                 let corners: Vec<Vec2> = corners.iter().map(|&c| self.place(c)).collect();
-                self.svg.polygon(corners, &class(role));
+                self.art.polygon(corners, &class(role));
             }
             Shape::Plate { ref corners, role } => {
                 let corners: Vec<Vec2> = corners.iter().map(|&c| self.place(c)).collect();
-                self.svg.polygon(corners, &class(role));
+                self.art.polygon(corners, &class(role));
             }
             Shape::Spring { from, to } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
-                self.svg.polyline(pattern::zigzag(a, b, SPRING), "spring");
+                self.art.polyline(pattern::zigzag(a, b, SPRING), "spring");
             }
             Shape::Barrel { from, to, .. } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
                 let across = unit(b - a).perp() * BARREL;
                 let corners = [a + across, b + across, b - across, a - across];
-                self.svg.polygon(corners, "barrel");
+                self.art.polygon(corners, "barrel");
             }
             Shape::Mark { at, role } => self.mark(at, role),
             Shape::Support { at } => self.support(at),
@@ -176,7 +188,7 @@ impl Picture<'_> {
                 let [a, b] = [from, to].map(|p| self.place(p));
                 let rail = unit(b - a).perp() * RAIL;
                 for rail in [rail, Vec2::ZERO - rail] {
-                    self.svg.polyline([a + rail, b + rail], &class(role));
+                    self.art.polyline([a + rail, b + rail], &class(role));
                 }
             }
             Shape::Hatching { from, to } => {
@@ -188,7 +200,7 @@ impl Picture<'_> {
             Shape::Block { at, along } => self.block(at, along),
             Shape::Trace { ref course } => {
                 let places: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
-                self.svg.polyline(fewer(&places), "trace");
+                self.art.polyline(fewer(&places), "trace");
             }
             Shape::Arrow {
                 from,
@@ -208,28 +220,28 @@ impl Picture<'_> {
         let at = self.place(at);
         match role {
             Role::DriverPin => {
-                self.svg.circle(at, PIN, "pin");
-                self.svg.circle(at, PIN - 3.0, "core");
+                self.art.circle(at, PIN, "pin");
+                self.art.circle(at, PIN - 3.0, "core");
             }
-            Role::Rider => self.svg.circle(at, PIN - 1.5, "rider"),
+            Role::Rider => self.art.circle(at, PIN - 1.5, "rider"),
             Role::CentreOfMass => {
-                self.svg.circle(at, PIN, "centre");
+                self.art.circle(at, PIN, "centre");
                 let arm = PIN * FRAC_1_SQRT_2;
                 for corner in [Vec2::new(arm, arm), Vec2::new(arm, -arm)] {
-                    self.svg.polyline([at - corner, at + corner], "cross");
+                    self.art.polyline([at - corner, at + corner], "cross");
                 }
             }
-            Role::Ground => self.svg.circle(at, 1.5, "rider"),
-            _ => self.svg.circle(at, PIN, "pin"),
+            Role::Ground => self.art.circle(at, 1.5, "rider"),
+            _ => self.art.circle(at, PIN, "pin"),
         }
     }
 
     fn support(&mut self, at: Vec2) {
         let apex = self.place(at);
         let [left, right] = [-SUPPORT * 0.7, SUPPORT * 0.7].map(|x| apex + Vec2::new(x, SUPPORT));
-        self.svg.polyline([left, apex, right], "ground");
+        self.art.polyline([left, apex, right], "ground");
         let [left, right] = [-SUPPORT, SUPPORT].map(|x| apex + Vec2::new(x, SUPPORT));
-        self.svg.polyline([left, right], "ground");
+        self.art.polyline([left, right], "ground");
         self.teeth(left, right);
     }
 
@@ -240,7 +252,7 @@ impl Picture<'_> {
         // User units count downwards, and so `perp` points to the right.
         let tooth = (unit.perp() - unit) * (TOOTH * FRAC_1_SQRT_2);
         // One that is far larger than the paper would have teeth without end.
-        let most = (self.svg.size().norm() * 4.0 / TOOTH).min(10_000.0);
+        let most = (self.art.size().norm() * 4.0 / TOOTH).min(10_000.0);
         let count = (along.norm() / TOOTH).min(most).floor();
         let places = std::iter::successors(Some(1.0), |k| Some(k + 1.0));
         let mut teeth = Vec::new();
@@ -248,14 +260,14 @@ impl Picture<'_> {
             let foot = a + unit * (k * TOOTH);
             teeth.extend([foot, foot + tooth, GAP]);
         }
-        self.svg.polyline(teeth, "ground");
+        self.art.polyline(teeth, "ground");
     }
 
     fn block(&mut self, at: Vec2, along: Vec2) {
         let at = self.place(at);
         let along = unit(Vec2::new(along.x, -along.y));
         let (x, y) = (along * BLOCK.x, along.perp() * BLOCK.y);
-        self.svg
+        self.art
             .polygon([at + x + y, at - x + y, at - x - y, at + x - y], "block");
     }
 
@@ -266,7 +278,7 @@ impl Picture<'_> {
         }
         let class = class(role);
         for &(begin, end) in arrow::pieces(cut) {
-            self.svg
+            self.art
                 .polyline([from + step * begin, from + step * end], &class);
         }
         let back = unit(step) * HEAD;
@@ -278,11 +290,11 @@ impl Picture<'_> {
         for &behind in heads {
             let tip = to - back * behind;
             let barbs = [tip - back + side, tip, tip - back - side];
-            self.svg.polyline(barbs, &format!("{class} head"));
+            self.art.polyline(barbs, &format!("{class} head"));
         }
         if role == Role::Force {
             let foot = to - back;
-            self.svg.polyline([foot + side, foot - side], &class);
+            self.art.polyline([foot + side, foot - side], &class);
         }
     }
 
@@ -296,11 +308,11 @@ impl Picture<'_> {
             at + Vec2::new(v.x * sense, -v.y)
         };
         let ring = (0..=27).map(|k| on_ring(45.0 + 10.0 * f64::from(k)));
-        self.svg.polyline(ring, "force");
+        self.art.polyline(ring, "force");
         let tip = on_ring(315.0);
         let back = unit(tip - on_ring(295.0)) * HEAD;
         let side = back.perp() * 0.4;
-        self.svg
+        self.art
             .polyline([tip - back + side, tip, tip - back - side], "force head");
     }
 
@@ -313,8 +325,8 @@ impl Picture<'_> {
             let away = Vec2::new(f64::from(col) - 0.5, f64::from(row) + 0.25);
             let away = Vec2::new(away.x * self.cell.x, away.y * self.cell.y);
             let at = self.place(point) + away;
-            self.svg.text(at, TextAnchor::Start, "halo", text);
-            self.svg.text(at, TextAnchor::Start, "name", text);
+            self.art.text(at, TextAnchor::Start, "halo", text);
+            self.art.text(at, TextAnchor::Start, "name", text);
         }
     }
 
@@ -327,7 +339,7 @@ impl Picture<'_> {
                 }
                 LegendEntry::Note(text) => (text.clone(), None),
             };
-            self.svg
+            self.art
                 .text(at + Vec2::new(0.0, 4.0), TextAnchor::Start, "name", &text);
             at.x += (text.chars().count() as f64 + 1.0) * COLUMN;
             if let Some((role, length)) = arrow {

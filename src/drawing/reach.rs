@@ -261,7 +261,6 @@ fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
     })
 }
 
-#[cfg(test)]
 impl Reach {
     /// A reach made by hand, of points that do not move and of one that comes by these over a turn.
     pub(super) fn by_hand(moving: &[Vec2], ground: &[Vec2]) -> Reach {

@@ -113,9 +113,16 @@ impl Content {
             }
             Content::Facts(facts) => facts.lines(names, width),
             Content::Table(table) => table.lines(names, room),
-            Content::Picture(lines) => {
+            Content::Characters(lines) => {
                 let lines = lines.iter().cloned();
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
+            }
+            Content::Picture(picture) => {
+                let caption = broken(&picture.caption, width).into_iter();
+                let caption = caption.map(|line| Line::of(TextRole::Body, line));
+                let drawn = picture.characters.iter();
+                let drawn = drawn.map(|line| Line::of(TextRole::Body, line.as_str()));
+                caption.chain(drawn).collect()
             }
         }
     }

@@ -22,7 +22,12 @@ impl Page {
                     format!("```text\n{}```\n", lines.collect::<String>())
                 }
                 Content::Table(table) => columns(table),
-                Content::Picture(lines) => format!("```text\n{}\n```\n", lines.join("\n")),
+                Content::Characters(lines) => format!("```text\n{}\n```\n", lines.join("\n")),
+                Content::Picture(picture) => {
+                    let drawn = picture.characters.join("\n");
+                    let caption = escaped(&picture.caption);
+                    format!("{caption}\n\n```text\n{drawn}\n```\n")
+                }
             });
         }
         parts.retain(|part| !part.is_empty());

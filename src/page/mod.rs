@@ -1,32 +1,47 @@
 //! A page: what is to be read, as data, before anybody knows how wide the reader's screen is.
 //!
 //! Reports fill pages. A page is written as plain text ([`Page::to_text`]), as Markdown
-//! ([`Page::to_markdown`]), or line by line for a screen ([`Page::lines`]), where every part of a line says
+//! ([`Page::to_markdown`]), as an HTML file ([`Page::to_html`]), as LaTeX ([`Page::to_latex`]), or line by line for a screen ([`Page::lines`]), where every part of a line says
 //! what it is by its [`TextRole`] and nothing about colours.
 //!
 //! Its strings are written with Greek letters, `·` for a product and `→` from point to point; a writer
 //! spells them out where they cannot be shown.
 
+mod artwork;
 mod columns;
 mod formula;
+mod html;
+mod latex;
 mod layout;
 mod line;
 mod markdown;
+mod math;
 mod spelled;
+mod style;
+mod svg;
 mod table;
 #[cfg(test)]
 mod tests;
 mod text;
+mod tikz;
 mod words;
 
+#[cfg(test)]
+pub(crate) use artwork::ArtElement;
+pub use artwork::Artwork;
+pub(crate) use artwork::TextAnchor;
 #[cfg(feature = "tui")]
 pub(crate) use columns::ColumnLayout;
 pub use line::{Line, Span, TextRole};
 pub use spelled::TextStyle;
+pub(crate) use style::StyleSheet;
+pub use svg::SvgGround;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
 #[cfg(feature = "tui")]
 pub(crate) use words::cut;
 pub(crate) use words::wrapped;
+
+use std::sync::Arc;
 
 /// Something to read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,7 +79,20 @@ pub enum Content {
     /// Figures in columns.
     Table(Table),
     /// A drawing in characters, line by line as it stands.
-    Picture(Vec<String>),
+    Characters(Vec<String>),
+    /// Something to look at.
+    Picture(Illustration),
+}
+
+/// A picture with what is said of it, and the same in characters for those who read text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Illustration {
+    /// The picture.
+    pub artwork: Arc<Artwork>,
+    /// What it shows.
+    pub caption: String,
+    /// The picture in characters, line by line.
+    pub characters: Vec<String>,
 }
 
 /// Names, and what is told of each.
@@ -177,6 +205,7 @@ impl Content {
             | Content::Facts(_)
             | Content::Equations(_)
             | Content::Table(_)
+            | Content::Characters(_)
             | Content::Picture(_) => false,
         }
     }

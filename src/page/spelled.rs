@@ -1,6 +1,6 @@
 //! Text as a terminal can show it.
 
-use super::{Block, Cell, Content, Equation, Facts, Head, Page, Row, Table};
+use super::{Block, Cell, Content, Equation, Facts, Head, Illustration, Page, Row, Table};
 use crate::document::sanitized;
 
 /// How a page is laid out.
@@ -52,7 +52,12 @@ impl Content {
                 let list = list.map(|(name, told)| (shown(name), all(told))).collect();
                 Content::Facts(Facts { list, ..*facts })
             }
-            Content::Picture(lines) => Content::Picture(lines.clone()),
+            Content::Characters(lines) => Content::Characters(lines.clone()),
+            Content::Picture(picture) => Content::Picture(Illustration {
+                artwork: picture.artwork.clone(),
+                caption: shown(&picture.caption),
+                characters: all(&picture.characters),
+            }),
             Content::Table(table) => Content::Table(Table {
                 title: shown(&table.title),
                 heads: table.heads.iter().map(|head| head.shown(shown)).collect(),
@@ -119,6 +124,8 @@ fn spelled(text: &str) -> String {
             'α' => out.push_str("alpha"),
             'β' => out.push_str("beta"),
             'γ' => out.push_str("gamma"),
+            'μ' => out.push_str("mu"),
+            'ν' => out.push_str("nu"),
             '·' => out.push('*'),
             '→' => out.push_str("->"),
             _ => out.push(c),

@@ -23,6 +23,7 @@ mod loop_facts;
 mod motor;
 mod motor_page;
 mod number;
+mod paper;
 mod rows;
 mod steps;
 mod sweep;
@@ -50,11 +51,15 @@ pub use errors::Missing;
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
+pub use paper::{Report, ReportFormat};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use verdict::{Verdict, VerdictPart};
-pub use working::{Agreement, Guess, GuessError, PositionMethod, Worked, WorkedMethod, Working};
+pub use working::{
+    Agreement, Guess, GuessError, LoopVector, LoopVectors, PointMotion, PointParts, PositionMethod,
+    VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
+};
 #[cfg(feature = "tui")]
 pub(crate) use {forces_page::missed, number::shortest, number::upwards};

@@ -393,9 +393,12 @@ impl App {
             Action::NextPart => self.go_to_part(true),
             Action::PreviousPart => self.go_to_part(false),
             Action::Search => self.search(),
-            Action::Copy | Action::Csv | Action::Picture | Action::Still | Action::Svg => {
-                return self.take_out(action);
-            }
+            Action::Copy
+            | Action::Csv
+            | Action::Picture
+            | Action::Still
+            | Action::Svg
+            | Action::Report => return self.take_out(action),
             Action::SaveAs => self.ask_where(),
             Action::Reload => self.reload(false),
             Action::Undo | Action::Redo => self.edit_history(action, now),

@@ -46,6 +46,7 @@ pub(crate) trait Words:
     + PlotsWords
     + ReactionsWords
     + ReadingWords
+    + ReportingWords
     + TerminalsWords
     + TourWords
     + ViewsWords

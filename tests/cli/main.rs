@@ -18,6 +18,7 @@ mod motor;
 mod pixels;
 mod plot;
 mod readme;
+mod report;
 mod scenes;
 mod streams;
 mod sweep;

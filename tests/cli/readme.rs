@@ -88,7 +88,8 @@ fn the_commands_of_the_readme_run() {
         let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
         // The rest opens the workbench, or measures for a while.
         if [
-            "list", "check", "table", "explain", "draw", "plot", "sweep", "start", "motor", "help",
+            "list", "check", "table", "explain", "report", "draw", "plot", "sweep", "start",
+            "motor", "help",
         ]
         .contains(&args[0])
         {
@@ -97,6 +98,6 @@ fn the_commands_of_the_readme_run() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 14);
+    assert_eq!(ran, 15);
     assert!(README.len() <= 15_000, "{} bytes", README.len());
 }

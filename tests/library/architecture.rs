@@ -1,6 +1,6 @@
 //! Who may import whom, what types are called, and where sentences stand, read from the sources themselves.
 //!
-//! The way of the data is scene -> mechanism -> solver -> quantity -> study -> drawing, report -> tui. `solver` knows
+//! The way of the data is scene -> mechanism -> solver -> quantity -> study -> drawing -> report -> tui. `solver` knows
 //! no file, no unit name and no terminal; nobody imports `tui` but the command line, and nobody
 //! imports the command line but `main`.
 
@@ -32,12 +32,12 @@ const PLACES: [(&str, u8); 24] = [
     ("quantity", 5),
     ("study", 6),
     ("drawing", 7),
-    ("report", 7),
-    ("capability", 8),
-    ("manual", 8),
-    ("tui", 9),
-    ("cli", 10),
-    ("main", 11),
+    ("report", 8),
+    ("capability", 9),
+    ("manual", 9),
+    ("tui", 10),
+    ("cli", 11),
+    ("main", 12),
 ];
 
 /// The rooms of the workbench in the same way. Those of the last place but one know each other: an action

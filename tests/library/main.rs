@@ -12,6 +12,7 @@ mod broken;
 mod harmless;
 mod presets;
 mod properties;
+mod report;
 mod sweeps;
 mod working;
 mod working_chains;

@@ -290,6 +290,32 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
     assert!(line.contains("there is no drawing in this view"), "{line}");
 }
 
+/// The ending of the name that is typed says how a report is written.
+#[test]
+fn a_report_is_written_as_its_name_ends() {
+    let here = folder("reports");
+    let mut session = four_bar(80, 24);
+    for (name, begins) in [
+        ("a.html", "<!DOCTYPE html>"),
+        ("a.tex", "\\documentclass"),
+        ("a.md", "# Four-bar"),
+        ("a.out", "<!DOCTYPE html>"),
+    ] {
+        let line = session.press("E").last_line();
+        assert!(line.contains("write to: four-bar-60.html"), "{line}");
+        let file = here.join(name);
+        session.press("Ctrl-U").type_in(file.to_str().unwrap());
+        let line = session.press("Enter").last_line();
+        assert!(line.contains("the report written to"), "{line}");
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.starts_with(begins), "{name}: {text}");
+        session.pass(20.0);
+    }
+    // Of the plots, too, it is the report on the linkage as it stands.
+    let line = session.press("3 E").last_line();
+    assert!(line.contains("write to: four-bar-60.html"), "{line}");
+}
+
 /// Of the plots the values at the cursor are copied, and all of them are written.
 #[test]
 fn what_is_plotted_is_taken_out() {

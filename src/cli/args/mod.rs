@@ -4,6 +4,7 @@ mod figures;
 mod language;
 mod motor;
 mod pictures;
+mod report;
 mod spreadsheet;
 mod workbench;
 
@@ -13,6 +14,7 @@ pub(super) use figures::{
 pub(super) use language::LanguageChoice;
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
+pub(super) use report::ReportArgs;
 pub(super) use spreadsheet::CsvArgs;
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
@@ -65,6 +67,8 @@ pub(super) enum Command {
     Table(TableArgs),
     #[command(about = words().does_explain(), after_help = words().examples_of_explain())]
     Explain(ExplainArgs),
+    #[command(about = words().does_report(), after_help = words().examples_of_report())]
+    Report(ReportArgs),
     #[command(about = words().does_draw(), after_help = words().examples_of_draw())]
     Draw(DrawArgs),
     #[command(about = words().does_sweep(), after_help = words().examples_of_sweep())]

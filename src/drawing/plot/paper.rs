@@ -4,7 +4,7 @@ use super::layout::CellScale;
 use super::ticks::{TickStyle, Ticks};
 use super::{Panel, Plot, PlotCurve};
 use crate::Vec2;
-use crate::drawing::svg::{Svg, SvgGround, SvgStyle, TextAnchor};
+use crate::page::{Artwork, StyleSheet, SvgGround, TextAnchor};
 use crate::quantity::Here;
 use crate::wording::words;
 
@@ -29,7 +29,7 @@ const HALF_TEXT: f64 = 4.5;
 /// Dashes repeat after so many curves.
 const DASHES: usize = 5;
 
-const SHEET: SvgStyle = SvgStyle {
+const SHEET: StyleSheet = StyleSheet {
     light: "\
 .axis{stroke-width:1}
 .grid{stroke:#bbb;stroke-width:.5}
@@ -55,9 +55,16 @@ impl Plot {
     /// The plot as an SVG document of a size in user units, with the cursor in a state.
     #[must_use]
     pub fn svg(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> String {
+        let art = self.artwork(title, size, extrema, here);
+        art.svg(SvgGround::Preferred)
+    }
+
+    /// The same as a picture for a page.
+    #[must_use]
+    pub fn artwork(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> Artwork {
         let mut sheet = PaperSheet {
             plot: self,
-            svg: Svg::new(size, title, SHEET),
+            art: Artwork::new(size, title, SHEET),
             extrema,
             here,
             x: CellScale::between(self.x.low, self.x.high, LEFT, size.x - RIGHT),
@@ -70,13 +77,13 @@ impl Plot {
             sheet.panel(panel, top, top + height);
         }
         sheet.foot(foot);
-        sheet.svg.finish(SvgGround::Preferred)
+        sheet.art
     }
 }
 
 struct PaperSheet<'a> {
     plot: &'a Plot,
-    svg: Svg,
+    art: Artwork,
     extrema: bool,
     here: Option<&'a Here>,
     x: CellScale,
@@ -84,7 +91,7 @@ struct PaperSheet<'a> {
 
 impl PaperSheet<'_> {
     fn right(&self) -> f64 {
-        self.svg.size().x - RIGHT
+        self.art.size().x - RIGHT
     }
 
     fn panel(&mut self, panel: &Panel, top: f64, bottom: f64) {
@@ -102,7 +109,7 @@ impl PaperSheet<'_> {
             let at = y.place(value);
             self.line(Vec2::new(LEFT, at), Vec2::new(self.right(), at), "grid");
             let place = Vec2::new(LEFT - TICK - 3.0, at + HALF_TEXT);
-            self.svg.text(place, TextAnchor::End, "label", &label);
+            self.art.text(place, TextAnchor::End, "label", &label);
         }
         let corner = Vec2::new(LEFT, bottom);
         let ends = [
@@ -110,7 +117,7 @@ impl PaperSheet<'_> {
             corner,
             Vec2::new(self.right(), bottom),
         ];
-        self.svg.polyline(ends, "axis");
+        self.art.polyline(ends, "axis");
         self.legend(panel, digits, top - 9.0);
         let along = self
             .here
@@ -137,13 +144,13 @@ impl PaperSheet<'_> {
     }
 
     fn line(&mut self, from: Vec2, to: Vec2, class: &str) {
-        self.svg.polyline([from, to], class);
+        self.art.polyline([from, to], class);
     }
 
     fn legend(&mut self, panel: &Panel, digits: TickStyle, base: f64) {
         let unit = &panel.y.unit;
         let place = Vec2::new(LEFT - TICK - 3.0, base);
-        self.svg.text(place, TextAnchor::End, "label", unit);
+        self.art.text(place, TextAnchor::End, "label", unit);
         let mut x = LEFT + TICK;
         for (i, line) in panel.curves.iter().enumerate() {
             let middle = base - HALF_TEXT;
@@ -153,7 +160,7 @@ impl PaperSheet<'_> {
             let value = value.map(|v| v.map_or(" -".into(), |v| format!(" {}", digits.text(v))));
             let text = format!("{}{}", line.name, value.unwrap_or_default());
             let place = Vec2::new(x + SAMPLE + TICK, base);
-            self.svg.text(place, TextAnchor::Start, "label", &text);
+            self.art.text(place, TextAnchor::Start, "label", &text);
             x += SAMPLE + TICK + CHARACTER * (text.chars().count() as f64 + 2.0);
         }
     }
@@ -172,7 +179,7 @@ impl PaperSheet<'_> {
                 }
             });
             let inside: Vec<Vec2> = inside.collect();
-            self.svg.polyline(inside, &class(line, i));
+            self.art.polyline(inside, &class(line, i));
         }
     }
 
@@ -183,7 +190,7 @@ impl PaperSheet<'_> {
                 continue;
             }
             let place = Vec2::new(self.x.place(turn.at.x), y.place(turn.at.y));
-            self.svg.circle(place, MARK, "mark");
+            self.art.circle(place, MARK, "mark");
             let text = words().extremum(&digits.text(turn.at.y), &along.text(turn.at.x));
             let (value, x) = (turn.at.y, place.x);
             let room = CHARACTER * text.chars().count() as f64;
@@ -195,7 +202,7 @@ impl PaperSheet<'_> {
             let aside = if anchor == TextAnchor::End { -8.0 } else { 8.0 };
             let down = if turn.is_peak { 14.0 } else { -6.0 };
             debug_assert!(value.is_finite());
-            self.svg
+            self.art
                 .text(place + Vec2::new(aside, down), anchor, "label", &text);
         }
     }
@@ -209,14 +216,14 @@ impl PaperSheet<'_> {
             let x = self.x.place(value);
             self.line(Vec2::new(x, base), Vec2::new(x, base + TICK), "axis");
             let place = Vec2::new(x, base + TICK + 14.0);
-            self.svg.text(place, TextAnchor::Middle, "label", &label);
+            self.art.text(place, TextAnchor::Middle, "label", &label);
         }
         let here = self.here.and_then(|here| here.along);
         let digits = TickStyle::of_range(axis.low, axis.high);
         let here = here.map_or(String::new(), |x| format!(" = {}", digits.text(x)));
         let title = format!("{}{here} [{}]", axis.name, axis.unit);
         let middle = Vec2::new((LEFT + self.right()) / 2.0, base + TICK + 34.0);
-        self.svg.text(middle, TextAnchor::Middle, "label", &title);
+        self.art.text(middle, TextAnchor::Middle, "label", &title);
     }
 }
 

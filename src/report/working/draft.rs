@@ -6,6 +6,7 @@ use super::figures::Figures;
 use super::polygon::{Loop, Polygon, Term};
 use super::sides::{SideReading, SideShape, Turns};
 use super::stages::{Schedule, Stage};
+use super::symbols::WorkingNotation;
 use crate::page::{Block, Content, Head, Page, Setting, Table, Units};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
@@ -21,6 +22,7 @@ pub(super) struct Context<'a> {
     pub schedule: &'a Schedule,
     pub stages: &'a [Stage],
     pub figures: Figures,
+    pub notation: WorkingNotation,
     /// Every side in this state.
     pub readings: Vec<SideReading>,
     /// The largest velocity and the largest acceleration of all points: smaller ones are rounded by these.

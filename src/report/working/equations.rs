@@ -13,7 +13,7 @@
 
 use super::figures::{Figures, WrittenSum, factor};
 use super::sides::{Side, SideReading, Turns};
-use super::symbols;
+use super::symbols::{self, WorkingNotation};
 use crate::Vec2;
 use crate::solver::Order;
 
@@ -111,12 +111,12 @@ impl Multiplier {
     }
 
     /// The unit vector in words.
-    pub(super) fn name(&self) -> String {
+    pub(super) fn name(&self, notation: WorkingNotation) -> String {
         match self {
             Multiplier::X => "x".into(),
             Multiplier::Y => "y".into(),
-            Multiplier::Along(h) => format!("u({})", h.symbol),
-            Multiplier::Across(h) => format!("n({})", h.symbol),
+            Multiplier::Along(h) => notation.along(&h.symbol),
+            Multiplier::Across(h) => notation.across(&h.symbol),
         }
     }
 

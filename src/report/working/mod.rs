@@ -20,6 +20,7 @@ mod methods;
 mod opening;
 mod pins;
 mod place;
+mod point_parts;
 mod points;
 mod polygon;
 mod rates;
@@ -28,9 +29,13 @@ mod solution;
 mod stages;
 mod symbols;
 mod triangle;
+mod vectors;
 
 pub use draft::Agreement;
 pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
+pub use point_parts::{PointMotion, PointParts};
+pub use symbols::WorkingNotation;
+pub use vectors::{LoopVector, LoopVectors, VectorFigure};
 
 use crate::page::Page;
 use crate::scene::Scene;
@@ -55,7 +60,54 @@ pub struct Worked {
     pub page: Page,
     /// Every figure that was worked out by a printed formula, beside the solver's.
     pub agreements: Vec<Agreement>,
+    /// Its parts in order, each by the number of the block of the page with which it begins.
+    pub parts: Vec<(WorkingPart, usize)>,
 }
+
+/// A part of the working.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WorkingPart {
+    /// The title, and where the driver is.
+    Opening,
+    /// The loops.
+    Polygons,
+    /// What is given, and what is sought.
+    PositionTable,
+    /// The loop equations.
+    Equations,
+    /// What each group finds from them.
+    Positions,
+    /// The equations differentiated, and what is found from them.
+    Velocities,
+    /// Once more.
+    Accelerations,
+    /// Points by their parts.
+    Points,
+    /// Forces, link by link.
+    Forces,
+    /// What is left of the equations.
+    Check,
+}
+
+type WritePart = fn(&Context<'_>, &mut Draft);
+
+/// How every part is written.
+const PARTS: [(WorkingPart, WritePart); 10] = [
+    (WorkingPart::Opening, opening::heading),
+    (WorkingPart::Polygons, opening::polygons),
+    (WorkingPart::PositionTable, opening::position_table),
+    (WorkingPart::Equations, place::equations),
+    (WorkingPart::Positions, place::solutions),
+    (WorkingPart::Velocities, |context, draft| {
+        rates::rates(context, draft, Order::Velocity);
+    }),
+    (WorkingPart::Accelerations, |context, draft| {
+        rates::rates(context, draft, Order::Acceleration);
+    }),
+    (WorkingPart::Points, points::points),
+    (WorkingPart::Forces, forces::forces),
+    (WorkingPart::Check, check::check),
+];
 
 impl Working {
     /// Finds the loops of a scene.
@@ -76,21 +128,34 @@ impl Working {
     /// significant digits.
     #[must_use]
     pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
-        let context = self.context(scene, solver, state, digits);
+        self.written(scene, solver, state, digits, WorkingNotation::Krank)
+    }
+
+    /// The same in a notation.
+    #[must_use]
+    pub fn written(
+        &self,
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        digits: usize,
+        notation: WorkingNotation,
+    ) -> Worked {
+        let mut context = self.context(scene, solver, state, digits);
+        context.notation = notation;
         let mut draft = Draft::default();
-        opening::heading(&context, &mut draft);
-        opening::polygons(&context, &mut draft);
-        opening::position_table(&context, &mut draft);
-        place::equations(&context, &mut draft);
-        place::solutions(&context, &mut draft);
-        rates::rates(&context, &mut draft, Order::Velocity);
-        rates::rates(&context, &mut draft, Order::Acceleration);
-        points::points(&context, &mut draft);
-        forces::forces(&context, &mut draft);
-        check::check(&context, &mut draft);
+        let mut parts = Vec::new();
+        for (part, write) in PARTS {
+            let begin = draft.page.blocks.len();
+            write(&context, &mut draft);
+            if draft.page.blocks.len() > begin {
+                parts.push((part, begin));
+            }
+        }
         Worked {
             page: draft.page,
             agreements: draft.agreements,
+            parts,
         }
     }
 
@@ -113,6 +178,7 @@ impl Working {
                 digits,
                 unit: scene.unit.symbol(),
             },
+            notation: WorkingNotation::Krank,
             readings: Vec::new(),
             fastest: [0.0; 2],
         };

@@ -68,7 +68,7 @@ fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &
         let own = context.member(term, stage);
         let axis = Multiplier::Across(Heading::of(&own));
         let pieces = pieces(members, &axis, context.figures);
-        let across = format!("n({})", own.side.theta());
+        let across = context.notation.across(&own.side.theta());
         draft
             .page
             .text(words().multiplied_across(&across, &own.side.name));

@@ -11,7 +11,7 @@ use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum PointBasis {
+pub(super) enum PointBasis {
     /// A link, and another point of it.
     Link(LinkId, PointId),
     /// A guide.
@@ -45,7 +45,7 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
 }
 
 /// A ground pivot if there is one, then a guide on the ground, then a joint that was placed earlier.
-fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
+pub(super) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
         let mut members = mechanism.link(link).members.iter();
@@ -74,7 +74,7 @@ fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<Point
 }
 
 /// The point of a link that was placed first, if that is before this one.
-fn earliest(
+pub(super) fn earliest(
     mechanism: &Mechanism,
     places: &[usize],
     link: LinkId,
@@ -86,7 +86,7 @@ fn earliest(
 }
 
 /// For every point when it is placed: those of the ground first, then in the order of the groups.
-fn places(context: &Context<'_>) -> Vec<usize> {
+pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
     let mut places = vec![0; context.scene.mechanism.points().len()];
     let groups = context.solver.plan().groups.iter();
     for (place, point) in groups.flat_map(|group| &group.points).enumerate() {

@@ -126,7 +126,7 @@ fn removed(
     let f = context.figures;
     draft
         .page
-        .text(words().multiplied_by(&axis.name(), &other_symbol));
+        .text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
     draft.page.equation([in_symbols(&pieces), "0".into()]);
     draft.page.equation([in_numbers(&pieces), "0".into()]);
     draft.page.equation([in_figures(&pieces, f), "0".into()]);

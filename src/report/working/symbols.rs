@@ -1,5 +1,33 @@
 //! The symbols of a formula: the lecture's theta3 for the angle of r3.
 
+/// How unit vectors are called.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WorkingNotation {
+    /// u along an angle, and n at right angles to it.
+    #[default]
+    Krank,
+    /// The same as the lecture writes them: μ and ν.
+    Lecture,
+}
+
+impl WorkingNotation {
+    /// The unit vector along an angle.
+    pub(super) fn along(self, theta: &str) -> String {
+        match self {
+            WorkingNotation::Krank => format!("u({theta})"),
+            WorkingNotation::Lecture => format!("μ({theta})"),
+        }
+    }
+
+    /// The unit vector at right angles to it, to its left.
+    pub(super) fn across(self, theta: &str) -> String {
+        match self {
+            WorkingNotation::Krank => format!("n({theta})"),
+            WorkingNotation::Lecture => format!("ν({theta})"),
+        }
+    }
+}
+
 /// The symbol of a vector's angle.
 pub(super) fn theta(name: &str) -> String {
     symbol('θ', name)

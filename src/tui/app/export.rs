@@ -4,13 +4,15 @@ use super::super::views::{self, Copied};
 use super::{App, Effect, Mode};
 use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::Catalogue;
-use crate::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
+use crate::report::{Columns, Report, RowFormat, Steps, Sweep, WrittenDecimal};
+use crate::solver::Order;
 use crate::tui::Origin;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 use crate::tui::document::writing::{SavedContent, Text};
 use crate::tui::figures::copying::ShownTables;
 use crate::tui::figures::format::coordinate;
+use crate::tui::player::explained::{DIGITS, Explained};
 use crate::tui::terminal::clipboard;
 use crate::wording::words;
 
@@ -21,6 +23,7 @@ impl App {
             Action::Picture => return Effect::Picture,
             Action::Still => return self.ask_for_still(),
             Action::Svg => self.ask_for_svg(),
+            Action::Report => self.ask_for_report(),
             _ => self.ask_for_csv(),
         }
         Effect::Show
@@ -135,7 +138,8 @@ impl App {
             Ok(text) => {
                 let proposal = self.proposal(ending);
                 let what = what.into();
-                self.ask_for_file(SavedContent::Text(Text { what, text }), &proposal);
+                let text = Text::new(what, text);
+                self.ask_for_file(SavedContent::Text(text), &proposal);
             }
             Err(why) => self.shell.say(why),
         }
@@ -174,6 +178,22 @@ impl App {
         }
     }
 
+    /// Asks where to write a report on the linkage as it stands; the ending of the name says how.
+    fn ask_for_report(&mut self) {
+        let open_scene = &self.player.open_scene;
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        if !Explained::is_possible(scene) {
+            return self.shell.say(words().too_many_links_to_report());
+        }
+        let mut state = solver.state();
+        let _ = solver.solve(open_scene.at(), Order::Force, &mut state);
+        solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
+        let report = Report::new(scene, solver, &state, DIGITS);
+        let text = Text::of_report(words().the_report(), &report);
+        let proposal = self.proposal("html");
+        self.ask_for_file(SavedContent::Text(text), &proposal);
+    }
+
     /// The name of a file for what is seen here: `four-bar-60.csv`, or for the whole motion
     /// `four-bar-plot.csv`.
     fn proposal(&self, ending: &str) -> String {
@@ -188,7 +208,7 @@ impl App {
             .view
             .pane()
             .file_part()
-            .filter(|_| ending != "txt");
+            .filter(|_| !matches!(ending, "txt" | "html"));
         let place = whole.map_or_else(|| coordinate(self.player.open_scene.at(), 0), str::to_owned);
         format!("{stem}-{place}.{ending}")
     }

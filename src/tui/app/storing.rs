@@ -55,7 +55,7 @@ impl App {
             return;
         }
         let text = match &content {
-            SavedContent::Text(text) => text.text.clone(),
+            SavedContent::Text(text) => text.for_file(&to).to_owned(),
             SavedContent::Scene => {
                 let told = edited::says_what_is_shown(&self.player.open_scene);
                 if !told && !self.record_assembly(words().assembly()) {

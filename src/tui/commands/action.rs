@@ -56,6 +56,8 @@ pub(crate) enum Action {
     Still,
     /// Write the drawing or the plot to an SVG file.
     Svg,
+    /// Write a report on what stands here.
+    Report,
     /// The next preset.
     NextPreset,
     /// The preset before.
@@ -386,6 +388,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         entry(A::Picture, "picture", W::picture, W::write_the_screen, &[Char('P')]),
         entry(A::Still, "still", W::still, W::the_drawing_in_pixels, &[Char('V')]),
         entry(A::Svg, "svg", W::svg, W::write_an_svg_file, &[Char('S')]),
+        entry(A::Report, "report", W::report, W::write_a_report, &[Char('E')]),
         ] },
         ActionSection { title: W::the_program, entries: &[
         entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),

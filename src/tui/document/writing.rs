@@ -1,10 +1,11 @@
 //! What is to be written to a file while its name is asked for, and what is asked about that.
 
 use crate::files::Trouble;
+use crate::report::{Report, ReportFormat};
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
 use crate::wording::words;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What is to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,7 +21,34 @@ pub(crate) enum SavedContent {
 pub(crate) struct Text {
     /// What it is, in the words of the message: `the screen`.
     pub(crate) what: String,
-    pub(crate) text: String,
+    text: String,
+    /// The same in other formats, for names that ask for one of them.
+    others: Vec<(ReportFormat, String)>,
+}
+
+impl Text {
+    pub(crate) fn new(what: String, text: String) -> Text {
+        let others = Vec::new();
+        Text { what, text, others }
+    }
+
+    /// A report in every format.
+    pub(crate) fn of_report(what: &str, report: &Report) -> Text {
+        let written = |format| (format, report.written(format, false));
+        Text {
+            what: what.to_owned(),
+            text: report.written(ReportFormat::default(), false),
+            others: ReportFormat::ALL.map(written).into(),
+        }
+    }
+
+    /// As it is written to a file of this name.
+    pub(crate) fn for_file(&self, path: &Path) -> &str {
+        let asked = ReportFormat::of_ending(path);
+        let mut others = self.others.iter();
+        let other = others.find(|(format, _)| Some(*format) == asked);
+        other.map_or(&self.text, |(_, text)| text)
+    }
 }
 
 /// The line in which the name of a file is typed.

@@ -8,7 +8,7 @@ use crate::solver::{Order, Workspace};
 use crate::tui::Opened;
 
 /// Significant digits, as in the tables.
-const DIGITS: usize = 6;
+pub(crate) const DIGITS: usize = 6;
 /// Of more links than this a frame would be late.
 const MOST_LINKS: usize = 64;
 

@@ -28,6 +28,7 @@ mod picking;
 mod plots;
 mod reactions;
 mod reading;
+mod reporting;
 mod terminals;
 mod tour;
 mod views;

@@ -21,9 +21,15 @@ const SAID: [&[&str]; 13] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 2] = [
+const OTHERS: [&[&str]; 7] = [
     // What a shell is told.
     &["cli", "pager"],
+    // Markup, and what it looks like.
+    &["page", "html"],
+    &["page", "latex"],
+    &["page", "style"],
+    &["page", "svg"],
+    &["page", "tikz"],
     // An error of the library has its own text.
     &["quantity", "catalogue"],
 ];

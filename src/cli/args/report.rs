@@ -1,0 +1,40 @@
+//! The report.
+
+use super::{OutputArgs, PlaceArgs, SceneArgs};
+use crate::report::ReportFormat;
+use crate::wording::words;
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ReportArgs {
+    #[command(flatten)]
+    pub(in crate::cli) scene: SceneArgs,
+    #[command(flatten)]
+    pub(in crate::cli) place: PlaceArgs,
+    #[arg(help = words().format_of_report())]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) format: Option<ReportFormat>,
+    #[arg(help = words().digits())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(in crate::cli) digits: u8,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArgs,
+}
+
+/// How a report is written: the formats tell it themselves.
+impl ValueEnum for ReportFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &ReportFormat::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let about = match self {
+            ReportFormat::Html => words().format_html(),
+            ReportFormat::Latex => words().format_latex(),
+            ReportFormat::Markdown => words().format_markdown(),
+            ReportFormat::Text => words().format_plain(),
+        };
+        Some(PossibleValue::new(self.name()).help(about))
+    }
+}

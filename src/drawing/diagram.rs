@@ -1,0 +1,416 @@
+//! Vectors to scale: the polygon that a loop's vectors close, head to tail, and velocities or accelerations
+//! from one pole.
+
+use super::figure::{Figure, Role, Shape};
+use super::reach::Reach;
+use super::render::{Glyphs, render};
+use super::view::WorldView;
+use crate::page::{Artwork, StyleSheet, TextAnchor};
+use crate::{Vec2, angle};
+
+/// Vectors in a plane, drawn to one scale.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VectorDiagram {
+    /// The vectors.
+    pub arrows: Vec<DiagramArrow>,
+    /// Angles at the tails of vectors.
+    pub arcs: Vec<DiagramArc>,
+    /// In what the vectors are counted: `mm/s`.
+    pub unit: String,
+}
+
+/// A vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiagramArrow {
+    /// Its tail.
+    pub from: Vec2,
+    /// Its head.
+    pub to: Vec2,
+    /// Its symbol.
+    pub name: String,
+    /// What it is.
+    pub kind: ArrowKind,
+}
+
+/// What a vector of a diagram is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowKind {
+    /// Known from the start.
+    Given,
+    /// Moved by the driver.
+    Driven,
+    /// Found.
+    Sought,
+    /// A part of another vector.
+    Part,
+}
+
+/// An angle, counter-clockwise from the x axis, at the tail of a vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiagramArc {
+    /// The tail.
+    pub at: Vec2,
+    /// In degrees, from 0 to below 360.
+    pub to: f64,
+    /// Its symbol.
+    pub name: String,
+}
+
+/// The sheet in user units, and the margin around what is drawn; below is room for the scale.
+const SHEET: Vec2 = Vec2 { x: 640.0, y: 480.0 };
+const MARGIN: f64 = 56.0;
+const FOOT: f64 = 40.0;
+const HEAD: f64 = 10.0;
+/// The radius of an arc, and how far its name stands outside.
+const ARC: f64 = 20.0;
+const ASIDE: f64 = 13.0;
+/// Of a letter, on average.
+const LETTER: f64 = 7.0;
+/// A shorter arrow would be a head alone.
+const SHORTEST: f64 = 2.0;
+/// Below the middle of a text, to its base line.
+const HALF_TEXT: f64 = 4.5;
+
+const STYLE: StyleSheet = StyleSheet {
+    light: "\
+.given{stroke:#222}
+.driven{stroke:#c81e24}
+.sought{stroke:#005fd7;stroke-dasharray:9 4}
+.part{stroke:#666;stroke-width:1.4;stroke-dasharray:4 3}
+.head{stroke-dasharray:none}
+.arc{stroke:#826901;stroke-width:1.2}
+.level{stroke:#999;stroke-width:1;stroke-dasharray:2 4}
+.pole{fill:#222}
+.of-arc{fill:#826901}
+",
+    dark: "\
+.given{stroke:#ddd}
+.driven{stroke:#ff6961}
+.sought{stroke:#5f87ff}
+.part{stroke:#aaa}
+.arc{stroke:#ebcb50}
+.level{stroke:#777}
+.pole{fill:#ddd}
+.of-arc{fill:#ebcb50}
+",
+};
+
+/// Columns and rows of the diagram in characters, at most.
+const CHARACTERS: (u16, u16) = (76, 26);
+const CELL_ASPECT: f64 = 2.0;
+
+impl VectorDiagram {
+    /// Whether nothing is drawn.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.arrows.is_empty()
+    }
+
+    /// Adds a vector; one of no length, beside the longest, is none.
+    pub fn add(&mut self, from: Vec2, to: Vec2, name: impl Into<String>, kind: ArrowKind) {
+        if from.is_finite() && to.is_finite() {
+            let name = name.into();
+            self.arrows.push(DiagramArrow {
+                from,
+                to,
+                name,
+                kind,
+            });
+        }
+    }
+
+    /// The picture.
+    #[must_use]
+    pub fn artwork(&self, title: &str) -> Artwork {
+        let scale = DiagramScale::of(self);
+        let size = Vec2::new(SHEET.x, scale.height + FOOT);
+        let mut sheet = DiagramSheet {
+            art: Artwork::new(size, title, STYLE),
+            scale,
+            taken: Vec::new(),
+        };
+        for arrow in &self.arrows {
+            let ends = [arrow.from, arrow.to].map(|p| sheet.scale.place(p));
+            sheet
+                .taken
+                .extend((0..=8).map(|k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 8.0)));
+        }
+        for arc in &self.arcs {
+            sheet.arc(arc);
+        }
+        for arrow in &self.arrows {
+            sheet.arrow(arrow);
+        }
+        sheet.foot(&self.unit);
+        sheet.art
+    }
+
+    /// The picture in characters, line by line.
+    #[must_use]
+    pub fn characters(&self) -> Vec<String> {
+        let mut figure = Figure::new();
+        for arrow in &self.arrows {
+            let (from, to) = (arrow.from, arrow.to);
+            figure.add(Shape::Arrow {
+                from,
+                to,
+                role: Role::Velocity,
+                cut: false,
+            });
+            figure.add(Shape::Label {
+                at: (from + to) * 0.5,
+                text: arrow.name.clone(),
+                role: Role::Label,
+            });
+        }
+        // Heads lie above the shafts of what follows.
+        for arrow in &self.arrows {
+            let (middle, to) = ((arrow.from + arrow.to) * 0.5, arrow.to);
+            figure.add(Shape::Arrow {
+                from: middle,
+                to,
+                role: Role::Velocity,
+                cut: false,
+            });
+        }
+        let reach = Reach::by_hand(&self.places(), &[]);
+        let (cols, most) = CHARACTERS;
+        let of_rows = |rows| WorldView::fit(&reach, cols, rows, CELL_ASPECT);
+        let drawn = render(&figure, &WorldView::snug(most, of_rows), Glyphs::Ascii);
+        lines_drawn(&drawn.text())
+    }
+
+    fn places(&self) -> Vec<Vec2> {
+        self.arrows.iter().flat_map(|a| [a.from, a.to]).collect()
+    }
+}
+
+/// What was drawn in characters, without the blank lines before and behind it.
+pub(crate) fn lines_drawn(text: &str) -> Vec<String> {
+    let lines = text.lines().map(|line| line.trim_end().to_owned());
+    let mut lines: Vec<String> = lines.skip_while(String::is_empty).collect();
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    lines
+}
+
+/// From the plane to the sheet.
+struct DiagramScale {
+    /// User units each.
+    each: f64,
+    /// What lies at the upper left corner, inside of the margin.
+    corner: Vec2,
+    height: f64,
+}
+
+impl DiagramScale {
+    fn of(diagram: &VectorDiagram) -> DiagramScale {
+        let places = diagram.places();
+        let bound = |of: fn(f64, f64) -> f64, axis: fn(&Vec2) -> f64| {
+            places.iter().map(axis).reduce(of).unwrap_or(0.0)
+        };
+        let [low_x, high_x] = [f64::min, f64::max].map(|of| bound(of, |p| p.x));
+        let [low_y, high_y] = [f64::min, f64::max].map(|of| bound(of, |p| p.y));
+        let room = SHEET - Vec2::new(2.0, 2.0) * MARGIN;
+        let each = (room.x / (high_x - low_x)).min(room.y / (high_y - low_y));
+        let each = if each.is_finite() && each > 0.0 {
+            each
+        } else {
+            1.0
+        };
+        // In the middle of the sheet's width.
+        let spare = (room.x / each - (high_x - low_x)) * 0.5;
+        DiagramScale {
+            each,
+            corner: Vec2::new(low_x - spare, high_y),
+            height: (high_y - low_y) * each + 2.0 * MARGIN,
+        }
+    }
+
+    fn place(&self, at: Vec2) -> Vec2 {
+        let away = (at - self.corner) * self.each;
+        Vec2::new(MARGIN + away.x, MARGIN - away.y)
+    }
+}
+
+struct DiagramSheet {
+    art: Artwork,
+    scale: DiagramScale,
+    /// Where something stands that no name should cover.
+    taken: Vec<Vec2>,
+}
+
+impl DiagramSheet {
+    fn arrow(&mut self, arrow: &DiagramArrow) {
+        let [from, to] = [arrow.from, arrow.to].map(|p| self.scale.place(p));
+        let along = to - from;
+        if along.norm() < SHORTEST {
+            return;
+        }
+        let class = match arrow.kind {
+            ArrowKind::Given => "given",
+            ArrowKind::Driven => "driven",
+            ArrowKind::Sought => "sought",
+            ArrowKind::Part => "part",
+        };
+        let unit = along / along.norm();
+        self.art.polyline([from, to], class);
+        let back = unit * HEAD.min(along.norm() * 0.6);
+        let side = back.perp() * 0.35;
+        let barbs = [to - back + side, to, to - back - side];
+        self.art.polyline(barbs, &format!("{class} head"));
+        let aside = unit.perp() * (ASIDE + LETTER * 0.25 * arrow.name.chars().count() as f64);
+        let shares = [0.5, 0.4, 0.6, 0.3, 0.7];
+        let seats = shares.into_iter().flat_map(|share| {
+            let at = from + along * share;
+            [at + aside, at - aside]
+        });
+        let at = self.freest(seats.collect());
+        self.name(at, "name", &arrow.name);
+    }
+
+    fn arc(&mut self, arc: &DiagramArc) {
+        let at = self.scale.place(arc.at);
+        self.art
+            .polyline([at, at + Vec2::new(2.2 * ARC, 0.0)], "level");
+        let on_ring = |degrees: f64, radius: f64| {
+            let v = angle::unit(degrees) * radius;
+            at + Vec2::new(v.x, -v.y)
+        };
+        let steps = (arc.to / 6.0).ceil().clamp(1.0, 60.0);
+        let places = std::iter::successors(Some(0.0), |k| Some(k + 1.0));
+        let places = places.take_while(|&k| k <= steps);
+        let ring: Vec<Vec2> = places.map(|k| on_ring(arc.to * k / steps, ARC)).collect();
+        if arc.to > 1.0 {
+            self.art.polyline(ring.iter().copied(), "arc");
+            let (tip, before) = (on_ring(arc.to, ARC), on_ring(arc.to - 14.0, ARC));
+            let back = (before - tip) / (before - tip).norm() * 5.0;
+            let side = back.perp() * 0.5;
+            self.art
+                .polyline([tip + back + side, tip, tip + back - side], "arc");
+        }
+        self.taken.extend(ring);
+        let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
+        let seats = [1.0, 2.0]
+            .into_iter()
+            .flat_map(|out| shares.map(|share| on_ring(arc.to * share, ARC + out * ASIDE)));
+        let seat = self.freest(seats.collect());
+        self.name(seat, "of-arc", &arc.name);
+    }
+
+    /// The place that is farthest from all that stands already; of equals the first.
+    fn freest(&self, seats: Vec<Vec2>) -> Vec2 {
+        let room = |seat: &Vec2| {
+            let away = self.taken.iter().map(|t| (*t - *seat).norm());
+            // Beyond some letters all places are as good.
+            away.fold(3.0 * ASIDE, f64::min)
+        };
+        let mut best = seats.first().copied().unwrap_or(Vec2::ZERO);
+        for seat in seats {
+            if room(&seat) > room(&best) + 1.0 {
+                best = seat;
+            }
+        }
+        best
+    }
+
+    fn name(&mut self, at: Vec2, class: &str, text: &str) {
+        let base = at + Vec2::new(0.0, HALF_TEXT);
+        self.art.text(base, TextAnchor::Middle, class, text);
+        self.taken.push(at);
+    }
+
+    /// What a length on the sheet means.
+    fn foot(&mut self, unit: &str) {
+        let Some(value) = round_length(100.0 / self.scale.each) else {
+            return;
+        };
+        let y = self.art.size().y - FOOT * 0.5;
+        let from = Vec2::new(MARGIN, y);
+        let to = from + Vec2::new(value * self.scale.each, 0.0);
+        self.art.polyline([from, to], "given");
+        for end in [from, to] {
+            let tick = Vec2::new(0.0, 4.0);
+            self.art.polyline([end - tick, end + tick], "given");
+        }
+        let text = format!("{value} {unit}");
+        let at = to + Vec2::new(8.0, HALF_TEXT);
+        self.art.text(at, TextAnchor::Start, "name", &text);
+    }
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is no longer.
+fn round_length(most: f64) -> Option<f64> {
+    let power = 10.0_f64.powf(most.log10().floor());
+    let steps = [5.0, 2.0, 1.0].map(|step| step * power);
+    let value = steps.into_iter().find(|&step| step <= most * (1.0 + 1e-9));
+    value.filter(|v| v.is_finite() && *v > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::ArtElement;
+
+    /// The lines of a class, from end to end.
+    fn drawn(art: &Artwork, class: &str) -> Vec<Vec2> {
+        let of = |element: &ArtElement| match element {
+            ArtElement::Path {
+                runs, class: own, ..
+            } if own == class => Some(runs[0][1] - runs[0][0]),
+            _ => None,
+        };
+        art.elements().iter().filter_map(of).collect()
+    }
+
+    #[test]
+    fn a_polygon_that_closes_closes_on_the_sheet() {
+        let corners = [(0.0, 0.0), (-400.0, 0.0), (-350.0, 86.6), (-88.6, 233.8)];
+        let corners = corners.map(|(x, y)| Vec2::new(x, y));
+        let mut diagram = VectorDiagram::default();
+        for (k, &from) in corners.iter().enumerate() {
+            let to = corners[(k + 1) % corners.len()];
+            diagram.add(from, to, format!("r{}", k + 1), ArrowKind::Sought);
+        }
+        let art = diagram.artwork("loop");
+        let lines = drawn(&art, "sought");
+        assert_eq!(lines.len(), 4);
+        let sum = lines.iter().fold(Vec2::ZERO, |sum, line| sum + *line);
+        assert!(sum.norm() < 1e-9, "{sum:?}");
+        // To scale, and inside.
+        let each = lines[0].norm() / 400.0;
+        assert!((lines[1].norm() - each * (corners[2] - corners[1]).norm()).abs() < 1e-9);
+        for element in art.elements() {
+            if let ArtElement::Path { runs, .. } = element {
+                for p in runs.iter().flatten() {
+                    assert!((0.0..=art.size().x).contains(&p.x), "{p:?}");
+                    assert!((0.0..=art.size().y).contains(&p.y), "{p:?}");
+                }
+            }
+        }
+        let text = diagram.characters().join("\n");
+        for name in ["r1", "r2", "r3", "r4"] {
+            assert!(text.contains(name), "{text}");
+        }
+    }
+
+    #[test]
+    fn lengths_of_a_scale_are_round() {
+        assert_eq!(round_length(123.0), Some(100.0));
+        assert_eq!(round_length(49.0), Some(20.0));
+        assert_eq!(round_length(0.5), Some(0.5));
+        assert_eq!(round_length(f64::INFINITY), None);
+    }
+
+    #[test]
+    fn nothing_makes_a_sound_picture_too() {
+        let mut one = VectorDiagram::default();
+        assert!(one.is_empty());
+        let _ = one.artwork("nothing");
+        one.add(Vec2::ZERO, Vec2::ZERO, "v", ArrowKind::Given);
+        one.add(Vec2::ZERO, Vec2::new(f64::NAN, 0.0), "w", ArrowKind::Given);
+        assert_eq!(one.arrows.len(), 1);
+        let _ = (one.artwork("a point"), one.characters());
+    }
+}

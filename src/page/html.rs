@@ -1,0 +1,213 @@
+//! A page as one HTML file that needs no other: tables as tables, formulas with their indices, pictures as
+//! SVG inside. No script; on a screen light or dark as the reader prefers, on paper light, A4.
+
+use super::math::{MathPiece, pieces};
+use super::svg::marked_up;
+use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use crate::wording::words;
+use std::fmt::Write as _;
+
+const SHEET: &str = "\
+:root{color-scheme:light dark;--ink:#1b1b1b;--paper:#fff;--line:#bbb;--quiet:#555;--found:#8a1014}
+body{margin:2rem auto;padding:0 1rem;max-width:60rem;color:var(--ink);background:var(--paper);\
+font:16px/1.45 Georgia,'DejaVu Serif',serif}
+h1{font-size:1.7rem}
+h2{font-size:1.3rem;margin-top:2.2rem;border-bottom:1px solid var(--line)}
+h3{font-size:1.05rem;margin-top:1.6rem}
+.eq{margin:.35rem 0 .35rem 2rem;padding-left:2rem;text-indent:-2rem;overflow-wrap:break-word}
+i{font-family:Cambria,'STIX Two Math','DejaVu Serif',serif}
+sub,sup{font-size:.72em;line-height:0}
+.sheet{overflow-x:auto;margin:1rem 0}
+table{border-collapse:collapse;font-size:.95rem}
+th,td{padding:.2rem .7rem;text-align:right;white-space:nowrap}
+thead th{border-bottom:1px solid var(--ink)}
+tbody tr{border-bottom:1px solid var(--line)}
+th:first-child{text-align:left}
+tbody th{font-weight:normal}
+td.told{text-align:left;white-space:normal}
+td.found{color:var(--found);font-weight:bold}
+dl{display:grid;grid-template-columns:max-content auto;gap:.25rem 1.2rem}
+dt{color:var(--quiet)}
+dd{margin:0}
+figure{margin:1.2rem 0;break-inside:avoid}
+figcaption{color:var(--quiet);font-size:.9rem;margin-top:.3rem}
+.art{max-width:100%;height:auto;display:block}
+@page{size:A4;margin:18mm}
+@media print{body{margin:0;padding:0;max-width:none;font-size:10.5pt}table,.eq{break-inside:avoid}\
+h2,h3{break-after:avoid}}
+";
+const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
+
+impl Page {
+    /// The page as an HTML file.
+    #[must_use]
+    pub fn to_html(&self) -> String {
+        let mut title = String::new();
+        let mut body = String::new();
+        let mut sheets = Vec::new();
+        for block in &self.blocks {
+            let content = block.content.shown(false);
+            if let Content::Title(text) = &content {
+                title.clone_from(text);
+            }
+            if let Content::Picture(picture) = &content
+                && !sheets.contains(&picture.artwork.style)
+            {
+                sheets.push(picture.artwork.style);
+            }
+            body.push_str(&content.html(&sheets));
+        }
+        let mut rules = SHEET.to_owned();
+        let mut when_dark = DARK.to_owned();
+        for (number, sheet) in sheets.iter().enumerate() {
+            rules.push_str(&sheet.scoped(&class(number), false));
+            when_dark.push_str(&sheet.scoped(&class(number), true));
+        }
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+             <title>{}</title>\n<style>\n{rules}@media screen and (prefers-color-scheme:dark){{\n\
+             {when_dark}}}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+            words().language_tag(),
+            marked_up(&title),
+        )
+    }
+}
+
+/// The class of pictures with the sheet of this number.
+fn class(number: usize) -> String {
+    format!("art{number}")
+}
+
+impl Content {
+    fn html(&self, sheets: &[super::style::StyleSheet]) -> String {
+        match self {
+            Content::Title(text) => format!("<h1>{}</h1>\n", marked_up(text)),
+            Content::Heading(level, text) => {
+                let level = (level + 1).min(6);
+                format!("<h{level}>{}</h{level}>\n", marked_up(text))
+            }
+            Content::Text(text) => format!("<p>{}</p>\n", marked_up(text.trim())),
+            Content::Facts(list) => facts(list),
+            Content::Equations(equations) => equations.iter().map(equation).collect(),
+            Content::Table(table) => columns(table),
+            Content::Characters(lines) => format!("<pre>{}</pre>\n", marked_up(&lines.join("\n"))),
+            Content::Picture(picture) => {
+                let sheet = &picture.artwork.style;
+                let number = sheets.iter().position(|known| known == sheet);
+                figure(picture, &class(number.unwrap_or(0)))
+            }
+        }
+    }
+}
+
+fn figure(picture: &Illustration, class: &str) -> String {
+    let drawn = picture.artwork.svg_inside(&format!("art {class}"));
+    let caption = marked_up(&picture.caption);
+    format!("<figure>\n{drawn}<figcaption>{caption}</figcaption>\n</figure>\n")
+}
+
+fn equation(equation: &Equation) -> String {
+    let sides: Vec<String> = equation.sides.iter().map(|side| formula(side)).collect();
+    format!("<div class=\"eq\">{}</div>\n", sides.join(" = "))
+}
+
+fn facts(facts: &Facts) -> String {
+    let mut list = String::from("<dl>\n");
+    for (name, told) in &facts.list {
+        let told: Vec<String> = told.iter().map(|told| marked_up(told)).collect();
+        let _ = writeln!(
+            list,
+            "<dt>{}</dt><dd>{}</dd>",
+            marked_up(name.trim()),
+            told.join("<br/>")
+        );
+    }
+    list + "</dl>\n"
+}
+
+fn columns(table: &Table) -> String {
+    let heads = table.heads.iter().map(|head| marked_up(&head.whole()));
+    let heads: String = heads.map(|head| format!("<th>{head}</th>")).collect();
+    let title = marked_up(&table.title);
+    let mut text = format!(
+        "<div class=\"sheet\"><table>\n<thead><tr><th>{title}</th>{heads}</tr></thead>\n<tbody>\n"
+    );
+    let count = table.heads.len();
+    for row in &table.rows {
+        let (mark, name) = row.label(true);
+        let name = marked_up(format!("{mark} {}", name.trim()).trim());
+        let cells = match row {
+            Row::Part(_) => "<td></td>".repeat(count),
+            Row::Told { words, .. } => {
+                format!(
+                    "<td class=\"told\" colspan=\"{count}\">{}</td>",
+                    marked_up(words)
+                )
+            }
+            Row::Figures { cells, .. } => {
+                let cells = (0..count).map(|k| cells.get(k).and_then(Option::as_ref));
+                let texts = cells.map(|cell| cell.map_or("", |cell| cell.text.trim()));
+                texts.map(figures).collect()
+            }
+        };
+        let _ = writeln!(text, "<tr><th>{name}</th>{cells}</tr>");
+    }
+    text + "</tbody></table></div>\n"
+}
+
+/// A cell; one with a symbol of its own is a formula, and what was found or is sought.
+fn figures(text: &str) -> String {
+    match text.contains(" = ") {
+        true => format!("<td class=\"found\">{}</td>", formula(text)),
+        false => format!("<td>{}</td>", marked_up(&text.replace('-', "\u{2212}"))),
+    }
+}
+
+/// A formula with its indices and powers.
+fn formula(text: &str) -> String {
+    let mut out = String::new();
+    for piece in pieces(text) {
+        let _ = match piece {
+            MathPiece::Symbol(letter, index, order) => {
+                let dots = ["", "\u{307}", "\u{308}"][order.min(2)];
+                let letter = marked_up(&letter);
+                let _ = match letter.chars().count() {
+                    1 => write!(out, "<i>{letter}{dots}</i>"),
+                    _ => write!(out, "{letter}{dots}"),
+                };
+                match index.as_str() {
+                    "" => Ok(()),
+                    index => write!(out, "<sub>{}</sub>", marked_up(index)),
+                }
+            }
+            MathPiece::Function(name) | MathPiece::Unit(name) => write!(out, "{name}"),
+            MathPiece::Number(digits, None) => write!(out, "{digits}"),
+            MathPiece::Number(digits, Some(power)) => {
+                let power = power.replace('-', "\u{2212}");
+                write!(out, "{digits}·10<sup>{power}</sup>")
+            }
+            MathPiece::Power(raised) => write!(out, "<sup>{raised}</sup>"),
+            MathPiece::Sign('-') => write!(out, "\u{2212}"),
+            MathPiece::Sign(sign) => write!(out, "{}", marked_up(&sign.to_string())),
+            MathPiece::Blank => write!(out, " "),
+        };
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_have_indices_and_powers() {
+        assert_eq!(
+            formula("-r2 ω2^2 cos(θ2)"),
+            "\u{2212}<i>r</i><sub>2</sub> <i>ω</i><sub>2</sub><sup>2</sup> cos(<i>θ</i><sub>2</sub>)"
+        );
+        assert_eq!(formula("5.7e-14 mm"), "5.7·10<sup>\u{2212}14</sup> mm");
+        assert_eq!(formula("dr4/dt"), "<i>r\u{307}</i><sub>4</sub>");
+        assert_eq!(formula("a < b"), "<i>a</i> &lt; <i>b</i>");
+    }
+}

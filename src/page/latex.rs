@@ -1,0 +1,310 @@
+//! A page as LaTeX that a plain TeX Live sets: the class `article`, amsmath, and TikZ for pictures.
+
+use super::math::{MathPiece, closing, pieces};
+use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use std::fmt::Write as _;
+
+const HEAD: &str = "\
+\\documentclass[a4paper,11pt]{article}
+\\usepackage[utf8]{inputenc}
+\\usepackage{amsmath}
+\\usepackage{tikz}
+\\setlength{\\textwidth}{165mm}
+\\setlength{\\oddsidemargin}{-3mm}
+\\setlength{\\topmargin}{-10mm}
+\\setlength{\\headheight}{0mm}
+\\setlength{\\headsep}{0mm}
+\\setlength{\\textheight}{247mm}
+\\setlength{\\parindent}{0pt}
+\\setlength{\\parskip}{4pt}
+\\newcommand{\\eqline}[1]{\\par\\hangindent=16mm\\hangafter=1\\hspace*{6mm}\\(\\displaystyle #1\\)\\par}
+\\emergencystretch=3em
+\\raggedbottom
+\\begin{document}
+";
+
+/// Characters to a line of the paper; a table of more is made smaller.
+const LINE: usize = 84;
+
+impl Page {
+    /// The page as a LaTeX document.
+    #[must_use]
+    pub fn to_latex(&self) -> String {
+        let mut text = HEAD.to_owned();
+        for block in &self.blocks {
+            text.push_str(&block.content.shown(false).latex());
+        }
+        text + "\\end{document}\n"
+    }
+}
+
+impl Content {
+    fn latex(&self) -> String {
+        match self {
+            Content::Title(text) => format!("{{\\LARGE\\bfseries {}\\par}}\n", escaped(text)),
+            // Headings come with their numbers.
+            Content::Heading(1, text) => format!("\n\\section*{{{}}}\n", escaped(text)),
+            Content::Heading(_, text) => format!("\n\\subsection*{{{}}}\n", escaped(text)),
+            Content::Text(text) => format!("\n{}\n", escaped(text.trim())),
+            Content::Facts(list) => facts(list),
+            Content::Equations(equations) => equations.iter().map(equation).collect(),
+            Content::Table(table) => columns(table),
+            Content::Characters(lines) => in_characters(lines),
+            Content::Picture(picture) => figure(picture),
+        }
+    }
+}
+
+/// A drawing in characters: blanks are as wide as they are.
+fn in_characters(lines: &[String]) -> String {
+    let lines = lines.iter().map(|line| escaped(line).replace(' ', "~"));
+    let lines: Vec<String> = lines.collect();
+    format!(
+        "\n{{\\ttfamily\\small\\noindent {}\\par}}\n",
+        lines.join("\\\\\n")
+    )
+}
+
+/// A picture where it stands, its caption below.
+fn figure(picture: &Illustration) -> String {
+    format!(
+        "\n\\begin{{center}}\n{}\n\\smallskip\n\n{{\\small {}\\par}}\n\\end{{center}}\n",
+        picture.artwork.tikz(),
+        escaped(&picture.caption)
+    )
+}
+
+fn equation(equation: &Equation) -> String {
+    let sides: Vec<String> = equation.sides.iter().map(|side| formula(side)).collect();
+    format!("\\eqline{{{}}}\n", sides.join(" = "))
+}
+
+fn facts(facts: &Facts) -> String {
+    if facts.list.is_empty() {
+        return String::new();
+    }
+    let mut list = String::from("\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\n");
+    for (name, told) in &facts.list {
+        let told: Vec<String> = told.iter().map(|told| escaped(told)).collect();
+        let name = escaped(name.trim());
+        let _ = writeln!(list, "\\item[{{{name}}}] {}", told.join(" \\\\ "));
+    }
+    list + "\\end{description}\n"
+}
+
+fn columns(table: &Table) -> String {
+    let count = table.heads.len();
+    let mut widths = vec![0; count + 1];
+    let mut rows = Vec::new();
+    let heads = table.heads.iter().map(|head| head.whole());
+    rows.push(std::iter::once(table.title.clone()).chain(heads).collect());
+    for row in &table.rows {
+        let (mark, name) = row.label(true);
+        let mut texts = vec![format!("{mark} {}", name.trim()).trim().to_owned()];
+        match row {
+            Row::Part(_) => {}
+            Row::Told { words, .. } => texts.push(words.clone()),
+            Row::Figures { cells, .. } => {
+                let text = |cell: &Option<super::Cell>| {
+                    cell.as_ref()
+                        .map_or_else(String::new, |c| c.text.trim().to_owned())
+                };
+                texts.extend(cells.iter().map(text));
+            }
+        }
+        texts.resize(count + 1, String::new());
+        rows.push(texts);
+    }
+    for row in &rows {
+        let row: &Vec<String> = row;
+        for (width, text) in widths.iter_mut().zip(row) {
+            *width = (*width).max(text.chars().count() + 2);
+        }
+    }
+    let mut lines = String::new();
+    for (number, row) in rows.iter().enumerate() {
+        let cells: Vec<String> = row.iter().map(|text| cell(text)).collect();
+        let rule = if number == 0 { " \\hline" } else { "" };
+        let _ = writeln!(lines, "{} \\\\{rule}", cells.join(" & "));
+    }
+    let set = format!(
+        "\\begin{{tabular}}{{l{}}}\n{lines}\\hline\n\\end{{tabular}}",
+        "r".repeat(count)
+    );
+    if widths.iter().sum::<usize>() > LINE {
+        format!("\n\\medskip\\resizebox{{\\textwidth}}{{!}}{{{set}}}\\medskip\n")
+    } else {
+        format!("\n\\medskip{set}\\medskip\n")
+    }
+}
+
+/// A cell; one with a symbol of its own is a formula, and what was found or is sought.
+fn cell(text: &str) -> String {
+    let negative = text
+        .strip_prefix('-')
+        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    match (text.contains(" = "), negative) {
+        (true, _) => format!("\\boldmath\\({}\\)", formula(text)),
+        (false, Some(size)) => format!("\\(-\\){}", escaped(size)),
+        (false, None) => escaped(text),
+    }
+}
+
+/// A formula in mathematics.
+fn formula(text: &str) -> String {
+    set(&pieces(text))
+}
+
+fn set(pieces: &[MathPiece]) -> String {
+    let mut out = String::new();
+    let mut k = 0;
+    while let Some(piece) = pieces.get(k) {
+        // A root goes over all that its brackets hold.
+        if let MathPiece::Function(name) = piece
+            && name == "sqrt"
+            && let Some(end) = closing(pieces, k + 1)
+        {
+            let _ = write!(out, "\\sqrt{{{}}}", set(&pieces[k + 2..end]));
+            k = end + 1;
+            continue;
+        }
+        out.push_str(&match piece {
+            MathPiece::Blank => blank(pieces.get(k.wrapping_sub(1)), pieces.get(k + 1)).to_owned(),
+            piece => one(piece),
+        });
+        k += 1;
+    }
+    out
+}
+
+fn one(piece: &MathPiece) -> String {
+    match piece {
+        MathPiece::Symbol(letter, index, order) => {
+            let letter = match (letter.chars().count(), greek(letter)) {
+                (_, Some(name)) => format!("{name} "),
+                (1, None) if letter.is_ascii() => letter.clone(),
+                _ => format!("\\text{{{}}}", escaped(letter)),
+            };
+            let letter = match order {
+                0 => letter,
+                1 => format!("\\dot{{{letter}}}"),
+                _ => format!("\\ddot{{{letter}}}"),
+            };
+            match index.as_str() {
+                "" => letter,
+                index => format!("{letter}_{{\\text{{{}}}}}", escaped(index)),
+            }
+        }
+        MathPiece::Function(name) => match name.as_str() {
+            "sin" | "cos" | "tan" => format!("\\{name} "),
+            name => format!("\\operatorname{{{name}}}"),
+        },
+        MathPiece::Unit(name) => format!("\\text{{{name}}}"),
+        MathPiece::Number(digits, None) => digits.clone(),
+        MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
+        MathPiece::Power(raised) => format!("^{{{raised}}}"),
+        MathPiece::Sign('·') => "\\cdot ".into(),
+        MathPiece::Sign(sign) if "+-=()[]|/,<>".contains(*sign) => sign.to_string(),
+        MathPiece::Sign(sign) => format!("\\text{{{}}}", escaped(&sign.to_string())),
+        MathPiece::Blank => String::new(),
+    }
+}
+
+/// Words stand apart, factors hardly; signs make their own room.
+fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str {
+    let is_sign = |piece: Option<&MathPiece>| {
+        matches!(piece, None | Some(MathPiece::Sign('+' | '-' | '=' | '·')))
+    };
+    let is_word = |piece: Option<&MathPiece>| {
+        matches!(piece, Some(MathPiece::Unit(_)))
+            || matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
+    };
+    if is_word(before) || is_word(behind) {
+        "\\ "
+    } else if is_sign(before) || is_sign(behind) {
+        " "
+    } else {
+        "\\,"
+    }
+}
+
+/// The name of a Greek letter.
+fn greek(letter: &str) -> Option<&'static str> {
+    Some(match letter {
+        "θ" => "\\theta",
+        "ω" => "\\omega",
+        "α" => "\\alpha",
+        "β" => "\\beta",
+        "γ" => "\\gamma",
+        "μ" => "\\mu",
+        "ν" => "\\nu",
+        _ => return None,
+    })
+}
+
+/// Letters beyond ASCII that every TeX sets.
+const LETTERS: &str = "ÀÁÂÃÄÅÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜÝàáâãäåçèéêëìíîïñòóôõöøùúûüýÿßæÆœŒ\
+                       ĞğİıŞşĂăĆćČčĎďĚěŁłŃńŇňŐőŘřŚśŠšŤťŮůŰűŹźŻżŽž";
+
+/// A text of which TeX takes nothing for a command; what it cannot set is `?`.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' => out.push_str("\\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '%' | '_' => {
+                out.push('\\');
+                out.push(c);
+            }
+            '^' => out.push_str("\\textasciicircum{}"),
+            '~' => out.push_str("\\textasciitilde{}"),
+            '<' => out.push_str("\\ensuremath{<}"),
+            '>' => out.push_str("\\ensuremath{>}"),
+            '|' => out.push_str("\\ensuremath{|}"),
+            '[' | ']' => {
+                out.push('{');
+                out.push(c);
+                out.push('}');
+            }
+            '"' => out.push_str("{\\textquotedblright}"),
+            '·' => out.push_str("\\ensuremath{\\cdot}"),
+            '→' => out.push_str("\\ensuremath{\\rightarrow}"),
+            '\u{2212}' => out.push_str("\\ensuremath{-}"),
+            // Two would become a dash.
+            '-' if out.ends_with('-') => out.push_str("{}-"),
+            c if c.is_ascii_graphic() || c == ' ' || LETTERS.contains(c) => out.push(c),
+            c => match greek(c.encode_utf8(&mut [0; 4])) {
+                Some(name) => out.push_str(&format!("\\ensuremath{{{name}}}")),
+                None => out.push('?'),
+            },
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_become_mathematics() {
+        assert_eq!(
+            formula("-r2 ω2^2 cos(θ2)"),
+            "-r_{\\text{2}}\\,\\omega _{\\text{2}}^{2}\\,\\cos (\\theta _{\\text{2}})"
+        );
+        assert_eq!(
+            formula("sqrt(m^2 + (2)) mm"),
+            "\\sqrt{m^{2} + (2)}\\ \\text{mm}"
+        );
+        assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
+        assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");
+    }
+
+    #[test]
+    fn nothing_in_a_text_is_a_command() {
+        assert_eq!(
+            escaped("\\input{x} 5% a_b #1 ü 字"),
+            "\\textbackslash{}input\\{x\\} 5\\% a\\_b \\#1 ü ?"
+        );
+    }
+}

@@ -1,0 +1,201 @@
+//! Formulas taken apart, for writers that set them as formulas are set.
+
+/// A piece of a formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum MathPiece {
+    /// A symbol: its letter, its index, and by how many dots it is differentiated by time.
+    Symbol(String, String, usize),
+    /// `cos`.
+    Function(String),
+    /// A unit of one letter, which is no symbol: the `s` of `mm/s`.
+    Unit(String),
+    /// A number, and the power of ten behind it.
+    Number(String, Option<String>),
+    /// What is raised: `2`.
+    Power(String),
+    /// A sign, or a bracket.
+    Sign(char),
+    /// One blank or more.
+    Blank,
+}
+
+const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
+/// Components, which have an index though no figure does.
+const COMPONENTS: [&str; 2] = ["mx", "my"];
+
+/// The pieces of a formula.
+pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
+    let chars: Vec<char> = formula.chars().collect();
+    let mut pieces = Vec::new();
+    let mut i = 0;
+    while let Some(&c) = chars.get(i) {
+        let run = |is: fn(char) -> bool| -> String {
+            chars[i..].iter().copied().take_while(|&c| is(c)).collect()
+        };
+        let length = |text: &str| text.chars().count();
+        if c == ' ' {
+            i += length(&run(|c| c == ' '));
+            pieces.push(MathPiece::Blank);
+        } else if c.is_ascii_digit() {
+            let digits = run(|c| c.is_ascii_digit() || c == '.');
+            i += length(&digits);
+            let power = exponent(&chars[i..]);
+            i += power.as_ref().map_or(0, |power| length(power) + 1);
+            pieces.push(MathPiece::Number(digits, power));
+        } else if c == '^' && chars.get(i + 1).is_some_and(char::is_ascii_digit) {
+            let raised: String = chars[i + 1..]
+                .iter()
+                .take_while(|c| c.is_ascii_digit())
+                .collect();
+            i += 1 + length(&raised);
+            pieces.push(MathPiece::Power(raised));
+        } else if c.is_alphabetic() {
+            let name = run(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '\''));
+            let (name, order) = match derivative(&name, &chars[i + length(&name)..]) {
+                Some((inner, order)) => (inner.to_owned(), order),
+                None => (name, 0),
+            };
+            i += length(&name) + [0, 4, 6][order];
+            pieces.push(match is_unit(&name, &pieces) {
+                true => MathPiece::Unit(name),
+                false => named(&name, order),
+            });
+        } else {
+            i += 1;
+            pieces.push(MathPiece::Sign(c));
+        }
+    }
+    pieces
+}
+
+/// Whether a letter stands where a unit does: `mm/s`, `5 N`, `5 N m`.
+fn is_unit(name: &str, before: &[MathPiece]) -> bool {
+    let is_newton = |piece: &MathPiece| *piece == MathPiece::Unit("N".into());
+    match (name, before) {
+        ("s", [.., MathPiece::Sign('/')]) => true,
+        ("N", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
+        ("m", [.., newton, MathPiece::Blank]) => is_newton(newton),
+        _ => false,
+    }
+}
+
+/// `e-14` behind a number.
+fn exponent(rest: &[char]) -> Option<String> {
+    let behind = rest.strip_prefix(&['e'])?;
+    let sign = usize::from(matches!(behind.first(), Some('-' | '+')));
+    let digits = behind[sign..].iter().take_while(|c| c.is_ascii_digit());
+    let digits = digits.count();
+    (digits > 0).then(|| behind[..sign + digits].iter().collect())
+}
+
+/// Of `dr4` before `/dt`, and of `d2r4` before `/dt2`, the name, and which derivative it is.
+fn derivative<'n>(name: &'n str, rest: &[char]) -> Option<(&'n str, usize)> {
+    let follows = |word: &str| {
+        let word: Vec<char> = word.chars().collect();
+        let ends = |c: Option<&char>| !c.is_some_and(|c| c.is_alphanumeric());
+        rest.starts_with(&word) && ends(rest.get(word.len()))
+    };
+    if let Some(inner) = name.strip_prefix("d2").filter(|_| follows("/dt2")) {
+        return Some((inner, 2)).filter(|(inner, _)| !inner.is_empty());
+    }
+    let inner = name.strip_prefix('d').filter(|_| follows("/dt"))?;
+    Some((inner, 1)).filter(|(inner, _)| !inner.is_empty())
+}
+
+/// A name as a symbol with its index: `r3`, `θ3`, `α_ram`, `aB`, `a_r3.com_t`.
+fn named(name: &str, order: usize) -> MathPiece {
+    if FUNCTIONS.contains(&name) {
+        return MathPiece::Function(name.to_owned());
+    }
+    let split = |at: usize| (name[..at].to_owned(), name[at..].to_owned());
+    let first = name.chars().next().map_or(0, char::len_utf8);
+    let rest = &name[first..];
+    let is_number = |text: &str| {
+        let digits = text.trim_end_matches('\'');
+        !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
+    };
+    let of_point =
+        name.starts_with(['v', 'a']) && rest.starts_with(|c: char| c.is_ascii_uppercase());
+    let (letter, index) = match name.split_once('_') {
+        Some((letter, index)) if !letter.is_empty() => (letter.into(), index.replace('_', " ")),
+        _ if !name.is_ascii() || is_number(rest) || of_point || COMPONENTS.contains(&name) => {
+            split(first)
+        }
+        _ => (name.to_owned(), String::new()),
+    };
+    MathPiece::Symbol(letter, index, order)
+}
+
+/// Behind the bracket that the one at this place opens, there is what follows it.
+pub(super) fn closing(pieces: &[MathPiece], open: usize) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (k, piece) in pieces.iter().enumerate().skip(open) {
+        match piece {
+            MathPiece::Sign('(') => depth += 1,
+            MathPiece::Sign(')') => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(k);
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use MathPiece::{Blank, Function, Number, Power, Sign};
+
+    fn symbol(letter: &str, index: &str, order: usize) -> MathPiece {
+        MathPiece::Symbol(letter.into(), index.into(), order)
+    }
+
+    #[test]
+    fn names_are_symbols_with_an_index() {
+        for (name, letter, index) in [
+            ("r3", "r", "3"),
+            ("θ3", "θ", "3"),
+            ("α_ram", "α", "ram"),
+            ("aB", "a", "B"),
+            ("aBt", "a", "Bt"),
+            ("a_r3.com_t", "a", "r3.com t"),
+            ("mx", "m", "x"),
+            ("deg", "deg", ""),
+            ("ram", "ram", ""),
+            ("at", "at", ""),
+        ] {
+            assert_eq!(pieces(name), [symbol(letter, index, 0)], "{name}");
+        }
+    }
+
+    #[test]
+    fn formulas_come_apart() {
+        let taken = pieces("-ω3^2·sqrt(2) 5.7e-14");
+        let two = || Number("2".into(), None);
+        let expected = [
+            Sign('-'),
+            symbol("ω", "3", 0),
+            Power("2".into()),
+            Sign('·'),
+            Function("sqrt".into()),
+            Sign('('),
+            two(),
+            Sign(')'),
+            Blank,
+            Number("5.7".into(), Some("-14".into())),
+        ];
+        assert_eq!(taken, expected);
+        assert_eq!(closing(&taken, 5), Some(7));
+        assert_eq!(pieces("dr4/dt"), [symbol("r", "4", 1)]);
+        assert_eq!(
+            pieces("d2r4/dt2 r4"),
+            [symbol("r", "4", 2), Blank, symbol("r", "4", 0)]
+        );
+        let unit = |name: &str| MathPiece::Unit(name.into());
+        assert_eq!(pieces("mm/s")[2], unit("s"));
+        assert_eq!(pieces("2 N m")[2..], [unit("N"), Blank, unit("m")]);
+        assert_eq!(pieces("2 m r3")[2], symbol("m", "", 0));
+        assert_eq!(pieces("dist")[0], symbol("dist", "", 0));
+    }
+}

@@ -1,0 +1,135 @@
+//! What the classes of a picture look like: one sheet of rules, written into SVG and HTML as it is and read
+//! here for those who know no style sheets.
+
+/// Rules beside those for paper, lines (`path`) and `text`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct StyleSheet {
+    /// Everywhere.
+    pub(crate) light: &'static str,
+    /// On top of that, where the reader prefers a dark ground.
+    pub(crate) dark: &'static str,
+}
+
+/// The ink that stands alone where a viewer knows no preference; `currentColor` would be black there.
+pub(super) const LIGHT: &str = "\
+.paper{fill:#fff}
+path{fill:none;stroke:#222;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
+text{font:13px sans-serif;fill:#222}
+";
+pub(super) const DARK: &str = "\
+.paper{fill:#181818}
+path{stroke:#ddd}
+text{fill:#ddd}
+";
+
+/// How an element is drawn on light paper: colours as `005fd7`, `None` where it has none.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Look {
+    pub(super) stroke: Option<String>,
+    pub(super) fill: Option<String>,
+    pub(super) width: f64,
+    pub(super) dashes: Vec<f64>,
+    pub(super) stroke_opacity: f64,
+    pub(super) fill_opacity: f64,
+}
+
+impl StyleSheet {
+    /// How an element of a kind (`path`, `circle`, `text`) with these classes looks on light paper.
+    pub(super) fn look(&self, kind: &str, classes: &str) -> Look {
+        let mut look = Look {
+            stroke: None,
+            fill: Some("000000".into()),
+            width: 1.0,
+            dashes: Vec::new(),
+            stroke_opacity: 1.0,
+            fill_opacity: 1.0,
+        };
+        let mut found: Vec<(usize, &str)> = Vec::new();
+        for (selectors, declarations) in rules(LIGHT).chain(rules(self.light)) {
+            let ranks = selectors
+                .split(',')
+                .filter_map(|selector| rank(selector, kind, classes));
+            found.extend(ranks.max().map(|rank| (rank, declarations)));
+        }
+        // Of two rules the one that names more classes holds, and then the later one.
+        found.sort_by_key(|(rank, _)| *rank);
+        for (_, declarations) in found {
+            for declaration in declarations.split(';') {
+                if let Some((name, value)) = declaration.split_once(':') {
+                    look.declare(name.trim(), value.trim());
+                }
+            }
+        }
+        look
+    }
+}
+
+impl Look {
+    fn declare(&mut self, name: &str, value: &str) {
+        let number = |before: f64| value.parse().unwrap_or(before);
+        match name {
+            "stroke" => self.stroke = colour(value),
+            "fill" => self.fill = colour(value),
+            "stroke-width" => self.width = number(self.width),
+            "stroke-opacity" => self.stroke_opacity = number(self.stroke_opacity),
+            "fill-opacity" => self.fill_opacity = number(self.fill_opacity),
+            "stroke-dasharray" => {
+                let dashes = value.split_whitespace().map(str::parse);
+                self.dashes = dashes.collect::<Result<_, _>>().unwrap_or_default();
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The rules of a sheet: selectors, and what they are told.
+pub(super) fn rules(sheet: &str) -> impl Iterator<Item = (&str, &str)> {
+    let rules = sheet.split('}').filter_map(|rule| rule.split_once('{'));
+    rules.map(|(selectors, declarations)| (selectors.trim(), declarations))
+}
+
+/// How much a selector says of an element that it is meant for: how many classes it names.
+fn rank(selector: &str, kind: &str, classes: &str) -> Option<usize> {
+    let mut parts = selector.trim().split('.');
+    let of_kind = parts.next().unwrap_or("");
+    let mut named = 0;
+    for class in parts {
+        named += 1;
+        if !classes.split(' ').any(|own| own == class) {
+            return None;
+        }
+    }
+    (of_kind.is_empty() || of_kind == kind).then_some(named)
+}
+
+/// `#05d` or `#0055dd` as `0055dd`; nothing for `none`.
+fn colour(value: &str) -> Option<String> {
+    let digits = value.strip_prefix('#')?;
+    match digits.len() {
+        3 => Some(digits.chars().flat_map(|c| [c, c]).collect()),
+        _ => Some(digits.to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEET: StyleSheet = StyleSheet {
+        light: ".a,.b{stroke:#123}\n.a.b{stroke:#010203}\n.b{stroke-width:3;stroke-dasharray:7 4}\ncircle{stroke:#222}\n",
+        dark: "",
+    };
+
+    #[test]
+    fn the_rule_that_says_more_holds_and_then_the_later_one() {
+        let both = SHEET.look("path", "a b");
+        assert_eq!(both.stroke.as_deref(), Some("010203"));
+        assert_eq!((both.width, both.dashes), (3.0, vec![7.0, 4.0]));
+        assert_eq!(SHEET.look("path", "a").stroke.as_deref(), Some("112233"));
+        assert_eq!(SHEET.look("path", "c").stroke.as_deref(), Some("222222"));
+        assert_eq!(SHEET.look("path", "c").fill, None);
+        // A class says more than a kind, wherever it stands.
+        assert_eq!(SHEET.look("circle", "a").stroke.as_deref(), Some("112233"));
+        assert_eq!(SHEET.look("circle", "").fill.as_deref(), Some("000000"));
+    }
+}

@@ -1,0 +1,188 @@
+//! A picture as SVG: a document of its own, or a part of a page.
+//!
+//! The document lies on a paper of its own, light or dark as the reader prefers, so that it reads well on
+//! any ground. Text loses its control characters and is escaped: no scene can write markup.
+
+use super::artwork::{ArtElement, Artwork, TextAnchor};
+use super::style::{DARK, LIGHT, StyleSheet, rules};
+use crate::Vec2;
+use crate::document::sanitized;
+use std::fmt::Write as _;
+
+/// The ground that a document is drawn for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SvgGround {
+    /// Light, and dark where the reader prefers that.
+    Preferred,
+    /// Dark for every reader, also for one who knows no preference.
+    Dark,
+}
+
+impl Artwork {
+    /// The picture as a document.
+    pub(crate) fn svg(&self, ground: SvgGround) -> String {
+        let [w, h] = [self.size.x, self.size.y].map(number);
+        let StyleSheet { light, dark } = self.style;
+        let (when_dark, end) = match ground {
+            SvgGround::Preferred => ("@media (prefers-color-scheme:dark){\n", "}\n"),
+            SvgGround::Dark => ("", ""),
+        };
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
+             viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n\
+             <style>\n{LIGHT}{light}{when_dark}{DARK}{dark}{end}</style>\n\
+             <rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n{}</svg>\n",
+            marked_up(&self.title),
+            self.body()
+        )
+    }
+
+    /// The picture as an element of a page, which has the rules of its sheet under this class.
+    pub(super) fn svg_inside(&self, class: &str) -> String {
+        let [w, h] = [self.size.x, self.size.y].map(number);
+        let title = marked_up(&self.title);
+        format!(
+            "<svg class=\"{class}\" role=\"img\" width=\"{w}\" viewBox=\"0 0 {w} {h}\">\n\
+             <title>{title}</title>\n{}</svg>\n",
+            self.body()
+        )
+    }
+
+    fn body(&self) -> String {
+        let mut body = String::new();
+        for element in &self.elements {
+            let _ = match element {
+                ArtElement::Path {
+                    runs,
+                    is_closed,
+                    class,
+                } => {
+                    let data = path_data(runs, *is_closed);
+                    writeln!(body, "<path class=\"{class}\" d=\"{data}\"/>")
+                }
+                ArtElement::Circle { at, radius, class } => {
+                    let [x, y, r] = [at.x, at.y, *radius].map(number);
+                    writeln!(
+                        body,
+                        "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>"
+                    )
+                }
+                ArtElement::Text {
+                    at,
+                    anchor,
+                    class,
+                    text,
+                } => {
+                    let anchor = match anchor {
+                        TextAnchor::Start => "start",
+                        TextAnchor::Middle => "middle",
+                        TextAnchor::End => "end",
+                    };
+                    let ([x, y], text) = ([at.x, at.y].map(number), marked_up(text));
+                    writeln!(
+                        body,
+                        "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{x}\" y=\"{y}\">{text}</text>"
+                    )
+                }
+            };
+        }
+        body
+    }
+}
+
+impl StyleSheet {
+    /// The rules for pictures of a class inside a page, light or dark.
+    pub(super) fn scoped(&self, class: &str, is_dark: bool) -> String {
+        let (usual, own) = match is_dark {
+            false => (LIGHT, self.light),
+            true => (DARK, self.dark),
+        };
+        let mut scoped = String::new();
+        for (selectors, declarations) in rules(usual).chain(rules(own)) {
+            let selectors = selectors.split(',');
+            let selectors: Vec<String> = selectors
+                .map(|selector| format!(".{class} {}", selector.trim()))
+                .collect();
+            let _ = writeln!(scoped, "{}{{{declarations}}}", selectors.join(","));
+        }
+        scoped
+    }
+}
+
+fn path_data(runs: &[Vec<Vec2>], is_closed: bool) -> String {
+    let mut data = String::new();
+    for run in runs {
+        for (k, p) in run.iter().enumerate() {
+            let command = if k == 0 { 'M' } else { 'L' };
+            let _ = write!(data, "{command}{} {}", number(p.x), number(p.y));
+        }
+        if is_closed {
+            data.push('Z');
+        }
+    }
+    data
+}
+
+/// Hundredths of a user unit are finer than any printer.
+pub(super) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
+}
+
+/// A text that no reader of SVG or HTML takes for markup.
+pub(super) fn marked_up(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in sanitized(text, false).chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: StyleSheet = StyleSheet {
+        light: "",
+        dark: "",
+    };
+
+    #[test]
+    fn what_is_not_finite_breaks_a_line_and_text_is_escaped() {
+        let mut art = Artwork::new(Vec2::new(100.0, 50.0), "a < b\u{1b}[2J", PLAIN);
+        let gap = Vec2::new(f64::NAN, 0.0);
+        let [a, b] = [Vec2::new(0.0, 1.0), Vec2::new(2.5, 3.0)];
+        art.polyline([a, b, gap, a, b], "trace");
+        art.text(a, TextAnchor::Middle, "label", "\"B'\" & C");
+        let text = art.svg(SvgGround::Preferred);
+        assert!(
+            text.contains("<title>a &lt; b\u{fffd}[2J</title>"),
+            "{text}"
+        );
+        assert!(text.contains("d=\"M0 1L2.5 3M0 1L2.5 3\""), "{text}");
+        assert!(text.contains("&quot;B'&quot; &amp; C</text>"));
+        assert!(!text.contains("NaN"));
+    }
+
+    #[test]
+    fn rules_inside_a_page_are_those_of_its_pictures() {
+        let sheet = StyleSheet {
+            light: ".a,path.b{fill:none}\n",
+            dark: ".a{fill:#fff}\n",
+        };
+        let light = sheet.scoped("art", false);
+        assert!(
+            light.contains("\n.art .a,.art path.b{fill:none}\n"),
+            "{light}"
+        );
+        assert!(light.contains(".art text{font:13px"), "{light}");
+        assert!(sheet.scoped("art", true).ends_with(".art .a{fill:#fff}\n"));
+    }
+}

@@ -1,0 +1,131 @@
+//! A picture in TikZ: the elements of the SVG, in the look that its style sheet gives them on paper.
+
+use super::artwork::{ArtElement, Artwork, TextAnchor};
+use super::latex::escaped;
+use super::style::Look;
+use super::svg::number;
+use crate::Vec2;
+use std::fmt::Write as _;
+
+/// The width of a picture in millimetres where it has so many user units, and at most.
+const MILLIMETRES: f64 = 160.0 / 800.0;
+const WIDEST: f64 = 160.0;
+/// User units of the letters, and of a point of type where a picture has its usual size.
+const LETTERS: f64 = 13.0;
+const POINT: f64 = 0.352_78;
+/// TeX counts no further; what lies outside of the picture is cut off.
+const FARTHEST: f64 = 4000.0;
+
+impl Artwork {
+    /// The picture as a `tikzpicture`.
+    pub(super) fn tikz(&self) -> String {
+        let unit = MILLIMETRES.min(WIDEST / self.size.x.max(1.0));
+        let [w, h] = [self.size.x, self.size.y].map(number);
+        let points = number((LETTERS * unit / POINT).max(4.0));
+        let mut text = format!(
+            "\\begin{{tikzpicture}}[x={unit:.4}mm,y=-{unit:.4}mm,line cap=round,line join=round,\
+             every node/.style={{inner sep=0pt,font=\\sffamily\\fontsize{{{points}}}{{{points}}}\\selectfont}}]\n\
+             \\clip (0,0) rectangle ({w},{h});\n"
+        );
+        for element in &self.elements {
+            self.element(element, unit, &mut text);
+        }
+        text + "\\end{tikzpicture}\n"
+    }
+
+    fn element(&self, element: &ArtElement, unit: f64, out: &mut String) {
+        match element {
+            ArtElement::Path {
+                runs,
+                is_closed,
+                class,
+            } => {
+                let look = self.style.look("path", class);
+                let Some(options) = options(&look, unit) else {
+                    return;
+                };
+                for run in runs {
+                    let places: Vec<String> = run.iter().map(|&p| place(p)).collect();
+                    let end = if *is_closed { " -- cycle" } else { "" };
+                    // One point is a dot, which round ends make of a line to itself.
+                    let dot = if places.len() == 1 { " -- cycle" } else { end };
+                    let _ = writeln!(out, "\\path[{options}] {}{dot};", places.join("--"));
+                }
+            }
+            ArtElement::Circle { at, radius, class } => {
+                if let Some(options) = options(&self.style.look("circle", class), unit) {
+                    let radius = number(radius * unit);
+                    let at = place(*at);
+                    let _ = writeln!(out, "\\path[{options}] {at} circle[radius={radius}mm];");
+                }
+            }
+            ArtElement::Text {
+                at,
+                anchor,
+                class,
+                text,
+            } => {
+                let look = self.style.look("text", class);
+                // What is only drawn around letters is there to set them off.
+                let Some(ink) = look.fill else { return };
+                let anchor = match anchor {
+                    TextAnchor::Start => "base west",
+                    TextAnchor::Middle => "base",
+                    TextAnchor::End => "base east",
+                };
+                let (at, text) = (place(*at), escaped(text));
+                let _ = writeln!(
+                    out,
+                    "\\node[anchor={anchor},text={}] at {at} {{{text}}};",
+                    mixed(&ink)
+                );
+            }
+        }
+    }
+}
+
+/// How a path is drawn; nothing where it is not seen.
+fn options(look: &Look, unit: f64) -> Option<String> {
+    let mut options = Vec::new();
+    if let Some(ink) = &look.stroke {
+        options.push(format!("draw={}", mixed(ink)));
+        options.push(format!("line width={}mm", number(look.width * unit)));
+        if look.stroke_opacity < 1.0 {
+            options.push(format!("draw opacity={}", number(look.stroke_opacity)));
+        }
+        if !look.dashes.is_empty() {
+            let dash = |(k, length): (usize, &f64)| {
+                let on = ["on", "off"][k % 2];
+                format!("{on} {}mm", number(length * unit))
+            };
+            let dashes: Vec<String> = look.dashes.iter().enumerate().map(dash).collect();
+            options.push(format!("dash pattern={}", dashes.join(" ")));
+        }
+    }
+    if let Some(ink) = &look.fill {
+        options.push(format!("fill={}", mixed(ink)));
+        if look.fill_opacity < 1.0 {
+            options.push(format!("fill opacity={}", number(look.fill_opacity)));
+        }
+    }
+    (!options.is_empty()).then(|| options.join(","))
+}
+
+/// A colour of six digits in the words of the package for colours.
+fn mixed(digits: &str) -> String {
+    let part = |k: usize| {
+        let digits = digits.get(2 * k..2 * k + 2).unwrap_or("00");
+        u8::from_str_radix(digits, 16).unwrap_or(0)
+    };
+    format!(
+        "{{rgb,255:red,{};green,{};blue,{}}}",
+        part(0),
+        part(1),
+        part(2)
+    )
+}
+
+fn place(at: Vec2) -> String {
+    let [x, y] = [at.x, at.y].map(|v| number(v.clamp(-FARTHEST, FARTHEST)));
+    format!("({x},{y})")
+}

@@ -1,0 +1,252 @@
+//! Vectors to scale: the polygon of each loop, and velocities and accelerations from one pole.
+
+use super::{ReportedState, picture};
+use crate::Vec2;
+use crate::angle;
+use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
+use crate::page::{Illustration, Page, Table};
+use crate::report::number::{direction, significant};
+use crate::report::working::{LoopVectors, PointMotion};
+use crate::solver::Order;
+use crate::wording::words;
+use std::sync::Arc;
+
+/// Of more points the parts would hide each other.
+const MOST_IN_PARTS: usize = 8;
+/// A smaller part of the longest vector is rounding, or too short to be seen.
+const SEEN: f64 = 1e-3;
+
+impl ReportedState<'_> {
+    /// The polygon that the vectors of each loop close.
+    pub(super) fn polygons(&self, page: &mut Page) {
+        for (number, of) in self.loops.iter().enumerate() {
+            if let Some(diagram) = polygon(of, self.scene.unit.symbol()) {
+                let caption = match self.loops.len() {
+                    1 => words().polygon_drawn(&of.sum),
+                    _ => words().polygon_of_loop(number + 1, &of.sum),
+                };
+                show(page, &diagram, caption);
+            }
+        }
+    }
+
+    /// Velocities and accelerations of points: a table, and diagrams to scale.
+    pub(super) fn diagrams(&self, page: &mut Page) {
+        let motions = self
+            .working
+            .point_motions(self.scene, self.solver, self.state);
+        if motions.is_empty() {
+            return;
+        }
+        page.heading(words().points_to_scale());
+        self.table_of_points(&motions, page);
+        for (order, unit, captions) in [
+            (
+                Order::Velocity,
+                format!("{}/s", self.scene.unit.symbol()),
+                [
+                    words().velocities_of_joints(),
+                    words().velocities_of_centres(),
+                ],
+            ),
+            (
+                Order::Acceleration,
+                format!("{}/s^2", self.scene.unit.symbol()),
+                [
+                    words().accelerations_of_joints(),
+                    words().accelerations_of_centres(),
+                ],
+            ),
+        ] {
+            for (is_centre, caption) in [false, true].into_iter().zip(captions) {
+                let of: Vec<&PointMotion> = motions
+                    .iter()
+                    .filter(|m| m.is_centre == is_centre)
+                    .collect();
+                let diagram = from_pole(&of, order, &unit);
+                if !diagram.is_empty() {
+                    show(page, &diagram, caption.to_owned());
+                }
+            }
+        }
+    }
+
+    fn table_of_points(&self, motions: &[PointMotion], page: &mut Page) {
+        let unit = self.scene.unit.symbol();
+        let at = words().direction_in_degrees();
+        let mut table = Table::new(
+            words().point(),
+            [&format!("v [{unit}/s]"), at, &format!("a [{unit}/s^2]"), at],
+        );
+        let largest = |of: fn(&PointMotion) -> Vec2| {
+            let all = motions.iter().map(|motion| of(motion).norm());
+            all.fold(0.0, f64::max)
+        };
+        let largest = [largest(|m| m.velocity), largest(|m| m.acceleration)];
+        for motion in motions {
+            let vectors = [motion.velocity, motion.acceleration];
+            let cells = vectors.into_iter().zip(largest).flat_map(|(v, largest)| {
+                match v.norm() > 64.0 * f64::EPSILON * largest {
+                    true => [
+                        significant(v.norm(), self.digits),
+                        direction(angle::degrees(v), self.digits),
+                    ],
+                    false => ["0".to_owned(), "-".to_owned()],
+                }
+            });
+            let [symbol, _] = &motion.symbols;
+            // Its symbol without the letter of the velocity is its name.
+            let name = symbol.trim_start_matches('v').trim_start_matches('_');
+            table.row(name, cells);
+        }
+        page.table(table);
+    }
+}
+
+fn show(page: &mut Page, diagram: &VectorDiagram, caption: String) {
+    let artwork = Arc::new(diagram.artwork(&caption));
+    picture(
+        page,
+        Illustration {
+            artwork,
+            caption,
+            characters: diagram.characters(),
+        },
+    );
+}
+
+/// The vectors of a loop, head to tail, with the angles at their tails.
+fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
+    let mut diagram = VectorDiagram {
+        unit: unit.to_owned(),
+        ..VectorDiagram::default()
+    };
+    let mut at = Vec2::ZERO;
+    for side in &of.vectors {
+        let vector = side.vector?;
+        let (tail, next) = match side.is_reversed {
+            false => (at, at + vector),
+            true => (at - vector, at - vector),
+        };
+        let is_sought = side.figures[0].iter().any(|figure| figure.is_sought);
+        let kind = match (side.is_driven, is_sought) {
+            (true, _) => ArrowKind::Driven,
+            (false, true) => ArrowKind::Sought,
+            (false, false) => ArrowKind::Given,
+        };
+        diagram.add(tail, tail + vector, side.name.as_str(), kind);
+        let (to, name) = side.theta.clone();
+        diagram.arcs.push(DiagramArc { at: tail, to, name });
+        at = next;
+    }
+    Some(diagram)
+}
+
+/// Velocities or accelerations from one pole, with the parts that they are the sums of.
+fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagram {
+    let is_velocity = order == Order::Velocity;
+    let whole = |motion: &PointMotion| match is_velocity {
+        true => motion.velocity,
+        false => motion.acceleration,
+    };
+    let longest = motions.iter().map(|m| whole(m).norm()).fold(0.0, f64::max);
+    let is_seen = |v: Vec2| v.norm() > SEEN * longest;
+    let mut diagram = VectorDiagram {
+        unit: unit.to_owned(),
+        ..VectorDiagram::default()
+    };
+    let seen = || motions.iter().filter(|motion| is_seen(whole(motion)));
+    for motion in seen() {
+        let symbol = &motion.symbols[usize::from(!is_velocity)];
+        diagram.add(Vec2::ZERO, whole(motion), symbol, ArrowKind::Sought);
+    }
+    if motions.len() > MOST_IN_PARTS {
+        return diagram;
+    }
+    for motion in seen() {
+        let symbol = &motion.symbols[usize::from(!is_velocity)];
+        for part in &motion.parts {
+            let name = format!("{symbol}{}", part.about);
+            let base = part.base[usize::from(!is_velocity)];
+            let parts = match is_velocity {
+                true => vec![(part.velocity, name)],
+                false => vec![
+                    (part.normal, format!("{name} n")),
+                    (part.tangential, format!("{name} t")),
+                ],
+            };
+            let parts: Vec<_> = parts.into_iter().filter(|(v, _)| is_seen(*v)).collect();
+            // One part from the pole is the whole.
+            if parts.len() == 1 && !is_seen(base) {
+                continue;
+            }
+            let is_drawn = |arrow: &crate::drawing::DiagramArrow| arrow.to == base;
+            if is_seen(base) && !diagram.arrows.iter().any(is_drawn) {
+                let base_name = format!("{}{}", &symbol[..1], &part.about[1..]);
+                diagram.add(Vec2::ZERO, base, base_name, ArrowKind::Given);
+            }
+            let mut from = base;
+            for (v, name) in parts {
+                diagram.add(from, from + v, name, ArrowKind::Part);
+                from += v;
+            }
+        }
+    }
+    diagram
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::ArtElement;
+    use crate::report::Working;
+    use crate::scene::{Scene, presets};
+    use crate::solver::Solver;
+
+    /// The vectors of a polygon as they are drawn, in their order.
+    fn drawn(diagram: &VectorDiagram) -> Vec<Vec2> {
+        let art = diagram.artwork("loop");
+        let of = |element: &ArtElement| match element {
+            ArtElement::Path { runs, class, .. }
+                if ["given", "driven", "sought"].contains(&class.as_str()) =>
+            {
+                Some(runs[0][1] - runs[0][0])
+            }
+            _ => None,
+        };
+        let all = art.elements().iter().filter_map(of);
+        all.take(diagram.arrows.len()).collect()
+    }
+
+    #[test]
+    fn polygons_close_wherever_a_preset_stands() {
+        let mut closed = 0;
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let working = Working::new(&scene, &solver);
+            let mut state = solver.state();
+            let (low, high) = solver.motion().range.ends();
+            for k in 0..=4 {
+                let at = low + (high - low) * f64::from(k) / 4.0;
+                let _ = solver.solve(at, Order::Acceleration, &mut state);
+                for of in working.loop_vectors(&scene, &solver, &state, 6) {
+                    let diagram = polygon(&of, "mm").unwrap();
+                    let drawn = drawn(&diagram);
+                    let terms = of.vectors.iter().zip(drawn);
+                    let sum = terms.fold(Vec2::ZERO, |sum, (vector, line)| {
+                        sum + if vector.is_reversed { -line } else { line }
+                    });
+                    assert!(
+                        sum.norm() < 1.0,
+                        "{} at {at}: {} {sum:?}",
+                        preset.name,
+                        of.sum
+                    );
+                    closed += 1;
+                }
+            }
+        }
+        assert!(closed > 150, "{closed}");
+    }
+}

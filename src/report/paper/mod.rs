@@ -1,0 +1,174 @@
+//! A report: the working of one state as it is handed in, with the drawing, vector polygons, tables empty
+//! and then filled, diagrams of velocities and accelerations to scale, and plots over the whole motion.
+//!
+//! The working is that of [`Working`]; what is added stands between its parts.
+
+mod diagrams;
+mod drawings;
+mod format;
+mod loop_tables;
+mod plots;
+
+pub use format::ReportFormat;
+
+use super::check::Check;
+use super::working::{LoopVectors, Worked, Working, WorkingNotation, WorkingPart};
+use crate::drawing::Reach;
+use crate::page::{Block, Content, Illustration, Page};
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Solver, State};
+use crate::wording::words;
+
+/// A report on one state of a scene.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// What is to be read.
+    pub page: Page,
+}
+
+/// What a report is written from.
+struct ReportedState<'a> {
+    scene: &'a Scene,
+    solver: &'a Solver,
+    state: &'a State,
+    working: Working,
+    reach: Reach,
+    loops: Vec<LoopVectors>,
+    digits: usize,
+}
+
+impl Report {
+    /// The report on a state that was solved as far as there is anything and enclosed, to so many significant
+    /// digits.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
+        let working = Working::new(scene, solver);
+        let reported = ReportedState {
+            loops: working.loop_vectors(scene, solver, state, digits),
+            reach: Reach::of(scene, solver),
+            working,
+            scene,
+            solver,
+            state,
+            digits,
+        };
+        Report {
+            page: reported.page(),
+        }
+    }
+}
+
+impl ReportedState<'_> {
+    fn has_positions(&self) -> bool {
+        self.state.condition() != Condition::NoAssembly
+    }
+
+    fn has_rates(&self) -> bool {
+        self.state.known().has(Order::Acceleration)
+    }
+
+    fn page(&self) -> Page {
+        let Worked {
+            mut page, parts, ..
+        } = self.working.written(
+            self.scene,
+            self.solver,
+            self.state,
+            self.digits,
+            WorkingNotation::Lecture,
+        );
+        let mut written = std::mem::take(&mut page.blocks).into_iter();
+        let begins = parts.iter().map(|(_, begin)| *begin);
+        let ends = begins.skip(1).chain([usize::MAX]);
+        for ((part, begin), end) in parts.iter().zip(ends) {
+            let blocks = written.by_ref().take(end - begin).collect();
+            self.part(*part, blocks, &mut page);
+        }
+        self.plots(&mut page);
+        self.facts(&mut page);
+        page
+    }
+
+    /// A part of the working with what belongs to it.
+    fn part(&self, part: WorkingPart, blocks: Vec<Block>, page: &mut Page) {
+        let mut blocks = blocks.into_iter();
+        match part {
+            WorkingPart::Opening => {
+                page.blocks.extend(blocks);
+                self.drawing(page);
+                definitions(page);
+            }
+            WorkingPart::Polygons => {
+                page.blocks.extend(blocks);
+                self.polygons(page);
+            }
+            // The vectors of loops stand in tables of their own, and are not told before they are found.
+            WorkingPart::PositionTable if !self.loops.is_empty() => {
+                page.blocks.extend(blocks.next());
+                self.asked(Order::Position, page);
+            }
+            WorkingPart::PositionTable | WorkingPart::Equations | WorkingPart::Check => {
+                page.blocks.extend(blocks)
+            }
+            WorkingPart::Positions => {
+                page.blocks.extend(blocks);
+                self.told(Order::Position, page);
+            }
+            WorkingPart::Velocities => self.rates(Order::Velocity, blocks, page),
+            WorkingPart::Accelerations => self.rates(Order::Acceleration, blocks, page),
+            WorkingPart::Points => {
+                page.blocks.extend(blocks);
+                self.diagrams(page);
+            }
+            WorkingPart::Forces => {
+                page.blocks.extend(blocks);
+                self.forces(page);
+            }
+        }
+    }
+
+    /// Velocities or accelerations: the table empty, how they are found, and the table filled.
+    fn rates(&self, order: Order, mut blocks: impl Iterator<Item = Block>, page: &mut Page) {
+        page.blocks.extend(blocks.next());
+        if !self.loops.is_empty() {
+            self.asked(order, page);
+        }
+        // What follows was set below a heading.
+        let first = blocks.next().map(|block| Block {
+            is_apart: true,
+            ..block
+        });
+        page.blocks.extend(first.into_iter().chain(blocks));
+        self.told(order, page);
+    }
+
+    /// What was understood of the scene, and holds for its whole motion.
+    fn facts(&self, page: &mut Page) {
+        page.part(words().facts_part());
+        let check = Check::new(self.scene, self.solver).page();
+        let facts = check.blocks.into_iter();
+        for block in facts.filter(|block| !matches!(block.content, Content::Title(_))) {
+            page.add(block.content);
+        }
+    }
+}
+
+/// The unit vectors, as the lecture defines them.
+fn definitions(page: &mut Page) {
+    page.text(words().unit_vectors_are());
+    for sides in [
+        ["μ(θ)", "cos(θ) i + sin(θ) j"],
+        ["ν(θ)", "-sin(θ) i + cos(θ) j"],
+        ["dμ/dt", "ω ν(θ)"],
+        ["dν/dt", "-ω μ(θ)"],
+    ] {
+        page.equation(sides);
+    }
+    page.equation(["μ(a)·μ(b)", "ν(a)·ν(b)", "cos(a - b)"]);
+    page.equation(["μ(a)·ν(b)", "sin(a - b)"]);
+}
+
+/// A picture behind what leads to it.
+fn picture(page: &mut Page, illustration: Illustration) {
+    page.add(Content::Picture(illustration));
+}

@@ -1,0 +1,89 @@
+//! Positions and rates of every vector over the whole motion.
+
+use super::{ReportedState, picture};
+use crate::Vec2;
+use crate::drawing::plot::{Plot, PlotStyle};
+use crate::drawing::{Glyphs, lines_drawn};
+use crate::page::{Illustration, Page};
+use crate::quantity::{Abscissa, Aspect, Catalogue, Curves, Quantity, Subject};
+use crate::scene::VectorKind;
+use crate::wording::words;
+use std::sync::Arc;
+
+/// As many curves as dashes tell apart.
+const MOST_CURVES: usize = 5;
+const SIZE: Vec2 = Vec2 { x: 760.0, y: 420.0 };
+const COLUMNS: u16 = 76;
+const ROWS: u16 = 22;
+const ASPECT: f64 = 2.0;
+
+impl ReportedState<'_> {
+    /// A plot for positions, velocities and accelerations each; of many vectors several.
+    pub(super) fn plots(&self, page: &mut Page) {
+        page.part(words().plots_part());
+        let captions = [
+            words().positions_plotted(),
+            words().velocities_plotted(),
+            words().accelerations_plotted(),
+        ];
+        for (order, caption) in captions.into_iter().enumerate() {
+            for of in [Aspect::TURNING[order], Aspect::STRETCHING[order]] {
+                let figures = self.figures(of);
+                for some in figures.chunks(MOST_CURVES) {
+                    self.plot(some, caption, page);
+                }
+            }
+        }
+    }
+
+    /// The figures of vectors that move, by what they are.
+    fn figures(&self, of: Aspect) -> Vec<Quantity> {
+        let catalogue = Catalogue::new(self.scene);
+        let mechanism = &self.scene.mechanism;
+        let moves = |kind: &VectorKind| match *kind {
+            VectorKind::Link(_) | VectorKind::Slide(_) => true,
+            VectorKind::Between(tail, head) => {
+                let is_ground = |point| mechanism.point(point).ground.is_some();
+                !(is_ground(tail) && is_ground(head))
+            }
+        };
+        let vectors = self.scene.vectors.iter().map(|vector| vector.kind);
+        let subjects: Vec<Subject> = vectors.filter(moves).map(Subject::from).collect();
+        let all = catalogue.figures().into_iter();
+        let is_wanted = |q: &Quantity| q.subject().is_some_and(|s| subjects.contains(&s));
+        all.filter(|q| q.aspect() == Some(of) && is_wanted(q))
+            .collect()
+    }
+
+    fn plot(&self, figures: &[Quantity], caption: &str, page: &mut Page) {
+        // Over the driver there is always something.
+        let curves = Curves::new(self.scene, self.solver, figures, Abscissa::Driver, None);
+        let Ok(curves) = curves else { return };
+        let plot = Plot::of(&curves);
+        if !plot.has_values() {
+            return;
+        }
+        let style = PlotStyle {
+            cols: COLUMNS,
+            rows: ROWS.max(plot.least_rows()),
+            glyphs: Glyphs::Ascii,
+            aspect: ASPECT,
+            extrema: true,
+            first: 0,
+        };
+        let characters = match plot.fits(&style) {
+            true => plot.render(&style, None).text(),
+            false => String::new(),
+        };
+        let names: Vec<&str> = figures.iter().map(|figure| figure.name.as_str()).collect();
+        let caption = words().plotted_are(caption, &names.join(", "));
+        picture(
+            page,
+            Illustration {
+                artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
+                characters: lines_drawn(&characters),
+                caption,
+            },
+        );
+    }
+}

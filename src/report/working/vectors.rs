@@ -1,0 +1,152 @@
+//! The vectors of each loop with their figures, given or found: what tables with a column per vector and
+//! the drawn polygons are made of.
+
+use super::Working;
+use super::draft::Context;
+use super::opening::sum_text;
+use super::polygon::Term;
+use super::sides::{Side, SideReading};
+use super::symbols;
+use crate::Vec2;
+use crate::scene::Scene;
+use crate::solver::{Order, Solver, State};
+
+/// A loop of vectors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoopVectors {
+    /// Their sum: `r1 + r2 + r3 + r4`.
+    pub sum: String,
+    /// The vectors in the order in which the loop goes through them.
+    pub vectors: Vec<LoopVector>,
+}
+
+/// A vector of a loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoopVector {
+    /// Its name.
+    pub name: String,
+    /// From its tail to its head, where the loop has an assembly.
+    pub vector: Option<Vec2>,
+    /// Whether the loop goes through it from head to tail.
+    pub is_reversed: bool,
+    /// Whether the driver moves it.
+    pub is_driven: bool,
+    /// Its direction in degrees, and the symbol of that.
+    pub theta: (f64, String),
+    /// Length and angle, their rates, and the rates of these.
+    pub figures: [[VectorFigure; 2]; 3],
+}
+
+/// A figure of a vector.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VectorFigure {
+    /// Its symbol.
+    pub symbol: String,
+    /// Its value as it is written; `None` where it does not exist here.
+    pub value: Option<String>,
+    /// Whether it is sought, not given.
+    pub is_sought: bool,
+}
+
+impl VectorFigure {
+    /// Before it is found: what is given as it is, and `θ3 = ?`.
+    #[must_use]
+    pub fn asked(&self) -> String {
+        match (&self.value, self.is_sought) {
+            (Some(value), false) => value.clone(),
+            _ => format!("{} = ?", self.symbol),
+        }
+    }
+
+    /// Once it is found: what is given as it is, and `θ3 = 29.3794`.
+    #[must_use]
+    pub fn told(&self) -> String {
+        match (&self.value, self.is_sought) {
+            (Some(value), true) => format!("{} = {value}", self.symbol),
+            _ => self.asked(),
+        }
+    }
+}
+
+impl Working {
+    /// The vectors of every loop in a state.
+    #[must_use]
+    pub fn loop_vectors(
+        &self,
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        digits: usize,
+    ) -> Vec<LoopVectors> {
+        let context = self.context(scene, solver, state, digits);
+        let loops = self.polygon.loops.iter();
+        let vectors = |terms: &[Term]| terms.iter().map(|&term| vector(&context, term)).collect();
+        let of = loops.map(|of| LoopVectors {
+            sum: sum_text(&context, of),
+            vectors: vectors(&of.terms),
+        });
+        of.collect()
+    }
+}
+
+fn vector(context: &Context<'_>, term: Term) -> LoopVector {
+    let side = &context.polygon.sides[term.side];
+    let reading = &context.readings[term.side];
+    LoopVector {
+        name: side.name.clone(),
+        vector: context.has_positions().then(|| reading.vector()),
+        is_reversed: term.reversed,
+        is_driven: context.schedule.is_driven(side) || context.schedule.is_pushed(side),
+        theta: (reading.theta, side.theta()),
+        figures: [Order::Position, Order::Velocity, Order::Acceleration]
+            .map(|order| figures(context, side, reading, order)),
+    }
+}
+
+/// Length and angle of a side, or their rates of an order.
+fn figures(
+    context: &Context<'_>,
+    side: &Side,
+    reading: &SideReading,
+    order: Order,
+) -> [VectorFigure; 2] {
+    let sought = [
+        context.schedule.length_group(side).is_some(),
+        context.schedule.angle_group(side).is_some(),
+    ];
+    let turner = side.turner(context.scene);
+    let (symbols, values, exists) = match order {
+        Order::Position => (
+            [side.name.clone(), side.theta()],
+            [reading.r, reading.theta],
+            context.has_positions(),
+        ),
+        Order::Velocity => (
+            [symbols::rate(&side.name), symbols::omega(turner)],
+            [reading.rate, reading.omega],
+            context.has_rates(),
+        ),
+        // Forces ask for nothing more of a vector.
+        Order::Acceleration | Order::Force => (
+            [symbols::accel(&side.name), symbols::alpha(turner)],
+            [reading.accel, reading.alpha],
+            context.has_rates(),
+        ),
+    };
+    let f = context.figures;
+    let is_direction = [false, order == Order::Position];
+    let [length, angle] = symbols;
+    let figure = |k: usize, symbol: String| {
+        let value = match (is_direction[k], sought[k]) {
+            (true, _) => f.direction(values[k]),
+            (false, true) => f.number(values[k]),
+            (false, false) => f.given(values[k]),
+        };
+        VectorFigure {
+            symbol,
+            value: (exists || !sought[k]).then_some(value),
+            is_sought: sought[k],
+        }
+    };
+    [figure(0, length), figure(1, angle)]
+}

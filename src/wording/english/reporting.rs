@@ -1,0 +1,66 @@
+//! The report: drawing, polygons, tables and plots around the working.
+
+use super::English;
+
+catalogue! {
+    /// What is said around the pictures and tables of a report.
+    trait ReportingWords for English {
+        language_tag = "en";
+
+        // How it begins.
+        unit_vectors_are =
+            "With the unit vectors μ(θ) along an angle and ν(θ) at right angles to it, to its left:";
+
+        // Vector polygons and their tables.
+        polygon_drawn(sum: &str) = "The vector polygon {sum} = 0, to scale; angles stand at the tails.";
+        polygon_of_loop(number: usize, sum: &str) =
+            "Loop {number}: the vector polygon {sum} = 0, to scale; angles stand at the tails.";
+        loop_number(number: usize) = "loop {number}";
+        tables_asked = "Given, and with a question mark what is sought:";
+        tables_told = "Given, and behind their symbols the figures that were found:";
+
+        // Velocities and accelerations of points.
+        points_to_scale = "Points to scale";
+        direction_in_degrees = "at [deg]";
+        velocities_of_joints = "Velocities of the joints from one pole, to scale.";
+        velocities_of_centres = "Velocities of the centres of mass from one pole, to scale.";
+        accelerations_of_joints =
+            "Accelerations of the joints from one pole, to scale; n is a normal part, t a tangential one.";
+        accelerations_of_centres =
+            "Accelerations of the centres of mass from one pole, to scale; n is a normal part, t a \
+             tangential one.";
+
+        // Forces, plots and facts.
+        forces_drawn = "Loads, and the forces that joints and guides bear.";
+        plots_part = "Over the whole motion";
+        positions_plotted = "Positions";
+        velocities_plotted = "Velocities";
+        accelerations_plotted = "Accelerations";
+        plotted_are(what: &str, names: &str) = "{what}: {names}.";
+        facts_part = "The mechanism";
+
+        // On the command line.
+        does_report = "Write a report to hand in: drawing, polygons, tables, working and plots of one angle";
+        format_of_report = "How to write it [default: by the file's ending, or html]";
+        format_html = "One HTML file with its pictures inside, for a browser and for paper";
+        format_latex = "LaTeX for a plain TeX Live, its pictures in TikZ";
+        examples_of_report = "\
+Examples:
+  krank report four-bar --at 60 -o four-bar.html
+  krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
+  krank report press --format markdown
+
+The drawing; the vector polygon of every loop to scale; position, velocity and
+acceleration tables with a column per vector, empty (theta3 = ?) and then
+filled; the working of `krank explain` with the unit vectors mu and nu of the
+lectures; velocities and accelerations of joints and centres of mass from one
+pole, to scale; forces where anything acts; plots over the whole motion; and
+what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
+
+        // In the workbench.
+        report = "report";
+        too_many_links_to_report = "too many links to report on here: krank report does it";
+        write_a_report = "write a report";
+        the_report = "the report";
+    }
+}

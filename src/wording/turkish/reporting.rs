@@ -1,0 +1,65 @@
+//! The report: drawing, polygons, tables and plots around the working.
+
+use super::Turkish;
+use crate::wording::english::ReportingWords;
+
+catalogue! {
+    impl ReportingWords for Turkish {
+        language_tag = "tr";
+
+        // How it begins.
+        unit_vectors_are =
+            "Birim vektörler: açı boyunca μ(θ), ona dik, soluna ν(θ):";
+
+        // Vector polygons and their tables.
+        polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; açılar kuyruklarda.";
+        polygon_of_loop(number: usize, sum: &str) =
+            "Döngü {number}: ölçekli vektörel poligon, {sum} = 0; açılar kuyruklarda.";
+        loop_number(number: usize) = "döngü {number}";
+        tables_asked = "Verilenler ve soru işaretiyle bilinmeyenler:";
+        tables_told = "Verilenler ve simgelerinin arkasında bulunan değerler:";
+
+        // Velocities and accelerations of points.
+        points_to_scale = "Ölçekli noktalar";
+        direction_in_degrees = "yön [deg]";
+        velocities_of_joints = "Mafsalların hızları, tek kutuptan, ölçekli.";
+        velocities_of_centres = "Ağırlık merkezlerinin hızları, tek kutuptan, ölçekli.";
+        accelerations_of_joints =
+            "Mafsalların ivmeleri, tek kutuptan, ölçekli; n merkezcil, t teğetsel parça.";
+        accelerations_of_centres =
+            "Ağırlık merkezlerinin ivmeleri, tek kutuptan, ölçekli; n merkezcil, t teğetsel parça.";
+
+        // Forces, plots and facts.
+        forces_drawn = "Yükler, mafsalların ve kılavuzların taşıdığı kuvvetler.";
+        plots_part = "Bütün hareket boyunca";
+        positions_plotted = "Konumlar";
+        velocities_plotted = "Hızlar";
+        accelerations_plotted = "İvmeler";
+        plotted_are(what: &str, names: &str) = "{what}: {names}.";
+        facts_part = "Mekanizma";
+
+        // On the command line.
+        does_report = "Teslim edilecek bir rapor yaz: bir açının çizimi, poligonları, tabloları, çözümü ve grafikleri";
+        format_of_report = "Nasıl yazılacağı [yoksa: dosyanın uzantısına göre ya da html]";
+        format_html = "Resimleri içinde tek bir HTML dosyası, tarayıcı ve kâğıt için";
+        format_latex = "Sade bir TeX Live için LaTeX, resimleri TikZ ile";
+        examples_of_report = "\
+Örnekler:
+  krank report four-bar --at 60 -o four-bar.html
+  krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
+  krank report press --format markdown
+
+Çizim; her döngünün ölçekli vektörel poligonu; her vektöre bir sütunla konum,
+hız ve ivme tabloları, önce boş (theta3 = ?), sonra dolu; ders notlarının mu ve
+nu birim vektörleriyle `krank explain` çözümü; mafsalların ve ağırlık
+merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; bir şey etki ediyorsa
+kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
+.tex, .md ya da .txt uzantısı biçimi seçer.";
+
+        // In the workbench.
+        report = "rapor";
+        too_many_links_to_report = "burada rapor için uzuv çok fazla: krank report yazar";
+        write_a_report = "bir rapor yaz";
+        the_report = "rapor";
+    }
+}

@@ -1,0 +1,313 @@
+//! The report: what the lecture prints stands in it, and every format of it is sound.
+
+use krank::page::{Content, Row, Table};
+use krank::report::{Report, ReportFormat};
+use krank::scene::{Scene, presets};
+use krank::solver::{Order, Solver};
+
+/// The report on a scene at a coordinate, or where it opens.
+fn report(text: &str, at: Option<f64>, digits: usize) -> Report {
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let mut state = solver.state();
+    let at = at.unwrap_or(scene.mechanism.driver().start);
+    let _ = solver.solve(at, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
+    Report::new(&scene, &solver, &state, digits)
+}
+
+fn of_preset(name: &str, digits: usize) -> Report {
+    report(presets::find(name).unwrap().text, None, digits)
+}
+
+/// A figure that the lecture prints, by how much it is off, and how the report has it.
+type Printed = (f64, f64, &'static str);
+
+/// Weeks 3 and 7.
+const FOUR_BAR: [Printed; 20] = [
+    (360.555_12, 8.1e-6, "m = sqrt(mx^2 + my^2) = 360.555128 mm"),
+    (13.897_841, 4.6e-5, "α = atan2(-my, mx) = 13.8978862 deg"),
+    (43.277_343, 9.1e-6, "= 43.2773340 deg"),
+    (55.349_599, 6.6e-6, "= 55.3495925 deg"),
+    (29.379_5, 5.3e-5, "θ3 = 29.3794478"),
+    (29.38, 5.6e-4, "θ3 = 29.3794478"),
+    (290.752_0, 5.3e-4, "θ4 = 290.752521"),
+    (290.75, 2.6e-3, "θ4 = 290.752521"),
+    (-3.916, 4.2e-4, "ω3 = -3.91641273"),
+    (3.091, 7.4e-5, "ω4 = 3.09107322"),
+    (42.27, 3e-3, "α3 = 42.2670183"),
+    (95.5, 3.7e-3, "α4 = 95.5036084"),
+    (23_875.0, 0.91, "aCt = α4 r = 95.5036084·250 = 23875.9021"),
+    (
+        2_388.57,
+        0.12,
+        "aCn = ω4^2 r = 3.09107322^2·250 = 2388.68341",
+    ),
+    (
+        23_994.18,
+        0.92,
+        "aC = sqrt(23875.9021^2 + 2388.68341^2) = 23995.0934",
+    ),
+    (206.47, 4.3e-3, "206.465712"),
+    (84.28, 6.9e-3, "84.2868095"),
+    (22_260.0, 0.23, "22260.2239"),
+    (222.68, 2.3e-3, "222.677773"),
+    (11_997.09, 0.46, "11997.5467"),
+];
+
+/// Week 4. Of its second root the slip is larger than any rounding: the roots' sum is 17.32.
+const SLIDER_CRANK: [Printed; 7] = [
+    (28.0, 0.026, "r4 = 28.0251708"),
+    (-14.47, 7.6e-3, "-14.4775122"),
+    (345.5, 0.023, "θ3 = 345.522488"),
+    (-89.45, 7.3e-3, "ω3 = -89.4427191"),
+    (-1_447.93, 0.72, "dr4/dt = -1447.21360"),
+    (8_259.0, 3.4, "α3 = 8262.36447"),
+    (-459_977.6, 41.0, "d2r4/dt2 = -460017.673"),
+];
+
+/// The last number of a text.
+fn number(text: &str) -> f64 {
+    let words = text.split(' ').rev();
+    words.map(str::parse).find_map(Result::ok).unwrap()
+}
+
+#[test]
+fn every_figure_of_the_lecture_stands_in_it() {
+    for (name, printed) in [
+        ("four-bar", &FOUR_BAR[..]),
+        ("slider-crank", &SLIDER_CRANK[..]),
+    ] {
+        let text = of_preset(name, 9).written(ReportFormat::Text, false);
+        // Long formulas go on in the next line.
+        let text: Vec<&str> = text.split_whitespace().collect();
+        let text = text.join(" ");
+        for &(printed, off, exact) in printed {
+            assert!(text.contains(exact), "{name}: {exact}");
+            let by = (printed - number(exact)).abs();
+            assert!(
+                by <= off && by > 0.85 * off,
+                "{name}: {exact} is off by {by:e}"
+            );
+        }
+    }
+    let text = of_preset("four-bar", 9).written(ReportFormat::Text, false);
+    assert!(text.contains("B       1500.00000  150.000000  22500.0000  240.000000"));
+    for piece in [
+        "μ(θ) = cos(θ) i + sin(θ) j",
+        "Multiplied by ν(θ3)",
+        "Multiplied by μ(θ4)",
+    ] {
+        assert!(text.contains(piece), "{piece}");
+    }
+}
+
+/// The cells of a table, if it is one of a loop.
+fn cells(table: &Table) -> Option<Vec<&str>> {
+    let rows = table.rows.iter().map(|row| match row {
+        Row::Figures { cells, .. } => Some(cells.iter().flatten().map(|cell| cell.text.as_str())),
+        Row::Part(_) | Row::Told { .. } => None,
+    });
+    let rows: Option<Vec<_>> = rows.collect();
+    let cells: Vec<&str> = rows?.into_iter().flatten().collect();
+    cells
+        .iter()
+        .any(|cell| cell.contains(" = "))
+        .then_some(cells)
+}
+
+#[test]
+fn a_question_mark_stands_where_a_value_is_found_and_nowhere_else() {
+    for preset in presets::all() {
+        let report = of_preset(preset.name, 6);
+        let tables = report
+            .page
+            .blocks
+            .iter()
+            .filter_map(|block| match &block.content {
+                Content::Table(table) => {
+                    cells(table).map(|cells| (&table.title, &table.heads, cells))
+                }
+                _ => None,
+            });
+        let is_asked = |cells: &[&str]| cells.iter().any(|cell| cell.ends_with(" = ?"));
+        let (asked, told): (Vec<_>, Vec<_>) = tables.partition(|(_, _, cells)| is_asked(cells));
+        assert_eq!(asked.len(), told.len(), "{}", preset.name);
+        assert!(asked.len() >= 3, "{}: {}", preset.name, asked.len());
+        for (asked, told) in asked.iter().zip(&told) {
+            assert_eq!((asked.0, asked.1), (told.0, told.1), "{}", preset.name);
+            for (before, after) in asked.2.iter().zip(&told.2) {
+                match before.strip_suffix(" = ?") {
+                    Some(symbol) => {
+                        let value = after
+                            .strip_prefix(symbol)
+                            .and_then(|v| v.strip_prefix(" = "));
+                        assert!(value.unwrap().parse::<f64>().is_ok(), "{after}");
+                    }
+                    None => assert_eq!(before, after, "{}", preset.name),
+                }
+            }
+        }
+    }
+}
+
+/// Every element is closed in its order, and no text stands for markup.
+fn is_well_formed(document: &str) -> Result<(), String> {
+    let mut open = Vec::new();
+    let mut rest = document.strip_prefix("<!DOCTYPE html>").ok_or("no type")?;
+    while let Some(at) = rest.find('<') {
+        let end = rest[at..].find('>').ok_or("an open tag")?;
+        let tag = &rest[at + 1..at + end];
+        let name = tag
+            .trim_start_matches('/')
+            .split([' ', '/'])
+            .next()
+            .unwrap();
+        if tag.starts_with('/') {
+            if open.pop() != Some(name) {
+                return Err(format!("</{name}> closes {open:?}"));
+            }
+        } else if !tag.ends_with('/') {
+            open.push(name);
+        }
+        if tag.matches('"').count() % 2 == 1 || tag.contains('<') {
+            return Err(tag.to_owned());
+        }
+        let inside = &rest[..at];
+        // A bracket alone, or an ampersand that begins nothing.
+        if inside.contains('>') || inside.split('&').skip(1).any(|s| !s.contains(';')) {
+            return Err(inside.to_owned());
+        }
+        rest = &rest[at + end + 1..];
+    }
+    if !open.is_empty() || document.chars().any(|c| c.is_control() && c != '\n') {
+        return Err(format!("{open:?}"));
+    }
+    Ok(())
+}
+
+#[test]
+fn html_is_well_formed_and_needs_no_other_file() {
+    for preset in presets::all() {
+        let html = of_preset(preset.name, 6).written(ReportFormat::Html, false);
+        assert_eq!(is_well_formed(&html), Ok(()), "{}", preset.name);
+        for outside in [
+            "<script", "src=", "href=", "url(", "@import", "NaN", "inf\"",
+        ] {
+            assert!(!html.contains(outside), "{}: {outside}", preset.name);
+        }
+        assert!(html.matches("<svg ").count() >= 4, "{}", preset.name);
+        assert!(html.contains("<i>θ</i><sub>"), "{}", preset.name);
+    }
+}
+
+#[test]
+fn the_checker_finds_what_is_wrong() {
+    let page = |inside: &str| format!("<!DOCTYPE html>{inside}");
+    assert_eq!(is_well_formed(&page("<p>a &lt; b<br/></p>")), Ok(()));
+    for bad in [
+        "<p>",
+        "<i><b></i></b>",
+        "<p a=\"></p>",
+        "<p>\u{1b}</p>",
+        "<p>a & b</p>",
+        "a > <p></p>",
+    ] {
+        assert!(is_well_formed(&page(bad)).is_err(), "{bad}");
+    }
+    assert!(is_sound_latex("\\begin{a}{x\\}}\\end{a}").is_ok());
+    for bad in ["{", "}", "\\begin{a}\\end{b}", "\\begin{a}", "$x"] {
+        assert!(is_sound_latex(bad).is_err(), "{bad}");
+    }
+}
+
+/// Braces and environments are closed in their order, and mathematics as it was opened.
+fn is_sound_latex(text: &str) -> Result<(), String> {
+    let mut open: Vec<String> = Vec::new();
+    let mut depth = 0_usize;
+    let mut chars = text.char_indices();
+    let named = |behind: &str| behind.split('}').next().unwrap().to_owned();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '\\' => {
+                let behind = &text[at + 1..];
+                if let Some(name) = behind.strip_prefix("begin{") {
+                    open.push(named(name));
+                } else if let Some(name) = behind.strip_prefix("end{") {
+                    if open.pop() != Some(named(name)) {
+                        return Err(format!("{} closes {open:?}", named(name)));
+                    }
+                }
+                chars.next();
+            }
+            '{' => depth += 1,
+            '}' => depth = depth.checked_sub(1).ok_or(format!("a brace at {at}"))?,
+            '$' | '%' | '#' if !text[at + 1..].starts_with('1') => {
+                return Err(format!("{c} at {at}"));
+            }
+            _ => {}
+        }
+    }
+    match depth == 0 && open.is_empty() {
+        true => Ok(()),
+        false => Err(format!("{depth} braces and {open:?} are open")),
+    }
+}
+
+#[test]
+fn latex_is_sound() {
+    for preset in presets::all() {
+        let tex = of_preset(preset.name, 6).written(ReportFormat::Latex, false);
+        assert_eq!(is_sound_latex(&tex), Ok(()), "{}", preset.name);
+        for package in tex.lines().filter(|line| line.starts_with("\\usepackage")) {
+            let known = ["inputenc", "amsmath", "tikz"];
+            assert!(known.iter().any(|name| package.contains(name)), "{package}");
+        }
+        assert!(
+            tex.matches("\\begin{tikzpicture}").count() >= 4,
+            "{}",
+            preset.name
+        );
+        assert!(!tex.contains("NaN"), "{}", preset.name);
+    }
+}
+
+#[test]
+fn nothing_that_a_scene_says_is_markup() {
+    let four_bar = presets::find("four-bar").unwrap().text;
+    let name = "<script>alert(1)</script> & \\input{secret} $x^2$ 50% #1 ~ 字";
+    let renamed = format!("name = '{name}'\n");
+    let begin = four_bar.find("name").unwrap();
+    let end = begin + four_bar[begin..].find('\n').unwrap() + 1;
+    let text = format!("{}{renamed}{}", &four_bar[..begin], &four_bar[end..]);
+    let report = report(&text, None, 6);
+    let html = report.written(ReportFormat::Html, false);
+    assert_eq!(is_well_formed(&html), Ok(()));
+    assert!(!html.contains("<script"), "{html}");
+    assert!(html.contains("&lt;script&gt;alert(1)&lt;/script&gt; &amp; \\input"));
+    let tex = report.written(ReportFormat::Latex, false);
+    assert_eq!(is_sound_latex(&tex), Ok(()));
+    assert!(!tex.contains("\\input{secret"), "{tex}");
+    assert!(tex.contains("\\textbackslash{}input\\{secret\\}"), "{tex}");
+}
+
+/// Where there is no assembly a report says what it can, and at a dead point what exists.
+#[test]
+fn a_report_stands_wherever_it_is_asked_for() {
+    let rocker = presets::find("double-rocker").unwrap().text;
+    let scene = Scene::parse(rocker, "test").unwrap();
+    let dead = Solver::new(&scene.mechanism).unwrap().motion().dead_points[0];
+    for at in [200.0, dead] {
+        let report = report(rocker, Some(at), 6);
+        let text = report.written(ReportFormat::Text, false);
+        assert!(text.contains(" = ?"), "{text}");
+        assert_eq!(
+            is_well_formed(&report.written(ReportFormat::Html, false)),
+            Ok(())
+        );
+        assert_eq!(
+            is_sound_latex(&report.written(ReportFormat::Latex, false)),
+            Ok(())
+        );
+    }
+}
