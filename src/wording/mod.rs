@@ -41,6 +41,7 @@ pub(crate) trait Words:
     + MotorsWords
     + OfferingWords
     + OptionsWords
+    + PartsWords
     + PickingWords
     + PlotsWords
     + ReactionsWords
