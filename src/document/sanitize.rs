@@ -73,9 +73,8 @@ pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     for c in text.chars() {
         is_quoted ^= c == '`';
         let plain = replacement(c, ascii);
-        if plain == c || c == '\t' || c == '\n' {
-            out.push(plain);
-        } else if is_turkish && !is_quoted && ascii_letter(c).is_some() {
+        let is_own_letter = is_turkish && !is_quoted && ascii_letter(c).is_some();
+        if plain == c || c == '\t' || c == '\n' || is_own_letter {
             out.push(plain);
         } else {
             out.extend(c.escape_unicode());

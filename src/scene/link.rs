@@ -163,8 +163,8 @@ fn link_ends<'v>(
     let missing = match (has_from, has_to, length.is_some()) {
         (false, false, false) | (true, true, true) => None,
         (true, true, false) => Some(words().ends_without_length()),
-        (true, false, _) => Some(words().from_without_to()),
-        (false, true, _) => Some(words().to_without_from()),
+        (true, false, _) => Some(words().only_from()),
+        (false, true, _) => Some(words().only_to()),
         (false, false, true) => Some(words().length_without_ends()),
     };
     if let Some(missing) = missing {

@@ -36,8 +36,8 @@ catalogue! {
         or_single_joint(example: &str) = "or, for a link with a single joint: {example}";
         of_has(of: &str, what: &str) = "{of} has {what}";
         ends_without_length = "`from` and `to` but no `length`";
-        from_without_to = "`from` but no `to`";
-        to_without_from = "`to` but no `from`";
+        only_from = "`from` but no `to`";
+        only_to = "`to` but no `from`";
         length_without_ends = "a `length` but no `from` and `to`";
         ends_and_length = "`from`, `to` and `length` belong together";
         points_alone(example: &str) =

@@ -36,8 +36,8 @@ catalogue! {
         or_single_joint(example: &str) = "ya da tek mafsallı bir uzuv için: {example}";
         of_has(of: &str, what: &str) = "{of}: {what}";
         ends_without_length = "`from` ve `to` var, `length` yok";
-        from_without_to = "`from` var, `to` yok";
-        to_without_from = "`to` var, `from` yok";
+        only_from = "`from` var, `to` yok";
+        only_to = "`to` var, `from` yok";
         length_without_ends = "`length` var, `from` ve `to` yok";
         ends_and_length = "`from`, `to` ve `length` birlikte verilir";
         points_alone(example: &str) =
