@@ -110,7 +110,7 @@ mod tests;
 pub mod tui;
 #[cfg_attr(
     not(feature = "tui"),
-    allow(dead_code, reason = "most is said in the workbench")
+    allow(dead_code, unreachable_pub, reason = "most is said in the workbench")
 )]
 mod wording;
 

@@ -14,6 +14,8 @@ pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub(crate) use lenient::{Entries, Lenient, Misplaced, WrittenKey};
 pub(crate) use reader::{ByteSpan, Name, Reader, meant, quoted};
-pub(crate) use sanitize::{ascii_letter, with_ascii_letters};
+#[cfg(feature = "tui")]
+pub(crate) use sanitize::ascii_letter;
+pub(crate) use sanitize::with_ascii_letters;
 pub use sanitize::{is_harmful, sanitized};
 pub(crate) use syntax::parse;

@@ -65,14 +65,16 @@ pub fn sanitized(text: &str, ascii: bool) -> String {
 /// ASCII too: for messages, where the reader wants to know which character it was.
 ///
 /// Line feeds and tabs become spaces. While Turkish is spoken its letters are those of our own words, and become
-/// what they look like; the line of the file below the message has them too.
+/// what they look like; but not between backticks, where the file is quoted.
 pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
+    let is_turkish = Language::spoken() == Language::Turkish;
+    let mut is_quoted = false;
     for c in text.chars() {
+        is_quoted ^= c == '`';
         let plain = replacement(c, ascii);
-        if plain == c || c == '\t' || c == '\n' {
-            out.push(plain);
-        } else if ascii_letter(c).is_some() && Language::spoken() == Language::Turkish {
+        let is_own_letter = is_turkish && !is_quoted && ascii_letter(c).is_some();
+        if plain == c || c == '\t' || c == '\n' || is_own_letter {
             out.push(plain);
         } else {
             out.extend(c.escape_unicode());
@@ -110,6 +112,7 @@ mod tests {
         assert_eq!(escaped("a\u{1b}[2J\n\u{d6}", false), "a\\u{1b}[2J \u{d6}");
         assert_eq!(escaped("\u{d6}", true), "\\u{d6}");
         Language::Turkish.speak();
+        assert_eq!(escaped("`\u{d6}` ad\u{131}", true), "`\\u{d6}` adi");
         assert_eq!(
             escaped("\u{d6}l\u{e7}\u{fc} \u{3b8}", true),
             "Olcu \\u{3b8}"

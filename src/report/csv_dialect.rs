@@ -130,7 +130,6 @@ pub(super) struct CsvSheet<W: Write> {
 impl<W: Write> CsvSheet<W> {
     pub(super) fn new(dialect: CsvDialect, to: W) -> Self {
         let mut builder = csv::WriterBuilder::new();
-        #[expect(clippy::cast_possible_truncation, reason = "they are all of ASCII")]
         let csv = builder.delimiter(dialect.separator() as u8).from_writer(to);
         CsvSheet { csv, dialect }
     }

@@ -6,6 +6,7 @@ use super::link::DraftLink;
 use super::reader::{Name, Reader, quoted};
 use super::slide::{DraftSlide, DraftSlider};
 use crate::document::Diagnostic;
+use crate::wording::words;
 use crate::{Defect, LinkId, PointId, SlideId};
 
 /// The draft behind the ids of a builder.
@@ -76,25 +77,18 @@ impl<'t> Drafted<'_, 't> {
         let pinned = link.ends.as_ref().is_some_and(|e| e.from.text == e.to.text);
         let fault = if pinned {
             let of = &link.name;
-            Diagnostic::new(format!(
-                "link {of} is pinned to itself: {} is both its ends",
-                quoted(name)
-            ))
-            .help("a link joins two different points")
+            Diagnostic::new(words().pinned_to_itself(&of.to_string(), &quoted(name)))
+                .help(words().joins_two_points())
         } else {
-            Diagnostic::new(format!(
-                "link {} names the point {} twice",
-                link.name,
-                quoted(name)
-            ))
-            .help("its ends are [0, 0] and [length, 0] already; `points` are further points")
+            Diagnostic::new(words().names_point_twice(&link.name.to_string(), &quoted(name)))
+                .help(words().ends_are_points())
         };
         let fault = match second {
-            Some(second) => fault.at(second.span.clone(), "again here"),
+            Some(second) => fault.at(second.span.clone(), words().again_here()),
             None => fault.at(link.name.span.clone(), ""),
         };
         match first {
-            Some(first) => fault.and(first.span.clone(), "once here"),
+            Some(first) => fault.and(first.span.clone(), words().once_here()),
             None => fault,
         }
     }
@@ -103,31 +97,30 @@ impl<'t> Drafted<'_, 't> {
         let slide = self.slides[slide.index()];
         let on = slide.on.as_ref().map_or("", |on| on.text);
         let body = if on == "ground" {
-            "the ground".to_owned()
+            words().the_ground_as_body().to_owned()
         } else {
-            format!("link {}", quoted(on))
+            words().link_called(&quoted(on))
         };
         let (what, span) = match &slide.slider {
             Some(DraftSlider::Link { link, .. }) if link.text == on => {
-                (format!("{body} cannot slide on itself"), &link.span)
+                (words().cannot_slide_on_itself(&body), &link.span)
             }
             Some(DraftSlider::Link { link, .. }) => (
-                format!("link {link} cannot slide on {body}: its origin is fixed there"),
+                words().origin_is_fixed(&link.to_string(), &body),
                 &link.span,
             ),
-            Some(DraftSlider::Pin(point)) => (
-                format!("{point} cannot slide on {body}, which carries it"),
-                &point.span,
-            ),
-            None => (format!("nothing slides on {body}"), &slide.name.span),
+            Some(DraftSlider::Pin(point)) => {
+                (words().carried_by(&point.to_string(), &body), &point.span)
+            }
+            None => (words().nothing_slides_on(&body), &slide.name.span),
         };
-        let fault = Diagnostic::new(format!("slide {}: {what}", slide.name))
-            .at(span.clone(), "this slides");
+        let fault = Diagnostic::new(words().slide_called(&slide.name.to_string()) + ": " + &what)
+            .at(span.clone(), words().this_slides());
         match &slide.on {
-            Some(on) => fault.and(on.span.clone(), "the guide is fixed to this"),
+            Some(on) => fault.and(on.span.clone(), words().guide_is_fixed_to()),
             None => fault,
         }
-        .help("a guide and what slides along it belong to different bodies")
+        .help(words().guide_and_slider_differ())
     }
 
     fn no_pivot(&self, link: &DraftLink<'t>) -> Option<Diagnostic> {
@@ -142,16 +135,13 @@ impl<'t> Drafted<'_, 't> {
             .filter(joins)
             .map(|l| l.name.to_string());
         let fit: Vec<String> = fit.by_ref().take(8).collect();
-        let fault = Diagnostic::new(format!(
-            "the driven link {} has no ground point to turn about",
-            link.name
-        ))
-        .at(driven.span.clone(), "not joined to the ground")
-        .and(link.name.span.clone(), "none of its points is in [ground]");
+        let fault = Diagnostic::new(words().no_pivot(&link.name.to_string()))
+            .at(driven.span.clone(), words().not_joined_to_ground())
+            .and(link.name.span.clone(), words().none_in_ground());
         Some(if fit.is_empty() {
-            fault.help("put one of its points into [ground]: A = [0, 0]")
+            fault.help(words().put_into_ground())
         } else {
-            fault.help(format!("links with a ground point: {}", fit.join(", ")))
+            fault.help(words().links_with_ground_point(&fit.join(", ")))
         })
     }
 
@@ -170,24 +160,21 @@ impl<'t> Drafted<'_, 't> {
             .iter()
             .find(joins)
             .map_or("r2", |l| l.name.text);
-        let fault = Diagnostic::new("the scene has no driver: nothing turns");
+        let fault = Diagnostic::new(words().no_driver());
         let fault = match &self.draft.links_key {
-            Some(links) => fault.at(links.clone(), "none of these is driven"),
+            Some(links) => fault.at(links.clone(), words().none_is_driven()),
             None => fault,
         };
-        Some(fault.help(format!(
-            "add, for example:\n[driver]\nlink = \"{crank}\"\nangle = 60\nspeed = \"15 rad/s\""
-        )))
+        let example = format!("[driver]\nlink = \"{crank}\"\nangle = 60\nspeed = \"15 rad/s\"");
+        Some(fault.help(words().add_for_example(&example)))
     }
 }
 
 fn proportion(link: &DraftLink<'_>, length: f64, longest: f64) -> Diagnostic {
     let of = &link.name;
-    Diagnostic::new(format!(
-        "link {of} is out of all proportion: {length:e} long, where the longest length of the scene is {longest:e}"
-    ))
-    .at(link.name.span.clone(), "less than 1e-75 of the longest")
-    .help("no double holds products of both; look for a coordinate, a `com` or a length that is mistyped")
+    Diagnostic::new(words().out_of_proportion(&of.to_string(), &length, &longest))
+        .at(link.name.span.clone(), words().less_than_part())
+        .help(words().look_for_mistyped())
 }
 
 fn no_centre(link: &DraftLink<'_>) -> Diagnostic {
@@ -195,15 +182,16 @@ fn no_centre(link: &DraftLink<'_>) -> Diagnostic {
         .mass_key
         .clone()
         .unwrap_or(("mass", link.name.span.clone()));
-    let article = if key == "mass" { "a" } else { "an" };
-    let example = match &link.ends {
-        Some(ends) => format!("; at mid-length: com = [{}, 0]", ends.length / 2.0),
-        None => ": com = [20, 10], for example".to_owned(),
+    let help = match &link.ends {
+        Some(ends) => words().give_centre_at_middle(ends.length / 2.0),
+        None => words().give_centre().to_owned(),
     };
-    let of = &link.name;
-    Diagnostic::new(format!(
-        "link {of} has {article} {key} but no centre of mass"
-    ))
-    .at(span, "about which point?")
-    .help(format!("give the centre in the link's frame{example}"))
+    let of = link.name.to_string();
+    let message = match key {
+        "mass" => words().mass_without_centre(&of),
+        _ => words().inertia_without_centre(&of),
+    };
+    Diagnostic::new(message)
+        .at(span, words().about_which_point())
+        .help(help)
 }

@@ -14,6 +14,7 @@ use super::slide::{self, DraftSlide, Slides};
 use crate::Vec2;
 use crate::document::{Diagnostic, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
+use crate::wording::words;
 use serde::Deserialize;
 
 /// A scene as its file writes it.
@@ -73,7 +74,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     let mut draft = SceneDraft::default();
     // The root of a document is always a table.
     let Some(file) = root.get() else { return draft };
-    reader.only("the scene", root);
+    reader.only(words().the_scene_itself(), root);
     draft.unreadable = root.known.iter().any(|key| root.meant(key));
     draft.name = line(reader, "name", file.name.as_ref());
     draft.source = line(reader, "source", file.source.as_ref());
@@ -111,11 +112,11 @@ impl<'v> SceneDraft<'v> {
     fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<SceneFile>, file: &'v SceneFile) {
         let place = |name| root.key(name).map(|key| key.span());
         if let Some(value) = &file.ground {
-            self.ground = places(reader, "[ground]", "ground point", value);
+            self.ground = places(reader, "[ground]", words().ground_point(), value);
             self.unreadable |= value.get().is_none();
         }
         if let Some(value) = &file.start {
-            self.start = places(reader, "[start]", "start of", value);
+            self.start = places(reader, "[start]", words().start_of(), value);
             self.unreadable |= value.get().is_none();
         }
         if let Some(value) = &file.links {
@@ -156,8 +157,8 @@ impl<'v> SceneDraft<'v> {
 /// A text of one line: white space runs become one space.
 fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let shown = super::sanitized(&words.join(" "), false);
+    let parts: Vec<&str> = text.split_whitespace().collect();
+    let shown = super::sanitized(&parts.join(" "), false);
     (!shown.is_empty()).then_some(shown)
 }
 
@@ -170,10 +171,10 @@ fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
     if found.is_none() {
         let symbols = Unit::ALL.map(Unit::symbol);
         reader.report(
-            Diagnostic::new(format!("{name} is not a unit of length"))
-                .at(name.span.clone(), "unknown unit")
+            Diagnostic::new(words().no_unit_of_length(&name.to_string()))
+                .at(name.span.clone(), words().unknown_unit())
                 .maybe_help(did_you_mean(name.text, symbols))
-                .help(format!("known units: `{}`", symbols.join("`, `"))),
+                .help(words().known_units(&format!("`{}`", symbols.join("`, `")))),
         );
     }
     found.unwrap_or_default()

@@ -5,6 +5,7 @@ use super::reader::Name;
 use super::resolve::Resolver;
 use super::slide::{DraftSlide, DraftSlider, Through};
 use crate::document::Diagnostic;
+use crate::wording::words;
 use crate::{Body, LinkId, PointId, Vec2};
 
 /// What carries a guide: the ground, or a link by its place in the draft.
@@ -67,10 +68,10 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         if on.text == "ground" {
             return Some(Carrier::Ground);
         }
-        let what = format!("`on` of slide {}", slide.name);
+        let what = words().key_of("on", &words().slide_called(&slide.name.to_string()));
         let link = self.names.find(self.reader, &what, on, Sort::Link);
         if link.is_none() {
-            self.reader.help(r#"a guide in the frame is on = "ground""#);
+            self.reader.help(words().guide_in_the_frame());
         }
         link.map(Carrier::Link)
     }
@@ -79,7 +80,8 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         match slider {
             DraftSlider::Pin(point) => Some(SlidingId::Pin(self.points[point.text])),
             DraftSlider::Link { link, turn } => {
-                let what = format!("`link` of slide {}", slide.name);
+                let slide = words().slide_called(&slide.name.to_string());
+                let what = words().key_of("link", &slide);
                 let link = self.names.find(self.reader, &what, link, Sort::Link)?;
                 Some(SlidingId::Link {
                     link: LinkId::new(link),
@@ -91,27 +93,31 @@ impl<'r, 't> Resolver<'r, '_, 't> {
 
     /// The place of a named point of the guide in the frame of what carries the guide.
     fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
-        let what = format!("`through` of slide {}", slide.name);
+        let what = words().key_of("through", &words().slide_called(&slide.name.to_string()));
         self.referred.insert(name.text);
         self.names.find(self.reader, &what, name, Sort::Point)?;
         let (local, body) = match on {
             Carrier::Ground => {
                 let place = self.ground.get(name.text);
-                (place.map(|p| p.at()), "the ground".to_owned())
+                (
+                    place.map(|p| p.at()),
+                    words().the_ground_as_body().to_owned(),
+                )
             }
             Carrier::Link(link) => {
                 let link = &self.draft.links[link];
-                (link.local(name.text), format!("link {}", link.name))
+                (
+                    link.local(name.text),
+                    words().link_called(&link.name.to_string()),
+                )
             }
         };
         if local.is_none() {
-            let rule = format!("{what} must be a point of {body}; {name} is not");
+            let rule = words().must_be_point_of(&what, &body, &name.to_string());
             self.reader.report(
                 Diagnostic::new(rule)
-                    .at(name.span.clone(), format!("not a point of {body}"))
-                    .help(format!(
-                        "name a point of {body}, or give coordinates in its frame: through = [0, 0]"
-                    )),
+                    .at(name.span.clone(), words().no_point_of(&body))
+                    .help(words().name_point_of(&body)),
             );
         }
         local

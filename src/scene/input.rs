@@ -41,8 +41,6 @@ pub(super) enum DraftInput<'t> {
 /// kinematic coefficients.
 const UNIT_SPEED: f64 = 1.0;
 
-/// Whose rates they are.
-
 /// How a kind of driver is written.
 pub(super) struct DriverForm {
     /// The key that names what is driven.

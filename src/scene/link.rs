@@ -73,8 +73,7 @@ pub(super) struct Ends<'t> {
 
 /// The fault of a scene without links and slides; what else it lacks follows from that.
 pub(super) fn nothing_moves() -> Diagnostic {
-    Diagnostic::new("the scene has no links: nothing moves")
-        .help(format!("add, for example:\n[links]\n{LINK}"))
+    Diagnostic::new(words().no_links()).help(words().add_for_example(&format!("[links]\n{LINK}")))
 }
 
 /// The links of a scene, and what a fault among them takes away.
@@ -94,10 +93,8 @@ pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Links) -> Read<'v> {
     let count = value.keys.len();
     if value.get().is_some() && count > MOST_LINKS {
         reader.report(
-            Diagnostic::new(format!(
-                "the scene has {count} links; at most {MOST_LINKS} are allowed"
-            ))
-            .at(value.span.clone(), "too many links"),
+            Diagnostic::new(words().links_above_most(count, MOST_LINKS))
+                .at(value.span.clone(), words().are_too_many_links()),
         );
         read.too_many = true;
         return read;
@@ -126,7 +123,7 @@ fn link<'v>(
         mass_key: None,
         broken: false,
     };
-    let of = format!("link {}", link.name);
+    let of = words().link_called(&link.name.to_string());
     if let Some(table) = reader.table(&of, LINK, value) {
         reader.only(&of, value);
         *lost_points |= !link_ends(reader, &of, value, table, &mut link);
@@ -143,10 +140,10 @@ fn link<'v>(
 }
 
 fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
-    Diagnostic::new(format!("{of} has no points"))
-        .at(name.span.clone(), "a link needs two ends, or `points`")
-        .help(format!("for example: {LINK}"))
-        .help(format!("or, for a link with a single joint: {POINTS}"))
+    Diagnostic::new(words().link_has_no_points(of))
+        .at(name.span.clone(), words().needs_ends_or_points())
+        .help(words().for_example(LINK))
+        .help(words().or_single_joint(POINTS))
 }
 
 /// `from`, `to` and `length` belong together. An end without the others still names its point.
@@ -165,10 +162,10 @@ fn link_ends<'v>(
     let (has_from, has_to) = (table.from.is_some(), table.to.is_some());
     let missing = match (has_from, has_to, length.is_some()) {
         (false, false, false) | (true, true, true) => None,
-        (true, true, false) => Some("`from` and `to` but no `length`"),
-        (true, false, _) => Some("`from` but no `to`"),
-        (false, true, _) => Some("`to` but no `from`"),
-        (false, false, true) => Some("a `length` but no `from` and `to`"),
+        (true, true, false) => Some(words().ends_without_length()),
+        (true, false, _) => Some(words().only_from()),
+        (false, true, _) => Some(words().only_to()),
+        (false, false, true) => Some(words().length_without_ends()),
     };
     if let Some(missing) = missing {
         // A misspelt key was reported already; what it leaves missing is no second fault.
@@ -206,8 +203,8 @@ fn link_points<'v>(
     let Some(points) = &table.points else {
         return !value.meant("points");
     };
-    let what = format!("{of}: point");
-    let listed = places(reader, &format!("`points` of {of}"), &what, points);
+    let what = words().point_in(of);
+    let listed = places(reader, &words().key_of("points", of), &what, points);
     link.points.extend(listed);
     points.get().is_some()
 }
@@ -221,7 +218,7 @@ fn link_mass(
 ) {
     let key = |name| Some((name, value.key(name)?.span()));
     if let (Some(com), Some((_, place))) = (&table.com, key("com")) {
-        let at = reader.pair(&format!("`com` of {of}"), com);
+        let at = reader.pair(&words().key_of("com", of), com);
         link.com = Some((place, at.unwrap_or_default()));
     }
     link.mass = reader.not_negative(of, "mass", "", table.mass.as_ref());
@@ -230,32 +227,29 @@ fn link_mass(
 }
 
 fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
-    Diagnostic::new(format!("{of} has {missing}"))
-        .at(span, "`from`, `to` and `length` belong together")
-        .help(format!("for example: {LINK}"))
-        .help(format!(
-            "a link without two natural ends is given by `points` alone: {POINTS}"
-        ))
+    Diagnostic::new(words().of_has(of, missing))
+        .at(span, words().ends_and_length())
+        .help(words().for_example(LINK))
+        .help(words().points_alone(POINTS))
 }
 
 fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
-    let length = reader.number(&format!("`length` of {of}"), value)?;
+    let length = reader.number(&words().key_of("length", of), value)?;
     let literal = reader.literal(&value.span);
     let fault = |rule: &str, label: &str| {
-        Diagnostic::new(format!("`length` of {of} must be {rule}, not {literal}"))
+        Diagnostic::new(words().must_be(&words().key_of("length", of), rule, &literal))
             .at(value.span.clone(), label)
     };
     if length >= SMALLEST_LENGTH {
         return Some(length);
     }
     reader.report(if length > 0.0 {
-        fault("at least 1e-300", "too small to compute with").help(words().choose_a_unit())
+        fault(words().at_least_smallest(), words().too_small_to_compute())
+            .help(words().choose_a_unit())
     } else if length == 0.0 {
-        fault("positive", "a link without length has no direction")
-            .help("two joints at one place need no link between them: give them one name")
+        fault(words().positive(), words().no_direction()).help(words().give_joints_one_name())
     } else {
-        fault("positive", "not positive")
-            .help("a length is a distance; the direction of a link is from `from` to `to`")
+        fault(words().positive(), words().is_not_positive()).help(words().length_is_distance())
     });
     None
 }

@@ -3,6 +3,7 @@
 use super::reader::{CoordinatePair, Name, Points, Reader, quoted};
 use crate::Vec2;
 use crate::document::{Entries, Lenient};
+use crate::wording::words;
 
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
@@ -58,10 +59,10 @@ fn vector<'v>(
     name: Name<'v>,
     value: &'v Lenient<Vec<Lenient<String>>>,
 ) -> Option<DraftVector<'v>> {
-    let what = format!("vector {}", quoted(name.text));
-    let ends = reader.two(&what, "[tail, head] of points", r#"["D", "A"]"#, value)?;
-    let tail = reader.string(&format!("the tail of {what}"), ends[0]);
-    let head = reader.string(&format!("the head of {what}"), ends[1]);
+    let what = words().vector_called(&quoted(name.text));
+    let ends = reader.two(&what, words().a_pair_of_points(), r#"["D", "A"]"#, value)?;
+    let tail = reader.string(&words().tail_of(&what), ends[0]);
+    let head = reader.string(&words().head_of(&what), ends[1]);
     Some(DraftVector {
         tail: tail?,
         head: head?,

@@ -10,6 +10,7 @@ use super::slide::{DraftSlide, DraftSlider};
 use super::{TextPlaces, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
+use crate::wording::words;
 use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, mechanism};
 use std::collections::{HashMap, HashSet};
 
@@ -176,22 +177,20 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
-        let what = "`slide` of the driver";
-        let slide = self.names.find(self.reader, what, name, Sort::Slide);
+        let what = words().key_of("slide", words().the_driver());
+        let slide = self.names.find(self.reader, &what, name, Sort::Slide);
         if slide.is_none() && self.draft.links.iter().any(|l| l.name.text == name.text) {
-            self.reader
-                .help("a driven link is given by `link` and `angle`");
+            self.reader.help(words().driven_link_is_given());
         }
         self.slides.get(name.text).copied()
     }
 
     /// A link pinned to the ground at two places could not turn.
     fn driven_link(&mut self, name: &Name<'t>) -> Option<LinkId> {
-        let what = "`link` of the driver";
-        let link = self.names.find(self.reader, what, name, Sort::Link);
+        let what = words().key_of("link", words().the_driver());
+        let link = self.names.find(self.reader, &what, name, Sort::Link);
         if link.is_none() && self.slides.contains_key(name.text) {
-            self.reader
-                .help("a driven slide is given by `slide` and `position`");
+            self.reader.help(words().driven_slide_is_given());
         }
         let link = link?;
         let points = self.draft.links[link].point_names();
@@ -200,13 +199,11 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let second = first.and_then(|(_, at)| pins.find(|&(_, other)| other != at));
         if let (Some((first, _)), Some((second, _))) = (first, second) {
             self.reader.report(
-                Diagnostic::new(format!(
-                    "the driven link {name} cannot turn: it is pinned to the ground twice"
-                ))
-                .at(name.span.clone(), "the driven link")
-                .and(first.span.clone(), "one pin")
-                .and(second.span.clone(), "another")
-                .help("the driven link, mostly the crank, turns about one point of the ground"),
+                Diagnostic::new(words().pinned_to_ground_twice(&name.to_string()))
+                    .at(name.span.clone(), words().the_driven_link())
+                    .and(first.span.clone(), words().one_pin())
+                    .and(second.span.clone(), words().another_pin())
+                    .help(words().turns_about_one_point()),
             );
         }
         Some(LinkId::new(link))
@@ -228,10 +225,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             }
             if let Some(ground) = self.ground.get(name.text) {
                 self.reader.report(
-                    Diagnostic::new(format!("[start]: {name} is a point of the ground"))
-                        .at(name.span.clone(), "does not move")
-                        .and(ground.name.span.clone(), "fixed here")
-                        .help("[start] is for moving points: take the line out"),
+                    Diagnostic::new(words().start_of_ground_point(&name.to_string()))
+                        .at(name.span.clone(), words().does_not_move())
+                        .and(ground.name.span.clone(), words().fixed_here())
+                        .help(words().start_is_for_moving()),
                 );
                 continue;
             }
@@ -241,7 +238,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     fn vectors(&mut self) {
         for vector in &self.draft.vectors {
-            let what = format!("vector {}", vector.name);
+            let what = words().vector_called(&vector.name.to_string());
             let tail = self.point(&what, &vector.tail);
             let head = self.point(&what, &vector.head);
             let (Some(tail), Some(head)) = (tail, head) else {
@@ -249,9 +246,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             };
             if tail == head {
                 self.reader.report(
-                    Diagnostic::new(format!("{what} runs from {} to itself", vector.tail))
-                        .at(vector.head.span.clone(), "its head is its tail")
-                        .help("name two different points: [tail, head]"),
+                    Diagnostic::new(words().runs_to_itself(&what, &vector.tail.to_string()))
+                        .at(vector.head.span.clone(), words().head_is_tail())
+                        .help(words().name_tail_and_head()),
                 );
             }
             self.push_vector(&vector.name, VectorKind::Between(tail, head));
@@ -284,10 +281,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         if centre.is_none() {
             let link = &self.draft.links[index];
             self.reader.report(
-                Diagnostic::new(format!("{what}: link {of} has no centre of mass"))
-                    .at(name.span.clone(), "no such point")
-                    .and(link.name.span.clone(), "has no `com`")
-                    .help("give the link one, in its own frame: com = [50, 0]"),
+                Diagnostic::new(words().has_no_centre(what, &of.to_string()))
+                    .at(name.span.clone(), words().no_such_point())
+                    .and(link.name.span.clone(), words().has_no_com())
+                    .help(words().give_the_link_one()),
             );
         }
         centre
@@ -311,12 +308,12 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             let moving = moving.filter(|name| !self.ground.contains_key(name));
             let near = (!self.reader.is_full()).then(|| nearest(name.text, moving));
             let help = match near.flatten() {
-                Some(near) => format!("`{near}` is a moving point; was {name} meant there?"),
-                None => "take it out, or let a link begin or end there".to_owned(),
+                Some(near) => words().was_moving_meant(near, &name.to_string()),
+                None => words().take_out_or_use().to_owned(),
             };
             self.reader.report(
-                Diagnostic::new(format!("ground point {name} belongs to nothing"))
-                    .at(name.span.clone(), "no link, slide or vector names it")
+                Diagnostic::new(words().belongs_to_nothing(&name.to_string()))
+                    .at(name.span.clone(), words().nothing_names_it())
                     .help(help),
             );
         }

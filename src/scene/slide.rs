@@ -4,6 +4,7 @@ use super::keys;
 use super::reader::{CoordinatePair, Name, Reader};
 use crate::Vec2;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
+use crate::wording::words;
 use serde::Deserialize;
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
@@ -57,7 +58,7 @@ fn slide<'v>(
     name: Name<'v>,
     value: &'v Lenient<SlideTable>,
 ) -> DraftSlide<'v> {
-    let of = format!("slide {name}");
+    let of = words().slide_called(&name.to_string());
     let mut slide = DraftSlide {
         name,
         slider: None,
@@ -75,9 +76,9 @@ fn slide<'v>(
         let misspelt = || meant(&value.keys, &keys::of(keys::SLIDE, "link"), key);
         if !given && !misspelt() {
             reader.report(
-                Diagnostic::new(format!("{of} has no `{key}`"))
-                    .at(slide.name.span.clone(), format!("`{key}` is missing"))
-                    .help(format!("for example: {example}")),
+                Diagnostic::new(words().of_has_no(&of, key))
+                    .at(slide.name.span.clone(), words().is_missing(key))
+                    .help(words().for_example(example)),
             );
         }
     };
@@ -99,7 +100,7 @@ fn through<'v>(
         let span = value.span.clone();
         return Some(Through::Point(Name { text, span }));
     }
-    let at = reader.pair(&format!("`through` of {of}"), value);
+    let at = reader.pair(&words().key_of("through", of), value);
     at.map(Through::At)
 }
 
@@ -114,40 +115,40 @@ fn slider<'v>(
     let fault = |message: String, label: &str| {
         Diagnostic::new(message)
             .at(name.span.clone(), label)
-            .help(r#"a pin in a slot has `point = "C"`, a link that slides without turning `link = "r6"`"#)
+            .help(words().pin_or_link())
     };
     match (&table.point, &table.link) {
         (Some(point), None) => {
             if let Some(key) = value.key("turn") {
                 reader.report(
-                    Diagnostic::new(format!("{of}: a pin in a slot has no `turn`"))
-                        .at(key.span(), "only for a slide of a link")
-                        .help("a pin may turn in its slot; to keep a link from turning, slide the link: link = \"...\""),
+                    Diagnostic::new(words().pin_has_no_turn(of))
+                        .at(key.span(), words().for_slide_of_link())
+                        .help(words().slide_the_link()),
                 );
             } else {
                 reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "point"));
             }
-            let pin = reader.string(&format!("`point` of {of}"), point)?;
+            let pin = reader.string(&words().key_of("point", of), point)?;
             Some(DraftSlider::Pin(pin))
         }
         (None, Some(link)) => {
             reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "link"));
             let turn = angle(reader, of, "turn", table.turn.as_ref());
-            let link = reader.string(&format!("`link` of {of}"), link)?;
+            let link = reader.string(&words().key_of("link", of), link)?;
             Some(DraftSlider::Link { link, turn })
         }
         (Some(_), Some(_)) => {
             reader.report(fault(
-                format!("{of} has both `point` and `link`"),
-                "one of them slides",
+                words().has_point_and_link(of),
+                words().one_of_them_slides(),
             ));
             None
         }
         (None, None) => {
             reader.only(of, value);
             reader.report(fault(
-                format!("{of} has neither `point` nor `link`"),
-                "nothing slides here",
+                words().has_no_point_nor_link(of),
+                words().nothing_slides_here(),
             ));
             None
         }
@@ -156,6 +157,6 @@ fn slider<'v>(
 
 /// An angle in degrees, 0 if left out.
 fn angle(reader: &mut Reader<'_>, of: &str, key: &str, value: Option<&Lenient<f64>>) -> f64 {
-    let angle = value.and_then(|v| reader.number(&format!("`{key}` of {of} (deg)"), v));
+    let angle = value.and_then(|v| reader.number(&(words().key_of(key, of) + " (deg)"), v));
     angle.unwrap_or(0.0)
 }

@@ -193,7 +193,7 @@ impl App {
         Language::spoken().next().speak();
         self.motor = MotorStudy::default();
         self.previews.forget();
-        self.player.open_scene.explain(false);
+        self.player.open_scene.say_again();
         self.attend_to_panes();
         self.shell.say(words().language_is());
     }

@@ -42,6 +42,7 @@ pub(crate) trait Words:
     + MotorsWords
     + OfferingWords
     + OptionsWords
+    + PartsWords
     + PickingWords
     + PlotsWords
     + ReactionsWords

@@ -296,6 +296,12 @@ impl OpenScene {
         &self.driver_range
     }
 
+    /// Says again what was said once, in another language; the working when it is looked at.
+    pub(crate) fn say_again(&mut self) {
+        self.verdict = Verdict::new(&self.opened.scene, &self.opened.solver);
+        self.explained = None;
+    }
+
     /// What there is to say of the linkage as a whole.
     pub(crate) fn verdict(&self) -> &Verdict {
         &self.verdict

@@ -7,8 +7,10 @@ use super::app::{App, View};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
+use crate::tui::Workbench;
 use crate::tui::commands::action::Action;
 use crate::tui::document::opening;
+use crate::wording::Language;
 use ratatui::layout::Size;
 use std::time::Duration;
 
@@ -107,4 +109,25 @@ fn parts_of_the_scene_are_jumped_between() {
     assert_eq!(press("J"), "C start x", "the last");
     assert_eq!(press("j K"), "C start x", "its own beginning");
     assert_eq!(press("K K"), "r3 length");
+}
+
+/// What was said before the language was changed is said again: the screen is that of who has opened in it.
+#[test]
+fn a_language_that_is_changed_leaves_nothing_of_the_one_before() {
+    let open = |keys: &str| {
+        let opened = opening::preset(presets::find("four-bar-load").unwrap()).unwrap();
+        let mut workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, 100, 36);
+        workbench.press(keys);
+        workbench.text()
+    };
+    for view in ["1", "2", "3", "5", "6", "7", "8", "9"] {
+        let twice = format!("{view} {view}");
+        Language::English.speak();
+        let english = open(&twice);
+        let changed = open(&format!("{view} B {view}"));
+        assert_eq!(Language::spoken(), Language::Turkish);
+        assert_eq!(changed, open(&twice), "{view}");
+        assert_ne!(changed, english, "{view}");
+        assert_eq!(open(&format!("{view} B {view}")), english, "{view}");
+    }
 }

@@ -24,6 +24,7 @@ mod motion;
 mod motors;
 mod offering;
 mod options;
+mod parts;
 mod picking;
 mod plots;
 mod reactions;

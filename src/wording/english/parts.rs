@@ -1,0 +1,133 @@
+//! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
+
+use super::English;
+use std::fmt::LowerExp;
+
+catalogue! {
+    /// Faults of single parts of a scene.
+    trait PartsWords for English {
+        // What they are called.
+        link_called(name: &str) = "link {name}";
+        slide_called(name: &str) = "slide {name}";
+        vector_called(name: &str) = "vector {name}";
+        the_ground_as_body = "the ground";
+        point_in(of: &str) = "{of}: point";
+        ground_point = "ground point";
+        start_of = "start of";
+        tail_of(what: &str) = "the tail of {what}";
+        head_of(what: &str) = "the head of {what}";
+        the_scene_itself = "the scene";
+        add_for_example(text: &str) = "add, for example:\n{text}";
+
+        // The scene.
+        no_unit_of_length(name: &str) = "{name} is not a unit of length";
+        unknown_unit = "unknown unit";
+        known_units(names: &str) = "known units: {names}";
+        no_links = "the scene has no links: nothing moves";
+        links_above_most(count: usize, most: usize) =
+            "the scene has {count} links; at most {most} are allowed";
+        are_too_many_links = "too many links";
+        no_driver = "the scene has no driver: nothing turns";
+        none_is_driven = "none of these is driven";
+
+        // Links.
+        link_has_no_points(of: &str) = "{of} has no points";
+        needs_ends_or_points = "a link needs two ends, or `points`";
+        or_single_joint(example: &str) = "or, for a link with a single joint: {example}";
+        of_has(of: &str, what: &str) = "{of} has {what}";
+        ends_without_length = "`from` and `to` but no `length`";
+        only_from = "`from` but no `to`";
+        only_to = "`to` but no `from`";
+        length_without_ends = "a `length` but no `from` and `to`";
+        ends_and_length = "`from`, `to` and `length` belong together";
+        points_alone(example: &str) =
+            "a link without two natural ends is given by `points` alone: {example}";
+        at_least_smallest = "at least 1e-300";
+        too_small_to_compute = "too small to compute with";
+        positive = "positive";
+        no_direction = "a link without length has no direction";
+        give_joints_one_name = "two joints at one place need no link between them: give them one name";
+        is_not_positive = "not positive";
+        length_is_distance =
+            "a length is a distance; the direction of a link is from `from` to `to`";
+        pinned_to_itself(link: &str, point: &str) =
+            "link {link} is pinned to itself: {point} is both its ends";
+        joins_two_points = "a link joins two different points";
+        names_point_twice(link: &str, point: &str) = "link {link} names the point {point} twice";
+        ends_are_points = "its ends are [0, 0] and [length, 0] already; `points` are further points";
+        again_here = "again here";
+        once_here = "once here";
+        out_of_proportion(link: &str, length: &dyn LowerExp, longest: &dyn LowerExp) =
+            "link {link} is out of all proportion: {length:e} long, where the longest length of the scene is {longest:e}";
+        less_than_part = "less than 1e-75 of the longest";
+        look_for_mistyped =
+            "no double holds products of both; look for a coordinate, a `com` or a length that is mistyped";
+        mass_without_centre(link: &str) = "link {link} has a mass but no centre of mass";
+        inertia_without_centre(link: &str) = "link {link} has an inertia but no centre of mass";
+        about_which_point = "about which point?";
+        give_centre_at_middle(x: f64) =
+            "give the centre in the link's frame; at mid-length: com = [{x}, 0]";
+        give_centre = "give the centre in the link's frame: com = [20, 10], for example";
+
+        // Slides.
+        of_has_no(of: &str, key: &str) = "{of} has no `{key}`";
+        is_missing(key: &str) = "`{key}` is missing";
+        pin_or_link =
+            "a pin in a slot has `point = \"C\"`, a link that slides without turning `link = \"r6\"`";
+        pin_has_no_turn(of: &str) = "{of}: a pin in a slot has no `turn`";
+        for_slide_of_link = "only for a slide of a link";
+        slide_the_link =
+            "a pin may turn in its slot; to keep a link from turning, slide the link: link = \"...\"";
+        has_point_and_link(of: &str) = "{of} has both `point` and `link`";
+        one_of_them_slides = "one of them slides";
+        has_no_point_nor_link(of: &str) = "{of} has neither `point` nor `link`";
+        nothing_slides_here = "nothing slides here";
+        guide_in_the_frame = "a guide in the frame is on = \"ground\"";
+        must_be_point_of(what: &str, body: &str, name: &str) =
+            "{what} must be a point of {body}; {name} is not";
+        no_point_of(body: &str) = "not a point of {body}";
+        name_point_of(body: &str) =
+            "name a point of {body}, or give coordinates in its frame: through = [0, 0]";
+        cannot_slide_on_itself(body: &str) = "{body} cannot slide on itself";
+        origin_is_fixed(link: &str, body: &str) =
+            "link {link} cannot slide on {body}: its origin is fixed there";
+        carried_by(point: &str, body: &str) = "{point} cannot slide on {body}, which carries it";
+        nothing_slides_on(body: &str) = "nothing slides on {body}";
+        this_slides = "this slides";
+        guide_is_fixed_to = "the guide is fixed to this";
+        guide_and_slider_differ = "a guide and what slides along it belong to different bodies";
+
+        // What is driven.
+        driven_link_is_given = "a driven link is given by `link` and `angle`";
+        driven_slide_is_given = "a driven slide is given by `slide` and `position`";
+        pinned_to_ground_twice(name: &str) =
+            "the driven link {name} cannot turn: it is pinned to the ground twice";
+        the_driven_link = "the driven link";
+        one_pin = "one pin";
+        another_pin = "another";
+        turns_about_one_point = "the driven link, mostly the crank, turns about one point of the ground";
+        no_pivot(name: &str) = "the driven link {name} has no ground point to turn about";
+        not_joined_to_ground = "not joined to the ground";
+        none_in_ground = "none of its points is in [ground]";
+        put_into_ground = "put one of its points into [ground]: A = [0, 0]";
+        links_with_ground_point(names: &str) = "links with a ground point: {names}";
+
+        // Points and vectors.
+        start_of_ground_point(name: &str) = "[start]: {name} is a point of the ground";
+        does_not_move = "does not move";
+        fixed_here = "fixed here";
+        start_is_for_moving = "[start] is for moving points: take the line out";
+        runs_to_itself(what: &str, from: &str) = "{what} runs from {from} to itself";
+        head_is_tail = "its head is its tail";
+        name_tail_and_head = "name two different points: [tail, head]";
+        a_pair_of_points = "[tail, head] of points";
+        has_no_centre(what: &str, link: &str) = "{what}: link {link} has no centre of mass";
+        no_such_point = "no such point";
+        has_no_com = "has no `com`";
+        give_the_link_one = "give the link one, in its own frame: com = [50, 0]";
+        was_moving_meant(near: &str, name: &str) = "`{near}` is a moving point; was {name} meant there?";
+        take_out_or_use = "take it out, or let a link begin or end there";
+        belongs_to_nothing(name: &str) = "ground point {name} belongs to nothing";
+        nothing_names_it = "no link, slide or vector names it";
+    }
+}

@@ -1,0 +1,133 @@
+//! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
+
+use super::Turkish;
+use crate::wording::english::PartsWords;
+use std::fmt::LowerExp;
+
+catalogue! {
+    impl PartsWords for Turkish {
+        // What they are called.
+        link_called(name: &str) = "uzuv {name}";
+        slide_called(name: &str) = "kızak {name}";
+        vector_called(name: &str) = "vektör {name}";
+        the_ground_as_body = "şase";
+        point_in(of: &str) = "{of}: nokta";
+        ground_point = "sabit nokta";
+        start_of = "başlangıç";
+        tail_of(what: &str) = "başı ({what})";
+        head_of(what: &str) = "ucu ({what})";
+        the_scene_itself = "sahne";
+        add_for_example(text: &str) = "örneğin şunu ekle:\n{text}";
+
+        // The scene.
+        no_unit_of_length(name: &str) = "{name} bir boy birimi değil";
+        unknown_unit = "bilinmeyen birim";
+        known_units(names: &str) = "bilinen birimler: {names}";
+        no_links = "sahnede uzuv yok: hiçbir şey hareket etmiyor";
+        links_above_most(count: usize, most: usize) =
+            "sahnede {count} uzuv var; en çok {most} olabilir";
+        are_too_many_links = "çok fazla uzuv";
+        no_driver = "sahnede tahrik yok: hiçbir şey dönmüyor";
+        none_is_driven = "bunların hiçbiri tahrik edilmiyor";
+
+        // Links.
+        link_has_no_points(of: &str) = "{of}: noktası yok";
+        needs_ends_or_points = "bir uzva iki uç ya da `points` gerekir";
+        or_single_joint(example: &str) = "ya da tek mafsallı bir uzuv için: {example}";
+        of_has(of: &str, what: &str) = "{of}: {what}";
+        ends_without_length = "`from` ve `to` var, `length` yok";
+        only_from = "`from` var, `to` yok";
+        only_to = "`to` var, `from` yok";
+        length_without_ends = "`length` var, `from` ve `to` yok";
+        ends_and_length = "`from`, `to` ve `length` birlikte verilir";
+        points_alone(example: &str) =
+            "doğal iki ucu olmayan bir uzuv yalnız `points` ile verilir: {example}";
+        at_least_smallest = "en az 1e-300";
+        too_small_to_compute = "hesaplamak için çok küçük";
+        positive = "artı";
+        no_direction = "boyu olmayan bir uzvun yönü yoktur";
+        give_joints_one_name = "aynı yerdeki iki mafsal arasına uzuv gerekmez: onlara tek ad ver";
+        is_not_positive = "artı değil";
+        length_is_distance =
+            "boy bir uzaklıktır; uzvun yönü `from` noktasından `to` noktasınadır";
+        pinned_to_itself(link: &str, point: &str) =
+            "{link} uzvu kendine bağlı: iki ucu da {point}";
+        joins_two_points = "bir uzuv iki ayrı noktayı birleştirir";
+        names_point_twice(link: &str, point: &str) = "{link} uzvunda {point} noktası iki kez var";
+        ends_are_points = "uçları zaten [0, 0] ve [length, 0]; `points` öteki noktalardır";
+        again_here = "yine burada";
+        once_here = "ilki burada";
+        out_of_proportion(link: &str, length: &dyn LowerExp, longest: &dyn LowerExp) =
+            "{link} uzvu bütün oranların dışında: boyu {length:e}, oysa sahnenin en uzun boyu {longest:e}";
+        less_than_part = "en uzunun 1e-75 katından kısa";
+        look_for_mistyped =
+            "ikisinin çarpımı hiçbir double değerine sığmaz; yanlış yazılmış bir koordinat, `com` ya da boy ara";
+        mass_without_centre(link: &str) = "{link} uzvunun kütlesi var, ağırlık merkezi yok";
+        inertia_without_centre(link: &str) = "{link} uzvunun ataleti var, ağırlık merkezi yok";
+        about_which_point = "hangi noktaya göre?";
+        give_centre_at_middle(x: f64) =
+            "merkezi uzvun kendi ekseninde ver; boyun ortası: com = [{x}, 0]";
+        give_centre = "merkezi uzvun kendi ekseninde ver: örneğin com = [20, 10]";
+
+        // Slides.
+        of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
+        is_missing(key: &str) = "`{key}` eksik";
+        pin_or_link =
+            "yarıktaki pim için `point = \"C\"`, dönmeden kayan uzuv için `link = \"r6\"` yazılır";
+        pin_has_no_turn(of: &str) = "{of}: yarıktaki pimin `turn` değeri olmaz";
+        for_slide_of_link = "yalnız kayan uzuv için";
+        slide_the_link =
+            "pim yarığında dönebilir; bir uzvun dönmemesi için uzvu kaydır: link = \"...\"";
+        has_point_and_link(of: &str) = "{of}: hem `point` hem `link` var";
+        one_of_them_slides = "kayan bunlardan biridir";
+        has_no_point_nor_link(of: &str) = "{of}: ne `point` ne `link` var";
+        nothing_slides_here = "burada kayan yok";
+        guide_in_the_frame = "şasedeki kılavuz için on = \"ground\"";
+        must_be_point_of(what: &str, body: &str, name: &str) =
+            "{what} bir noktası olmalı ({body}); {name} değil";
+        no_point_of(body: &str) = "noktası değil ({body})";
+        name_point_of(body: &str) =
+            "bir noktasını adlandır ({body}) ya da onun ekseninde koordinat ver: through = [0, 0]";
+        cannot_slide_on_itself(body: &str) = "{body} kendi üzerinde kayamaz";
+        origin_is_fixed(link: &str, body: &str) =
+            "uzuv {link}, {body} üzerinde kayamaz: başlangıç noktası orada sabit";
+        carried_by(point: &str, body: &str) = "{point}, onu taşıyan {body} üzerinde kayamaz";
+        nothing_slides_on(body: &str) = "{body} üzerinde kayan yok";
+        this_slides = "kayan bu";
+        guide_is_fixed_to = "kılavuz buna sabit";
+        guide_and_slider_differ = "kılavuz ve onun boyunca kayan ayrı cisimlerdir";
+
+        // What is driven.
+        driven_link_is_given = "tahrik edilen uzuv `link` ve `angle` ile verilir";
+        driven_slide_is_given = "tahrik edilen kızak `slide` ve `position` ile verilir";
+        pinned_to_ground_twice(name: &str) =
+            "tahrik edilen {name} uzvu dönemez: şaseye iki yerden bağlı";
+        the_driven_link = "tahrik edilen uzuv";
+        one_pin = "bir pim";
+        another_pin = "ötekisi";
+        turns_about_one_point = "tahrik edilen uzuv, çoğu zaman krank, şasenin tek noktası çevresinde döner";
+        no_pivot(name: &str) = "tahrik edilen {name} uzvunun çevresinde döneceği sabit noktası yok";
+        not_joined_to_ground = "şaseye bağlı değil";
+        none_in_ground = "hiçbir noktası [ground] içinde değil";
+        put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
+        links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
+
+        // Points and vectors.
+        start_of_ground_point(name: &str) = "[start]: {name} şasenin bir noktası";
+        does_not_move = "hareket etmez";
+        fixed_here = "burada sabit";
+        start_is_for_moving = "[start] hareketli noktalar içindir: satırı çıkar";
+        runs_to_itself(what: &str, from: &str) = "{what}: {from} noktasından yine kendine gidiyor";
+        head_is_tail = "başı ve ucu aynı";
+        name_tail_and_head = "iki ayrı nokta adlandır: [tail, head]";
+        a_pair_of_points = "[tail, head], noktalardan";
+        has_no_centre(what: &str, link: &str) = "{what}: {link} uzvunun ağırlık merkezi yok";
+        no_such_point = "böyle bir nokta yok";
+        has_no_com = "`com` yok";
+        give_the_link_one = "uzva kendi ekseninde bir tane ver: com = [50, 0]";
+        was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} orada mı denmek istendi?";
+        take_out_or_use = "çıkar ya da bir uzuv orada başlasın veya bitsin";
+        belongs_to_nothing(name: &str) = "sabit nokta {name} hiçbir şeye ait değil";
+        nothing_names_it = "hiçbir uzuv, kızak ya da vektör onu adlandırmıyor";
+    }
+}
