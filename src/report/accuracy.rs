@@ -456,12 +456,12 @@ mod tests {
         ];
         assert_eq!(lines[..2], expected);
         assert!(
-            lines[2].starts_with("c  closed and polished  - the group at "),
+            lines[2].starts_with("c  closed and polished - the group at "),
             "{}",
             lines[2]
         );
         assert!(lines[2].ends_with(" has no closed form"), "{}", lines[2]);
-        assert_eq!(lines[3], "d  single precision     - not measured");
+        assert_eq!(lines[3], "d  single precision    - not measured");
     }
 
     #[test]

@@ -45,7 +45,7 @@ fn csv_has_a_row_for_every_method() {
     assert_eq!(
         header,
         "key,method,time [ns],time.low [ns],time.high [ns],position,velocity,acceleration,\
-         tried,failures,best,reason"
+         tried,failures,best,reason,iterations.median,iterations.most"
     );
     let rows = rows(&csv);
     assert_eq!(rows.len(), 22);
@@ -62,6 +62,16 @@ fn csv_has_a_row_for_every_method() {
         assert!(!is_measured || row[3].len() > 1, "{row:?}");
         assert!(["true", "false"].contains(&row[10].as_str()), "{row:?}");
     }
+    // Bisection halves half a turn until no number lies between: about as often as a number has bits.
+    let counts = rows[15][12..]
+        .iter()
+        .map(|cell| cell.parse::<u32>().unwrap());
+    let counts: Vec<u32> = counts.collect();
+    assert!(
+        40 <= counts[0] && counts[0] <= counts[1] && counts[1] <= 60,
+        "{counts:?}"
+    );
+    assert_eq!(rows[0][12..], ["", ""]);
     assert_eq!(rows[0][..2], ["a", "closed form"]);
     assert_eq!(rows[21][..2], ["v", "RK4 3600 x 1000"]);
 }

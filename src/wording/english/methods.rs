@@ -135,8 +135,8 @@ catalogue! {
         };
         newton_at_dead_point(steps: usize) = {
             let steps = counted(steps, "step", "steps");
-            format!("It does not converge in {steps}: at a dead point J is singular at the solution itself, \
-                 and each step does no more than halve the error, until rounding ends that.")
+            format!("It ends after {steps}: at a dead point J is singular at the solution itself, so that each \
+                 step does no more than halve the error, and rounding leaves half of the digits.")
         };
 
         // Halving.

@@ -4,7 +4,7 @@ use super::super::draft::{Context, Draft};
 use super::super::polygon::{Loop, Term};
 use super::super::solution::Solution;
 use super::super::stages::{ProblemForm, Stage};
-use super::paper::{Sheet, read_off};
+use super::paper::{DrawingSheet, read_off};
 use super::{heading, sought};
 use crate::wording::words;
 use crate::{Vec2, angle};
@@ -15,7 +15,7 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
         draft.page.text(words().no_assembly_to_draw());
         return;
     }
-    let sheet = Sheet::of(context);
+    let sheet = DrawingSheet::of(context);
     draft.page.text(words().scale_of_sheet(&sheet.scale()));
     let drawing = Construction { context, sheet };
     drawing.given(draft);
@@ -32,11 +32,11 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
 
 struct Construction<'a> {
     context: &'a Context<'a>,
-    sheet: Sheet,
+    sheet: DrawingSheet,
 }
 
 /// Two ways in which a point can lie on two lines.
-struct Crossing<'a> {
+struct TwoMeetings<'a> {
     name: &'a str,
     assembly: Vec2,
     other: Vec2,
@@ -134,7 +134,7 @@ impl Construction<'_> {
             (at - from).cross(m) / m.norm2(),
         );
         let mirrored = from + m * along + Vec2::new(-m.y, m.x) * across;
-        let crossing = Crossing {
+        let crossing = TwoMeetings {
             name: x,
             assembly: at,
             other: mirrored,
@@ -183,7 +183,7 @@ impl Construction<'_> {
             .text(words().draw_a_circle(pivot, &own.length, &radius));
         let u = member.reading.u;
         let foot = at + u * u.dot(centre - at);
-        let crossing = Crossing {
+        let crossing = TwoMeetings {
             name: x,
             assembly: at,
             other: foot * 2.0 - at,
@@ -267,7 +267,7 @@ impl Construction<'_> {
     }
 
     /// Where two lines meet, and how well that can be seen.
-    fn cross(&self, draft: &mut Draft, of: &Crossing<'_>) -> f64 {
+    fn cross(&self, draft: &mut Draft, of: &TwoMeetings<'_>) -> f64 {
         let blur = self.sheet.blur(of.sine);
         draft.page.text(words().they_meet_in_two());
         let rows = vec![

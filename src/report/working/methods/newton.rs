@@ -249,6 +249,9 @@ impl IterationTable<'_> {
         let steps = self.trace.iterations.len().saturating_sub(1);
         let is_dead = self.context.state.condition() == Condition::DeadPoint;
         match self.trace.outcome {
+            NewtonOutcome::Found | NewtonOutcome::Unsettled if is_dead => {
+                words().newton_at_dead_point(steps)
+            }
             NewtonOutcome::Found if steps < FEW => words().newton_found(steps),
             NewtonOutcome::Found => {
                 let found = words().newton_found(steps);
@@ -260,7 +263,6 @@ impl IterationTable<'_> {
             NewtonOutcome::OtherAssembly => words().newton_other(steps),
             NewtonOutcome::Diverged => words().newton_diverged(steps),
             NewtonOutcome::Singular(_) => words().newton_singular(steps),
-            NewtonOutcome::Unsettled if is_dead => words().newton_at_dead_point(steps),
             NewtonOutcome::Unsettled => words().newton_unsettled(steps),
         }
     }

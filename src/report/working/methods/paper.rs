@@ -12,16 +12,16 @@ const SHEET: [f64; 2] = [250.0, 170.0];
 const STEPS: [f64; 3] = [1.0, 2.0, 5.0];
 
 /// A sheet with its scale.
-pub(super) struct Sheet {
+pub(super) struct DrawingSheet {
     /// So many mm are one on paper.
     reduced: f64,
     /// The scene's unit in mm.
     unit: f64,
 }
 
-impl Sheet {
+impl DrawingSheet {
     /// The largest usual scale at which all points lie on the sheet.
-    pub(super) fn of(context: &Context<'_>) -> Sheet {
+    pub(super) fn of(context: &Context<'_>) -> DrawingSheet {
         let unit = context.scene.unit.in_units_of(Unit::Millimetre);
         let points = context.scene.mechanism.point_ids();
         let places = points.map(|point| context.state.position(point));
@@ -42,7 +42,7 @@ impl Sheet {
             .into_iter()
             .find(|&scale| scale >= needed)
             .unwrap_or(1.0);
-        Sheet { reduced, unit }
+        DrawingSheet { reduced, unit }
     }
 
     /// `1:5`, `2:1`.
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn scales_are_told_as_on_drawings() {
-        let sheet = |reduced| Sheet {
+        let sheet = |reduced| DrawingSheet {
             reduced,
             unit: 10.0,
         };

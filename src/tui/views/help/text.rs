@@ -226,7 +226,7 @@ mod tests {
     fn the_keys_of_the_present_view_come_first() {
         let lines = Help::default().lines(View::Scene, &Keymap::default());
         assert_eq!(lines[0], HelpLine::Title("In the scene view"));
-        let lines = Help::default().lines(View::Accuracy, &Keymap::default());
+        let lines = Help::default().lines(View::Working, &Keymap::default());
         assert_eq!(lines[0], HelpLine::Title("The motion"));
     }
 
