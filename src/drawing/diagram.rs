@@ -133,7 +133,7 @@ impl VectorDiagram {
             let ends = [arrow.from, arrow.to].map(|p| sheet.scale.place(p));
             sheet
                 .taken
-                .extend((0..=8).map(|k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 8.0)));
+                .extend((0..=24).map(|k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 24.0)));
         }
         for arc in &self.arcs {
             sheet.arc(arc);
@@ -329,10 +329,10 @@ impl DiagramSheet {
         let y = self.art.size().y - FOOT * 0.5;
         let from = Vec2::new(MARGIN, y);
         let to = from + Vec2::new(value * self.scale.each, 0.0);
-        self.art.polyline([from, to], "given");
+        self.art.polyline([from, to], "scale");
         for end in [from, to] {
             let tick = Vec2::new(0.0, 4.0);
-            self.art.polyline([end - tick, end + tick], "given");
+            self.art.polyline([end - tick, end + tick], "scale");
         }
         let text = format!("{value} {unit}");
         let at = to + Vec2::new(8.0, HALF_TEXT);

@@ -34,6 +34,7 @@ figcaption{color:var(--quiet);font-size:.9rem;margin-top:.3rem}
 .art{max-width:100%;height:auto;display:block}
 @page{size:A4;margin:18mm}
 @media print{body{margin:0;padding:0;max-width:none;font-size:10.5pt}table,.eq{break-inside:avoid}\
+.sheet{overflow:visible}table{font-size:8.5pt}th,td{padding:.1rem .35rem}tbody th{white-space:normal}\
 h2,h3{break-after:avoid}}
 ";
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";

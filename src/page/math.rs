@@ -21,7 +21,7 @@ pub(super) enum MathPiece {
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
 /// Components, which have an index though no figure does.
-const COMPONENTS: [&str; 2] = ["mx", "my"];
+const COMPONENTS: [&str; 4] = ["mx", "my", "ax", "ay"];
 
 /// The pieces of a formula.
 pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
@@ -56,7 +56,7 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
                 None => (name, 0),
             };
             i += length(&name) + [0, 4, 6][order];
-            pieces.push(match is_unit(&name, &pieces) {
+            pieces.push(match is_unit(&name, &pieces, &chars[i..]) {
                 true => MathPiece::Unit(name),
                 false => named(&name, order),
             });
@@ -68,12 +68,13 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
     pieces
 }
 
-/// Whether a letter stands where a unit does: `mm/s`, `5 N`, `5 N m`.
-fn is_unit(name: &str, before: &[MathPiece]) -> bool {
+/// Whether a letter stands where a unit does: `mm/s`, `m/s^2`, `5 N`, `5 N m`.
+fn is_unit(name: &str, before: &[MathPiece], rest: &[char]) -> bool {
     let is_newton = |piece: &MathPiece| *piece == MathPiece::Unit("N".into());
     match (name, before) {
         ("s", [.., MathPiece::Sign('/')]) => true,
-        ("N", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
+        ("N" | "W", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
+        ("m", _) if rest.starts_with(&['/', 's']) => true,
         ("m", [.., newton, MathPiece::Blank]) => is_newton(newton),
         _ => false,
     }
@@ -195,6 +196,7 @@ mod tests {
         let unit = |name: &str| MathPiece::Unit(name.into());
         assert_eq!(pieces("mm/s")[2], unit("s"));
         assert_eq!(pieces("2 N m")[2..], [unit("N"), Blank, unit("m")]);
+        assert_eq!(pieces("m/s^2")[0], unit("m"));
         assert_eq!(pieces("2 m r3")[2], symbol("m", "", 0));
         assert_eq!(pieces("dist")[0], symbol("dist", "", 0));
     }

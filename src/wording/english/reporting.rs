@@ -12,9 +12,12 @@ catalogue! {
             "With the unit vectors μ(θ) along an angle and ν(θ) at right angles to it, to its left:";
 
         // Vector polygons and their tables.
-        polygon_drawn(sum: &str) = "The vector polygon {sum} = 0, to scale; angles stand at the tails.";
+        polygon_drawn(sum: &str) =
+            "The vector polygon {sum} = 0, to scale; dashed where something is sought, angles at \
+             their tails.";
         polygon_of_loop(number: usize, sum: &str) =
-            "Loop {number}: the vector polygon {sum} = 0, to scale; angles stand at the tails.";
+            "Loop {number}: the vector polygon {sum} = 0, to scale; dashed where something is sought, \
+             angles at their tails.";
         loop_number(number: usize) = "loop {number}";
         tables_asked = "Given, and with a question mark what is sought:";
         tables_told = "Given, and behind their symbols the figures that were found:";
