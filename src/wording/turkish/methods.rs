@@ -118,8 +118,8 @@ catalogue! {
              paralel, ya da buna benzer.";
         newton_unsettled(steps: usize) = "{steps} adımda yakınsamaz: adımlar küçülmez.";
         newton_at_dead_point(steps: usize) =
-            "{steps} adımda yakınsamaz: ölü konumda J çözümün kendisinde tekildir, her adım hatayı ancak \
-             yarıya indirir, yuvarlama bunu bitirene dek.";
+            "{steps} adımdan sonra biter: ölü konumda J çözümün kendisinde tekildir, her adım hatayı ancak \
+             yarıya indirir, yuvarlama hanelerin yarısını bırakır.";
 
         // Halving.
         known_sides_are_k = "K bilinen kenarların toplamı:";

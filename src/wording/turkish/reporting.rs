@@ -12,9 +12,10 @@ catalogue! {
             "Birim vektörler: açı boyunca μ(θ), ona dik, soluna ν(θ):";
 
         // Vector polygons and their tables.
-        polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; açılar kuyruklarda.";
+        polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; bilinmeyeni olan kesikli, açılar kuyruklarda.";
         polygon_of_loop(number: usize, sum: &str) =
-            "Döngü {number}: ölçekli vektörel poligon, {sum} = 0; açılar kuyruklarda.";
+            "Döngü {number}: ölçekli vektörel poligon, {sum} = 0; bilinmeyeni olan kesikli, açılar \
+             kuyruklarda.";
         loop_number(number: usize) = "döngü {number}";
         tables_asked = "Verilenler ve soru işaretiyle bilinmeyenler:";
         tables_told = "Verilenler ve simgelerinin arkasında bulunan değerler:";
