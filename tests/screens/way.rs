@@ -227,8 +227,9 @@ fn the_help_of_each_view_begins_with_its_own_keys() {
         ("1", "What the motion view shows", "arrows of velocity"),
         ("2", "In the tables", "show it in the motion"),
         ("3", "In the plots", "mark the extrema"),
-        ("4", "The motion", "play or pause"),
+        ("4", "In the accuracy view", "watch a method"),
         ("6", "In the scene view", "nudge by more"),
+        ("7", "The motion", "play or pause"),
     ] {
         let screen = four_bar(40, 12).press(view).press("?").look();
         let first = screen.lines().nth(2).unwrap();
