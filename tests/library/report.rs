@@ -233,10 +233,10 @@ fn is_sound_latex(text: &str) -> Result<(), String> {
                 let behind = &text[at + 1..];
                 if let Some(name) = behind.strip_prefix("begin{") {
                     open.push(named(name));
-                } else if let Some(name) = behind.strip_prefix("end{") {
-                    if open.pop() != Some(named(name)) {
-                        return Err(format!("{} closes {open:?}", named(name)));
-                    }
+                } else if let Some(name) = behind.strip_prefix("end{")
+                    && open.pop() != Some(named(name))
+                {
+                    return Err(format!("{} closes {open:?}", named(name)));
                 }
                 chars.next();
             }
