@@ -55,6 +55,10 @@ impl<'t> Lexer<'t> {
             let fault = Malformed::new(span, words().minus_without_blank(word));
             return Err(fault.help(words().minus_between_blanks()));
         }
+        let is_beyond = is_digital(word) && word.parse().is_ok_and(f64::is_infinite);
+        if is_beyond {
+            return Err(Malformed::new(span, words().number_too_large(word)));
+        }
         Ok((number(word).map_or(Lexeme::Name, Lexeme::Number), span))
     }
 
@@ -84,7 +88,11 @@ impl<'t> Lexer<'t> {
 
 /// The number that a word is: finite, and written in digits.
 pub(super) fn number(word: &str) -> Option<f64> {
-    let digits = word.starts_with(|c: char| c.is_ascii_digit() || c == '.');
     let value: f64 = word.parse().ok()?;
-    (digits && value.is_finite()).then_some(value)
+    (is_digital(word) && value.is_finite()).then_some(value)
+}
+
+/// Whether a word begins as a number does: `inf` and `nan` are names.
+fn is_digital(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_digit() || c == '.')
 }

@@ -244,7 +244,9 @@ impl Catalogue {
         let asked = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
         let asked = asked.into_iter().chain(Aspect::FRAME);
         let mut asked = asked.map(|aspect| format!(".{}", aspect.name()));
-        !own.any(|aspect| is_force(&aspect)) && asked.any(|name| pattern.contains(&name))
+        let is_size = [".f", ".f.angle"].iter().any(|end| pattern.ends_with(end));
+        let is_asked = is_size || asked.any(|name| pattern.contains(&name));
+        is_asked && !own.any(|aspect| is_force(&aspect))
     }
 
     fn unknown(&self, pattern: &str, why: Option<String>) -> UnknownColumn {

@@ -115,7 +115,8 @@ impl Catalogue {
             let found = match solved {
                 Some(quantity) => quantity.clone(),
                 None => self.made(name).map_err(|why| {
-                    let names = self.all().iter().chain(&self.defined);
+                    let unlisted = self.unlisted();
+                    let names = self.all().iter().chain(&unlisted);
                     let near = || did_you_mean(name, names.map(|q| q.name.as_str()));
                     why.or_else(near)
                 })?,

@@ -23,6 +23,8 @@ const SIZE: &[Op] = &[X, Y, Hypot];
 const DIRECTION: &[Op] = &[Y, X, Atan2];
 const RATE_X: Op = Op::Leaf(2);
 const RATE_Y: Op = Op::Leaf(3);
+const RATE_SIZE: &[Op] = &[RATE_X, RATE_Y, Hypot];
+const RATE_DIRECTION: &[Op] = &[RATE_Y, RATE_X, Atan2];
 /// The rate of the size: v.a / |v|, above 0 where it speeds up.
 const ALONG: &[Op] = &[
     X, RATE_X, Multiply, Y, RATE_Y, Multiply, Add, X, Y, Hypot, Divide,
@@ -32,18 +34,18 @@ const ACROSS: &[Op] = &[
     X, RATE_Y, Multiply, Y, RATE_X, Multiply, Subtract, Abs, X, Y, Hypot, Divide,
 ];
 
+/// A point has all of them, one behind the other.
+const MOTION: &[Aspect] = &[Vx, Vy, Ax, Ay];
 const VELOCITY: &[Aspect] = &[Vx, Vy];
-const ACCELERATION: &[Aspect] = &[Ax, Ay];
-const BOTH: &[Aspect] = &[Vx, Vy, Ax, Ay];
 const FORCE: &[Aspect] = &[Fx, Fy];
 
 const ALL: [Magnitude; 8] = [
     magnitude("v", VELOCITY, SIZE, false),
     magnitude("v.angle", VELOCITY, DIRECTION, true),
-    magnitude("a", ACCELERATION, SIZE, false),
-    magnitude("a.angle", ACCELERATION, DIRECTION, true),
-    magnitude("a.t", BOTH, ALONG, false),
-    magnitude("a.n", BOTH, ACROSS, false),
+    magnitude("a", MOTION, RATE_SIZE, false),
+    magnitude("a.angle", MOTION, RATE_DIRECTION, true),
+    magnitude("a.t", MOTION, ALONG, false),
+    magnitude("a.n", MOTION, ACROSS, false),
     magnitude("f", FORCE, SIZE, false),
     magnitude("f.angle", FORCE, DIRECTION, true),
 ];

@@ -67,7 +67,7 @@ fn the_list_chooses_what_is_plotted() {
     // On a small screen the list stands alone.
     let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13);
     let told = [
-        "plot what? 2 of 57",
+        "plot what? 2 of 99",
         "[ ] r3.omega rad/s ^",
         "[x] r4.omega rad/s",
         "> [x] r4.alpha rad/s^2",

@@ -29,6 +29,8 @@ catalogue! {
             format!("{name}() takes {takes}, not {found}")
         };
 
+        number_too_large(number: &str) = "the number {number} is too large";
+
         // What they are about.
         no_quantity(name: &str) = "no quantity is named `{name}`";
         blank_before_unit = "a blank stands between a number and its unit: `2 mm`";
