@@ -246,9 +246,8 @@ impl Catalogue {
         let asked = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
         let asked = asked.into_iter().chain(Aspect::FRAME);
         let mut asked = asked.map(|aspect| format!(".{}", aspect.name()));
-        // Of a force as a whole: `ground.f`, `r3.B.f.angle`.
-        let is_whole = pattern.ends_with(".f") || pattern.contains(".f.");
-        let is_asked = is_whole || asked.any(|name| pattern.contains(&name));
+        let is_size = [".f", ".f.angle"].iter().any(|end| pattern.ends_with(end));
+        let is_asked = is_size || asked.any(|name| pattern.contains(&name));
         is_asked && !own.any(|aspect| is_force(&aspect))
     }
 
