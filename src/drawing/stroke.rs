@@ -55,6 +55,11 @@ pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
 /// The part of the line inside a box (Liang and Barsky 1984); `None` if there is none, or if an end is
 /// not finite.
 pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2, Vec2)> {
+    // As most are.
+    let is_inside = |p: Vec2| low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
+    if is_inside(a) && is_inside(b) {
+        return Some((a, b));
+    }
     let step = b - a;
     if !(a.is_finite() && step.is_finite()) {
         return None;

@@ -33,7 +33,7 @@ pub(crate) struct LengthScale {
 pub(super) const METRE: f64 = 10_000.0;
 
 /// Powers beyond this are no figure's of a linkage.
-const LARGEST_POWER: i8 = 24;
+pub(super) const LARGEST_POWER: i8 = 24;
 
 impl Dimension {
     pub(crate) const NUMBER: Dimension = Dimension {

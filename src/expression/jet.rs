@@ -134,7 +134,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         }
     }
 
-    /// s s = a.
+    /// s s = a. At 0 there are no rates.
     pub(super) fn root(self) -> Self {
         self.root_from(self.0[0].sqrt())
     }
@@ -148,6 +148,9 @@ impl<T: Number, const N: usize> Jet<T, N> {
     /// The root of this one, of which the figure is known already.
     fn root_from(self, value: T) -> Self {
         let mut root = Jet::constant(value);
+        if !value.exceeds(T::default()) {
+            return root.without_rates();
+        }
         for n in 1..N {
             let known = convolved(&root.0, &root.0, n, 1..n);
             root.0[n] = (self.0[n] - known) / value.scaled(2.0);
@@ -204,14 +207,16 @@ impl<T: Number, const N: usize> Jet<T, N> {
         }
     }
 
-    /// The smaller of two. Where either may be it, rates do not exist.
+    /// The smaller of two; nothing where one of them is nothing. Where either may be it, rates do not exist.
     pub(super) fn lesser(self, other: Self) -> Self {
         if other.0[0].exceeds(self.0[0]) {
             self
         } else if self.0[0].exceeds(other.0[0]) {
             other
         } else {
-            self.moved(self.0[0].min(other.0[0])).without_rates()
+            // The smaller of a number and of none is the number: here it is none, lane by lane.
+            let none = (self.0[0] + other.0[0]).scaled(0.0);
+            self.moved(self.0[0].min(other.0[0]) + none).without_rates()
         }
     }
 }

@@ -8,6 +8,7 @@
 //! atom    = number [ unit ] | name | name "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
 
+use super::dimension::LARGEST_POWER;
 use super::dimension::METRE;
 use super::lexer::{Lexeme, Lexer, number};
 use super::tree::{MathFunction, Node, Operation, WrittenUnit};
@@ -228,7 +229,9 @@ impl Parser<'_> {
             let too_much = || Malformed::new(from..part_end, words().unit_beyond_use());
             unit.dimension = joined.ok_or_else(too_much)?;
             unit.lengths.extend(part.lengths);
-            unit.degrees += part.degrees;
+            let degrees = unit.degrees.checked_add(part.degrees);
+            let degrees = degrees.filter(|power| power.abs() <= LARGEST_POWER);
+            unit.degrees = degrees.ok_or_else(too_much)?;
             end = part_end;
         }
         self.lexer.skip_to(end);

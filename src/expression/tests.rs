@@ -128,6 +128,11 @@ fn what_does_not_go_together_is_told_with_its_place() {
         ("((C.x ^ 8) ^ 8)", 0..15, "beyond all use"),
         ("min(C.x, f)", 4..10, "do not go together"),
         ("1e999 mm", 0..5, "too large"),
+        (
+            "1 mm deg^4 deg^4 deg^4 deg^4 deg^4 deg^4 deg^4",
+            2..45,
+            "beyond all use",
+        ),
     ] {
         let fault = compiled(text).map(|_| ()).unwrap_err();
         assert_eq!(fault.span, place, "{text}: {}", fault.words());

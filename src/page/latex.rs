@@ -121,22 +121,34 @@ fn columns(table: &Table) -> String {
             *width = (*width).max(text.chars().count() + 2);
         }
     }
-    let mut lines = String::new();
-    for (number, row) in rows.iter().enumerate() {
+    let is_wide = widths.iter().sum::<usize>() > LINE;
+    let line = |row: &Vec<String>| {
         let cells: Vec<String> = row.iter().map(|text| cell(text)).collect();
-        let rule = if number == 0 { " \\hline" } else { "" };
-        let _ = writeln!(lines, "{} \\\\{rule}", cells.join(" & "));
-    }
-    let set = format!(
-        "\\begin{{tabular}}{{l{}}}\n{lines}\\hline\n\\end{{tabular}}",
-        "r".repeat(count)
-    );
-    if widths.iter().sum::<usize>() > LINE {
-        format!("\n\\medskip\\resizebox{{\\textwidth}}{{!}}{{{set}}}\\medskip\n")
-    } else {
-        format!("\n\\medskip{set}\\medskip\n")
-    }
+        cells.join(" & ")
+    };
+    let Some((head, body)) = rows.split_first() else {
+        return String::new();
+    };
+    // A table does not go on behind the end of a page.
+    let parts = body.chunks(ROWS).map(|rows| {
+        let mut lines = format!("{} \\\\ \\hline\n", line(head));
+        for row in rows {
+            let _ = writeln!(lines, "{} \\\\", line(row));
+        }
+        let set = format!(
+            "\\begin{{tabular}}{{l{}}}\n{lines}\\hline\n\\end{{tabular}}",
+            "r".repeat(count)
+        );
+        match is_wide {
+            true => format!("\n\\medskip\\resizebox{{\\textwidth}}{{!}}{{{set}}}\\medskip\n"),
+            false => format!("\n\\medskip{set}\\medskip\n"),
+        }
+    });
+    parts.collect()
 }
+
+/// Rows of a table on one page.
+const ROWS: usize = 40;
 
 /// A cell; one with a symbol of its own is a formula, and what was found or is sought.
 fn cell(text: &str) -> String {

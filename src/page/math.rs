@@ -50,14 +50,18 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
             i += 1 + length(&raised);
             pieces.push(MathPiece::Power(raised));
         } else if c.is_alphabetic() {
-            let name = run(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '\''));
+            let name = name(&chars[i..]);
             let (name, order) = match derivative(&name, &chars[i + length(&name)..]) {
                 Some((inner, order)) => (inner.to_owned(), order),
                 None => (name, 0),
             };
             i += length(&name) + [0, 4, 6][order];
+            let is_called = chars.get(i) == Some(&'(');
             pieces.push(match is_unit(&name, &pieces, &chars[i..]) {
                 true => MathPiece::Unit(name),
+                false if is_called && FUNCTIONS.contains(&name.as_str()) => {
+                    MathPiece::Function(name)
+                }
                 false => named(&name, order),
             });
         } else {
@@ -66,6 +70,14 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
         }
     }
     pieces
+}
+
+/// The name at the beginning: `-` within it joins, for one that subtracts stands between blanks.
+fn name(chars: &[char]) -> String {
+    let is_letter = |c: &char| c.is_alphanumeric() || matches!(c, '_' | '.' | '\'');
+    let joins = |k: usize| chars[k] == '-' && chars.get(k + 1).is_some_and(|c| c.is_alphanumeric());
+    let length = (0..chars.len()).take_while(|&k| is_letter(&chars[k]) || joins(k));
+    chars[..length.count()].iter().collect()
 }
 
 /// Whether a letter stands where a unit does: `mm/s`, `m/s^2`, `5 N`, `5 N m`.
@@ -105,9 +117,6 @@ fn derivative<'n>(name: &'n str, rest: &[char]) -> Option<(&'n str, usize)> {
 
 /// A name as a symbol with its index: `r3`, `θ3`, `α_ram`, `aB`, `a_r3.com_t`.
 fn named(name: &str, order: usize) -> MathPiece {
-    if FUNCTIONS.contains(&name) {
-        return MathPiece::Function(name.to_owned());
-    }
     let split = |at: usize| (name[..at].to_owned(), name[at..].to_owned());
     let first = name.chars().next().map_or(0, char::len_utf8);
     let rest = &name[first..];
@@ -150,6 +159,24 @@ mod tests {
 
     fn symbol(letter: &str, index: &str, order: usize) -> MathPiece {
         MathPiece::Symbol(letter.into(), index.into(), order)
+    }
+
+    /// A scene's names may have a `-` in them, and those of functions.
+    #[test]
+    fn names_stay_whole() {
+        let symbols = |formula: &str| -> Vec<String> {
+            let of = |piece: MathPiece| match piece {
+                MathPiece::Symbol(letter, index, _) => Some(format!("{letter}|{index}")),
+                MathPiece::Function(name) => Some(format!("{name}()")),
+                _ => None,
+            };
+            pieces(formula).into_iter().filter_map(of).collect()
+        };
+        assert_eq!(symbols("sin(θ_a-b - θ3)"), ["sin()", "θ|a-b", "θ|3"]);
+        assert_eq!(
+            symbols("r1 + sin + r4 = -r2"),
+            ["r|1", "sin|", "r|4", "r|2"]
+        );
     }
 
     #[test]

@@ -182,13 +182,16 @@ impl Sensitivity {
     }
 }
 
-/// For each figure the first one of its unit: their derivatives are measured by the largest.
+/// For each figure the first one of its unit: their derivatives are measured by the largest. What a formula makes is
+/// as large as it likes, and measured by itself.
 fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
     let mut first: HashMap<&str, usize> = HashMap::new();
     let numbers = figures.iter().enumerate();
-    numbers
-        .map(|(i, figure)| *first.entry(&figure.unit).or_insert(i))
-        .collect()
+    let alike = numbers.map(|(i, figure)| match figure.aspect() {
+        Some(_) => *first.entry(&figure.unit).or_insert(i),
+        None => i,
+    });
+    alike.collect()
 }
 
 /// The derivative of a figure.

@@ -93,6 +93,11 @@ impl WrittenRate<'_> {
         // As many bytes: what is found of the one is there in the other.
         let length = number_length(&text.replace(',', "."));
         let (number, unit) = text.split_at(length);
+        // `1,500` is fifteen hundred to some and one and a half to others: nobody is asked which.
+        let (number, unit) = match number.find(',').filter(|_| are_thousands(number)) {
+            Some(comma) => text.split_at(comma),
+            None => (number, unit),
+        };
         let number = match number.contains(',') {
             true => number.replace(',', ".").into(),
             false => number.into(),
@@ -102,6 +107,16 @@ impl WrittenRate<'_> {
             unit: unit.trim(),
         }
     }
+}
+
+/// Whether the comma of a number may stand between thousands and hundreds.
+fn are_thousands(number: &str) -> bool {
+    let digits = number.trim_start_matches(['+', '-']);
+    let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    digits.split_once(',').is_some_and(|(thousands, hundreds)| {
+        let is_led = (1..=3).contains(&thousands.len()) && !thousands.starts_with('0');
+        is_led && whole(thousands) && hundreds.len() == 3 && whole(hundreds)
+    })
 }
 
 /// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
@@ -194,7 +209,9 @@ mod tests {
         assert_eq!(turn("nan rad/s"), Err(Misfit::NoNumber));
         assert_eq!(turn("inf rad/s"), Err(Misfit::NoNumber));
         assert_eq!(turn("1e400 rad/s"), Err(Misfit::NotFinite));
-        for two in ["1,234.5", "1.234,5", "1,234,5", "1.2.3", "1,,5"] {
+        for two in [
+            "1,500", "-12,345", "1,234.5", "1.234,5", "1,234,5", "1.2.3", "1,,5",
+        ] {
             let two = format!("{two} rad/s");
             let read = parse(&two, RateKind::Turn, Degree::Speed);
             assert_eq!(read, Err(Misfit::TwoMarks), "{two}");

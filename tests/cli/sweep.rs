@@ -457,6 +457,59 @@ fn a_formula_is_the_arithmetic_of_the_cells() {
     assert!(turns > 5, "{turns}");
 }
 
+/// Eight rows at once, of which some do not go together, give what each gives alone; and of a figure that does not
+/// exist and one that does, neither is the smaller.
+#[test]
+fn rows_that_are_solved_at_once_are_those_that_are_solved_alone() {
+    for formula in [
+        "x = max(0 deg, driver.angle - r4.angle)",
+        "x = min(driver.angle - r4.angle, 200 deg)",
+        "x = max(0, 1 / sin(driver.angle))",
+        "x = abs(driver.angle - r4.angle)",
+    ] {
+        let sweep = |more: &[&str]| {
+            let all = ["sweep", "four-bar", "--no-units", "--columns", formula];
+            done(&[&all[..], more].concat())
+        };
+        let together = sweep(&["--step", "15"]);
+        for row in rows(&together) {
+            let alone = sweep(&["--from", &row[0], "--to", &row[0]]);
+            assert_eq!(rows(&alone)[0], row, "{formula}");
+        }
+    }
+    let columns = "a = max(0 mm, C.x / (A.x / (1 mm))),b = min(sqrt(-1 mm * (1 mm)), C.x)";
+    let csv = done(&[
+        "sweep",
+        "four-bar",
+        "--to",
+        "0",
+        "--no-units",
+        "--bounds",
+        "--columns",
+        columns,
+    ]);
+    assert_eq!(rows(&csv)[0][1..5], ["", "", "", ""], "{csv}");
+}
+
+/// What one formula makes is no measure of another.
+#[test]
+fn sensitivities_are_those_of_each_column_alone() {
+    let sweep = |columns| {
+        let all = [
+            "sweep",
+            "four-bar",
+            "--to",
+            "0",
+            "--sensitivity",
+            "--no-units",
+            "--columns",
+        ];
+        done(&[&all[..], &[columns]].concat())
+    };
+    let [both, alone] = ["a = 1e15 * C.x,C.x", "C.x"].map(sweep);
+    assert_eq!(rows(&both)[0][3..5], rows(&alone)[0][1..3]);
+}
+
 #[test]
 fn formulas_that_are_wrong_say_why() {
     let sweep = |columns| refused(2, &["sweep", "four-bar", "--to", "0", "--columns", columns]);

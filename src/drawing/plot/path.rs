@@ -46,7 +46,8 @@ fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i
     let [low, high] = block.ends().map(fine);
     let most = (high.x as i32 - 1, high.y as i32 - 1);
     let cell = |p: Vec2| {
-        let inside = |v: f64, low: f64, most: i32| (v.floor() as i32).clamp(low as i32, most);
+        // The block begins at 0 or beyond it: what is cut off there is what `floor` takes.
+        let inside = |v: f64, low: f64, most: i32| (v as i32).clamp(low as i32, most);
         (inside(p.x, low.x, most.0), inside(p.y, low.y, most.1))
     };
     let mut ways: Vec<Vec<(i32, i32)>> = Vec::new();

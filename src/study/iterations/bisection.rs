@@ -44,6 +44,9 @@ impl Bisection {
         let (mut low, mut high) = (a, b);
         while differ && bisection.halvings.len() < MOST_HALVINGS {
             let middle = 0.5 * (low + high);
+            if !bisection.halvings.is_empty() && (middle == low || middle == high) {
+                break;
+            }
             let value = f(middle);
             bisection.halvings.push(Halving {
                 a: low,

@@ -17,6 +17,7 @@ use crate::tui::player::edition::Edition;
 use crate::tui::player::explained::Explained;
 use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::{Opened, Origin};
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// States that the tables' columns are fitted to; fewer where a state has very many figures.
@@ -421,8 +422,12 @@ fn places(scene: &Scene, driver_range: &DriverRange) -> Vec<f64> {
 
 /// Text of a scene that may be shown: one column to a character, and only such characters as the
 /// terminal has.
-pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
+pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> Cow<'_, str> {
     use crate::drawing::Glyphs;
+    // Nearly all of a frame, which every terminal has.
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        return Cow::Borrowed(text);
+    }
     let ascii = glyphs == Glyphs::Ascii;
     let text = sanitized(text, ascii);
     let fits = |c: char| match glyphs {
@@ -441,7 +446,8 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
             (true, _) => c,
             (false, spelled) => spelled.unwrap_or('?'),
         })
-        .collect()
+        .collect::<String>()
+        .into()
 }
 
 #[cfg(test)]

@@ -37,8 +37,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
     let [scene, driver, state] = status::in_short(app);
     let message = shown(app.message().unwrap_or_default(), app.glyphs());
-    for (y, line) in (0..).zip([scene, driver, state, message]) {
-        put(y, &line);
+    for (y, line) in (0..).zip([&scene, &driver, &state, &*message]) {
+        put(y, line);
     }
     if *app.mode() == Mode::Normal {
         let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);

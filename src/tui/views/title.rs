@@ -44,7 +44,8 @@ pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     } else {
         title
     };
-    let against = shown(&against(app), app.glyphs());
+    let against = against(app);
+    let against = shown(&against, app.glyphs());
     let wanted = columns(&title).min(TITLE) + columns(&against) + columns(GAP);
     let mut settings = settings(app);
     let joined = loop {

@@ -92,7 +92,7 @@ catalogue! {
              --columns` names fewer";
         unproved(some: &dyn Display, figures: &dyn Display) =
             "{some} of {figures} figures have no bound: too close to a dead point or a change point \
-             for a proof";
+             for a proof, or by a formula where a figure may not exist";
         no_arrows = "there are no arrows: at a dead point there are no rates";
         no_row_in_motion(covered: &str) =
             "no row of the sweep lies within the motion: the driver covers {covered}";

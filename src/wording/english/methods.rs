@@ -152,6 +152,10 @@ catalogue! {
             "This root is the assembly that is meant. The other one lies between {from} and {to}.";
         holds_the_other(from: &str, to: &str) =
             "This root is the other assembly. The one that is meant lies between {from} and {to}.";
+        assemblies_are_one =
+            "Both assemblies are one here: two roots lie in the same place.";
+        guess_of_removed(symbol: &str) =
+            "Only {symbol} is halved: what was guessed of what is removed is not used.";
         nothing_to_halve(unknowns: usize) =
             "Not by bisection: it seeks {unknowns} unknowns at once, of which none can be removed alone, so \
              that no single equation is left whose sign could change.";

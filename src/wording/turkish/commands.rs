@@ -97,7 +97,7 @@ catalogue! {
              daha azını adlandırır";
         unproved(some: &dyn Display, figures: &dyn Display) =
             "{figures} değerden {some} tanesinin hata sınırı yok: ölü ya da değişim konumu kanıt için \
-             çok yakın";
+             çok yakın, ya da formülde bir değer olmayabilir";
         no_arrows = "ok yok: ölü konumda hız ve ivme yoktur";
         no_row_in_motion(covered: &str) =
             "hiçbir satır hareketin içinde değil: tahrikin aralığı {covered}";

@@ -132,6 +132,10 @@ catalogue! {
             "Bu kök istenen montaj biçimidir. Öteki {from} ile {to} arasında.";
         holds_the_other(from: &str, to: &str) =
             "Bu kök öteki montaj biçimidir. İstenen {from} ile {to} arasında.";
+        assemblies_are_one =
+            "Burada iki montaj biçimi birdir: iki kök aynı yerde.";
+        guess_of_removed(symbol: &str) =
+            "Yalnız {symbol} ikiye bölünür: yok edilen için tahmin kullanılmaz.";
         nothing_to_halve(unknowns: usize) =
             "İkiye bölmeyle olmaz: aynı anda {unknowns} bilinmeyen aranır, hiçbiri tek başına yok \
              edilemez, işareti değişebilecek tek denklem kalmaz.";

@@ -28,6 +28,11 @@ pub(super) fn halve(
     }
     let reduced = solution.reduced(draft, stage)?;
     let f = context.figures;
+    let others = stage.unknowns.iter();
+    let mut others = others.filter(|unknown| **unknown != reduced.unknown);
+    if others.any(|unknown| guesses.said(*unknown).is_some()) {
+        draft.page.text(words().guess_of_removed(&reduced.symbol));
+    }
     let [a, b] = begins(&reduced, guesses);
     let size = match reduced.kind {
         SoughtKind::Angle => 180.0,
@@ -132,6 +137,10 @@ fn conclude(
     let Some(right) = reduced.right else {
         return;
     };
+    if reduced.are_one(right) {
+        draft.page.text(words().assemblies_are_one());
+        return;
+    }
     let is_right = reduced.is_beside(root, right);
     let [from, to] = reduced.interval(Some(2.0 * reduced.middle - root));
     let [from, to] = [from, to].map(|v| figure(f, reduced.kind, v));

@@ -32,6 +32,9 @@ enum GuessUnit {
     Length(Unit),
 }
 
+/// Farther away nothing is found: of an angle a double has no digits left behind the point.
+const FARTHEST: f64 = 1e12;
+
 /// A guess cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GuessError;
@@ -68,7 +71,8 @@ impl FromStr for Guess {
             Some((from, to)) => [read(from)?, read(to)?],
             None => [read(number)?; 2],
         };
-        if name.is_empty() {
+        let is_far = between.iter().any(|value| value.abs() > FARTHEST);
+        if name.is_empty() || is_far {
             return Err(GuessError);
         }
         let name = name.to_owned();

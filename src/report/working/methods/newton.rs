@@ -247,12 +247,16 @@ impl IterationTable<'_> {
     /// What has become of the guess.
     fn ends(&self) -> String {
         let steps = self.trace.iterations.len().saturating_sub(1);
-        let is_dead = self.context.state.condition() == Condition::DeadPoint;
+        let condition = self.context.state.condition();
+        let is_dead = condition == Condition::DeadPoint;
         match self.trace.outcome {
             NewtonOutcome::Found | NewtonOutcome::Unsettled if is_dead => {
                 words().newton_at_dead_point(steps)
             }
-            NewtonOutcome::Found if steps < FEW => words().newton_found(steps),
+            // Where two assemblies meet, errors are halved and not squared.
+            NewtonOutcome::Found if steps < FEW || condition != Condition::Ok => {
+                words().newton_found(steps)
+            }
             NewtonOutcome::Found => {
                 let found = words().newton_found(steps);
                 format!("{found} {}", words().errors_are_squared())

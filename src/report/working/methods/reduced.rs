@@ -11,6 +11,9 @@ use crate::study::{SoughtKind, half_turn};
 use crate::wording::words;
 use crate::{Vec2, angle};
 
+/// Two roots so close together, in parts of half a turn or of the reach, are one that rounding has parted.
+const IN_LINE: f64 = 1e-6;
+
 /// One equation f(x) = 0 with a root on either side of x = `middle`, no further away than `reach`; x in degrees, or
 /// in the scene's unit.
 pub(super) struct ReducedLoop<'a> {
@@ -98,6 +101,15 @@ impl ReducedLoop<'_> {
     /// Whether x lies on the same side of the middle as another one.
     pub(super) fn is_beside(&self, x: f64, other: f64) -> bool {
         self.off(x) * self.off(other) > 0.0
+    }
+
+    /// Whether both assemblies are the one here, but for rounding: the arms are in line.
+    pub(super) fn are_one(&self, right: f64) -> bool {
+        let size = match self.kind {
+            SoughtKind::Angle => 180.0,
+            SoughtKind::Length => self.reach,
+        };
+        self.off(right).abs() <= IN_LINE * size
     }
 
     /// How far x is from the assembly: in rad, or in parts of the longest length.

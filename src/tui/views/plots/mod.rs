@@ -335,7 +335,8 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             );
         }
         let room = rows.right().saturating_sub(x);
-        let name = shown(&cut(name, usize::from(NAME.min(room))), app.glyphs());
+        let name = cut(name, usize::from(NAME.min(room)));
+        let name = shown(&name, app.glyphs());
         print(buffer, x, y, room, &name, part(ScreenPart::Name));
         let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
         let room = rows.right().saturating_sub(x);

@@ -55,7 +55,7 @@ pub(super) fn scene(app: &App) -> String {
         Origin::Stdin => "stdin".into(),
     };
     let mark = if app.is_changed() { "*" } else { "" };
-    shown(&name, app.glyphs()) + mark
+    format!("{}{mark}", shown(&name, app.glyphs()))
 }
 
 /// The driver's coordinate: an angle within a turn, and the turns.
