@@ -2,7 +2,7 @@
 //! arithmetic of twice the digits.
 
 use krank::Double;
-use krank::quantity::{Catalogue, Quantity};
+use krank::quantity::{Catalogue, Quantity, Sensitivity};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver};
 use proptest::prelude::*;
@@ -269,6 +269,51 @@ fn a_speed_of_nought_has_a_bound() {
         assert!(bound < 1e-9 && value < 1e-3, "{at}: {value:e} +- {bound:e}");
         assert!(at > 180.0 || value <= bound, "{at}: {value:e} +- {bound:e}");
     }
+}
+
+/// What a length does to a size and a direction follows from what it does to the components.
+#[test]
+fn lengths_act_on_sizes_through_their_components() {
+    let preset = presets::find("stephenson-six-bar").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let mut bench = Bench::of(&scene);
+    let names: Vec<&str> = scene
+        .mechanism
+        .point_ids()
+        .filter_map(|p| scene.point_name(p))
+        .collect();
+    let mut checked = 0;
+    for name in names {
+        let of = |end: &str| bench.named(&format!("{name}.{end}"));
+        let mut figures = ["vx", "vy", "v", "v.angle"].map(of).to_vec();
+        bench.catalogue = Catalogue::new(&scene);
+        let double = format!("twice = 2 * {name}.v");
+        figures.push(bench.catalogue.define(&double).unwrap());
+        let at = scene.mechanism.driver().start;
+        let mut sensitivity = Sensitivity::new(&scene, &bench.solver, &figures);
+        let found = sensitivity.at(at).unwrap();
+        let mut state = bench.solver.state();
+        let _ = bench.solver.solve(at, Order::Velocity, &mut state);
+        let [x, y, size] = [0, 1, 2].map(|i: usize| figures[i].value(&state).unwrap());
+        if size == 0.0 {
+            assert_eq!(found.of(2), None, "{name} stands still");
+            continue;
+        }
+        let [dx, dy, dv, da, twice] = [0, 1, 2, 3, 4].map(|i| found.of(i).unwrap());
+        let most = |all: &[f64]| all.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+        for i in 0..dx.len() {
+            let along = (x * dx[i] + y * dy[i]) / size;
+            let turned = ((x * dy[i] - y * dx[i]) / size / size).to_degrees();
+            assert!((dv[i] - along).abs() <= 1e-11 * most(dv), "{name} by {i}");
+            assert!((da[i] - turned).abs() <= 1e-11 * most(da), "{name} by {i}");
+            assert!(
+                (twice[i] - 2.0 * dv[i]).abs() <= 1e-11 * most(twice),
+                "{name} by {i}"
+            );
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "{checked}");
 }
 
 fn four_bar([a, b, c, d]: [f64; 4]) -> String {
