@@ -99,5 +99,5 @@ fn the_commands_of_the_readme_run() {
         }
     }
     assert_eq!(ran, 17);
-    assert!(README.len() <= 17_000, "{} bytes", README.len());
+    assert!(README.len() <= 15_000, "{} bytes", README.len());
 }
