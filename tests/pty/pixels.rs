@@ -3,11 +3,11 @@
 use crate::session::Setup;
 
 /// A terminal that may show no pictures is sent none: it would show them as letters.
+#[cfg(feature = "pictures")]
 #[test]
 fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
     let mut session = Setup::krank(&["four-bar"])
         .without("TERM_PROGRAM")
-        .without("KITTY_WINDOW_ID")
         .start();
     session.wait_for("60.00 deg").send("V");
     session
@@ -19,10 +19,12 @@ fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
 #[cfg(not(feature = "pictures"))]
 #[test]
 fn pixels_that_are_not_built_in_are_told_in_the_workbench_too() {
-    let mut session = Setup::krank(&["four-bar", "--picture", "kitty"]).start();
-    session.wait_for("60.00 deg").send("V");
-    session.wait_for("built without pictures").send("q");
-    assert!(session.ended_as_found().success());
+    for wish in ["kitty", "auto"] {
+        let mut session = Setup::krank(&["four-bar", "--picture", wish]).start();
+        session.wait_for("60.00 deg").send("V");
+        session.wait_for("built without pictures").send("q");
+        assert!(session.ended_as_found().success());
+    }
 }
 
 #[cfg(feature = "pictures")]
