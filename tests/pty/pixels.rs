@@ -6,9 +6,7 @@ use crate::session::Setup;
 #[cfg(feature = "pictures")]
 #[test]
 fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
-    let mut session = Setup::krank(&["four-bar"])
-        .without("TERM_PROGRAM")
-        .start();
+    let mut session = Setup::krank(&["four-bar"]).without("TERM_PROGRAM").start();
     session.wait_for("60.00 deg").send("V");
     session
         .wait_for("--picture kitty, iterm or sixel")
