@@ -260,6 +260,9 @@ impl Session {
                 let seen = drawn.saturating_duration_since(self.begun);
                 self.workbench.app().be_seen(seen);
             }
+            if !owed && is_room_alone(&wakes) {
+                continue;
+            }
             owed = true;
             // What moves on by itself waits for a slow line: half of one picture and half of the next
             // would be none.
@@ -388,6 +391,12 @@ impl Session {
         self.workbench.app().resize(size, aspect);
         self.workbench.forget();
     }
+}
+
+/// Whether nothing has happened but that the line has taken the last frame, which is no reason for another. No wake
+/// at all is one: the time has come.
+fn is_room_alone(wakes: &[Wake]) -> bool {
+    !wakes.is_empty() && wakes.iter().all(|wake| *wake == Wake::Room)
 }
 
 /// Of a mouse that is dragged only the last place counts before a frame shows it.

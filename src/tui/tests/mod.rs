@@ -4,6 +4,8 @@ mod monkey;
 mod mouse;
 
 use super::app::{App, View};
+use super::is_room_alone;
+use super::terminal::Wake;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
@@ -33,6 +35,16 @@ fn found(app: &App) -> [bool; 3] {
         open_scene.force_figures().is_some(),
     ];
     [lengths, forces, open_scene.explained().is_some()]
+}
+
+/// The terminal tells that it has drawn the last frame: nothing of the picture follows from that, and while it plays it
+/// comes as often as frames do.
+#[test]
+fn an_answer_alone_is_no_reason_for_a_frame() {
+    assert!(is_room_alone(&[Wake::Room, Wake::Room]));
+    for wakes in [&[][..], &[Wake::Written], &[Wake::Room, Wake::Done]] {
+        assert!(!is_room_alone(wakes), "{wakes:?}");
+    }
 }
 
 /// What stands is found, whichever pane is looked at, and what stands no longer is not.
