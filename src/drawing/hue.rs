@@ -75,19 +75,8 @@ impl Hue {
 
 /// Whether a part of the drawing is bold.
 pub(crate) fn is_bold(role: Role) -> bool {
-    matches!(
-        role,
-        Role::Velocity
-            | Role::Force
-            | Role::Lit
-            | Role::DriverPin
-            | Role::Joint
-            | Role::GroundPin
-            | Role::Slider
-            | Role::Rider
-            | Role::CentreOfMass
-            | Role::Front
-    )
+    let stands_out = matches!(role, Role::Velocity | Role::Force | Role::Lit | Role::Front);
+    stands_out || role.is_mark()
 }
 
 #[cfg(test)]

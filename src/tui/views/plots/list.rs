@@ -15,12 +15,18 @@ pub(crate) struct PlotList {
     typing: bool,
 }
 
+/// All that can be plotted of a scene, also what comes only when it is named.
+fn all_of(scene: &Scene) -> Vec<Quantity> {
+    let catalogue = Catalogue::new(scene);
+    let mut all = catalogue.figures();
+    all.extend(catalogue.unlisted());
+    all
+}
+
 impl PlotList {
     /// The quantities of a scene, with the cursor on the first of those for which `is_chosen` holds.
     pub(crate) fn new(scene: &Scene, is_chosen: impl Fn(&str) -> bool) -> Self {
-        let catalogue = Catalogue::new(scene);
-        let mut all = catalogue.figures();
-        all.extend(catalogue.unlisted());
+        let all = all_of(scene);
         let cursor = all.iter().position(|q| is_chosen(&q.name));
         PlotList {
             found: (0..all.len()).collect(),
@@ -34,7 +40,7 @@ impl PlotList {
     /// The scene was changed: what it has now is listed, and the cursor stays on its name.
     pub(crate) fn move_to(&mut self, scene: &Scene) {
         let current = self.current().map(str::to_owned);
-        self.all = Catalogue::new(scene).figures();
+        self.all = all_of(scene);
         self.narrow();
         let stays = self
             .rows()
@@ -119,5 +125,27 @@ impl PlotList {
     pub(crate) fn move_by(&mut self, rows: isize) {
         let most = self.found.len().saturating_sub(1);
         self.cursor = self.cursor.saturating_add_signed(rows).min(most);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    /// A file that is written while the list is open takes nothing from it but what the scene no longer has.
+    #[test]
+    fn another_text_of_the_scene_leaves_the_list_and_its_cursor() {
+        let text = presets::find("four-bar").unwrap().text;
+        let scene = Scene::parse(text, "four-bar").unwrap();
+        let mut list = PlotList::new(&scene, |name| name == "C.a");
+        let before = list.clone();
+        assert_eq!(list.current(), Some("C.a"));
+        let edited = scene.again(&text.replace("length = 300", "length = 310"));
+        list.move_to(&edited.unwrap());
+        assert_eq!(list, before);
+        let renamed = scene.again(&text.replace("\"C\"", "\"K\"").replace("C = [", "K = ["));
+        list.move_to(&renamed.unwrap());
+        assert_eq!(list.current(), before.rows().next().map(|(name, _)| name));
     }
 }
