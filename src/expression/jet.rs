@@ -102,7 +102,13 @@ impl<T: Number, const N: usize> Jet<T, N> {
         self.moved(self.0[0] * T::of(exact(Double::DEGREES)))
     }
 
+    /// Nothing where a factor is lost in a product that doubles hardly hold: no bound would tell.
     pub(super) fn product(self, other: Self) -> Self {
+        let is_something = |jet: Self| jet.0[0].abs().exceeds(T::default());
+        let value = self.0[0] * other.0[0];
+        if is_something(self) && is_something(other) && !value.abs().exceeds(T::exactly(LEAST)) {
+            return Jet::nothing();
+        }
         let mut product = Jet::default();
         for n in 0..N {
             product.0[n] = convolved(&self.0, &other.0, n, 0..n + 1);
@@ -110,9 +116,13 @@ impl<T: Number, const N: usize> Jet<T, N> {
         product
     }
 
-    /// q b = a; nothing where b may be 0.
+    /// q b = a; nothing where b may be 0, and where doubles hardly hold it.
     pub(super) fn quotient(self, by: Self) -> Self {
         if !by.0[0].abs().exceeds(T::default()) {
+            return Jet::nothing();
+        }
+        let is_something = self.0[0].abs().exceeds(T::default());
+        if is_something && !(self.0[0] / by.0[0]).abs().exceeds(T::exactly(LEAST)) {
             return Jet::nothing();
         }
         let mut quotient = Jet::default();
@@ -220,6 +230,9 @@ impl<T: Number, const N: usize> Jet<T, N> {
         }
     }
 }
+
+/// The rounding of a smaller product or quotient is no part of its size any more.
+const LEAST: f64 = 1e-280;
 
 /// The sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
 fn convolved<T: Number>(a: &[T], b: &[T], n: usize, range: std::ops::Range<usize>) -> T {

@@ -8,8 +8,7 @@
 //! atom    = number [ unit ] | name | name "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
 
-use super::dimension::LARGEST_POWER;
-use super::dimension::METRE;
+use super::dimension::{LARGEST_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
 use super::tree::{MathFunction, Node, Operation, WrittenUnit};
 use super::{Dimension, ExpressionTree, LONGEST, Malformed, is_of_name};

@@ -491,6 +491,27 @@ fn rows_that_are_solved_at_once_are_those_that_are_solved_alone() {
     assert_eq!(rows(&csv)[0][1..5], ["", "", "", ""], "{csv}");
 }
 
+/// Where doubles hardly hold a product, no bound would cover what is lost: there is no figure.
+#[test]
+fn what_is_lost_in_a_product_is_no_figure() {
+    let columns = "u = 1e-200 * 1e-200 * 1e300 * 1e90,v = 1e-200 * C.x * 1e-200 * 1e300,w = 0 * C.x,z = 1e-150 / 1e150";
+    let csv = done(&[
+        "sweep",
+        "four-bar",
+        "--to",
+        "0",
+        "--no-units",
+        "--bounds",
+        "--columns",
+        columns,
+    ]);
+    assert_eq!(
+        rows(&csv)[0][1..9],
+        ["", "", "", "", "0", "0", "", ""],
+        "{csv}"
+    );
+}
+
 /// What one formula makes is no measure of another.
 #[test]
 fn sensitivities_are_those_of_each_column_alone() {
