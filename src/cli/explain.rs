@@ -26,7 +26,8 @@ pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Fail
     let (method, digits) = (args.method.method(), usize::from(args.digits));
     let stand = (&scene, &solver, state.state());
     let worked = working.by(method, stand, &args.guess, digits);
-    let WorkedMethod { mut page, curves } = worked.map_err(Failure::Usage)?;
+    let WorkedMethod { mut page, curves } =
+        worked.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
     if !curves.is_empty() {
         let (cols, rows) = CHART;
         let chart = convergence(&curves)

@@ -112,6 +112,8 @@ pub(crate) struct App {
     study_run: StudyRun,
     /// The method that is watched in the place of the study.
     watched: Option<PositionMethod>,
+    /// Where it begins, as that was typed.
+    guess: String,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
     /// What the open scene is held against.
@@ -147,6 +149,7 @@ impl App {
             motor: MotorStudy::default(),
             study_run: StudyRun::new(clock::wall_clock),
             watched: None,
+            guess: String::new(),
             previews: Previews::default(),
             comparison: Comparison::default(),
             clerk: Clerk::default(),
@@ -406,6 +409,7 @@ impl App {
             Action::Tables(action) => self.browse(action),
             Action::Plots(action) => self.plot(action),
             Action::Method => self.watch_next(),
+            Action::Guess => self.ask_for_guess(),
             Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => {

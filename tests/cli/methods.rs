@@ -172,7 +172,7 @@ fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
             "four-bar",
             "closed",
             "r3=20",
-            "--method newton and bisection begin at a guess",
+            "--guess: `r3` is guessed for nothing; Newton-Raphson and bisection begin at a guess",
         ),
         (
             "slotted-lever",

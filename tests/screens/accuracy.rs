@@ -119,6 +119,50 @@ fn a_method_is_watched_in_the_place_of_the_study() {
 }
 
 #[test]
+fn a_method_begins_at_the_guess_that_is_typed() {
+    let mut session = timed(preset("four-bar"), Glyphs::Ascii, 120, 40);
+    let line = session.press("4 Enter").last_line();
+    assert!(line.contains("press m for the first"), "{line}");
+    let sketch = session.press("m").look();
+    let line = session.press("Enter").last_line();
+    assert!(
+        line.contains("r3=20, r4=280") && line.contains("Esc cancel"),
+        "{line}"
+    );
+    // A guess that is none is said, and what was typed can be mended.
+    let line = session.type_in("r3=20, r9=280").press("Enter").last_line();
+    assert!(line.contains("no vector is named `r9`"), "{line}");
+    let guessed = session
+        .press("Backspace Backspace Backspace Backspace Backspace Backspace")
+        .type_in("r4=280")
+        .press("Enter")
+        .look();
+    assert!(guessed.contains("From the guess"), "{guessed}");
+    assert!(guessed.contains("30.0538  289.934"), "{guessed}");
+    // It stays while the driver turns and the scene is edited, and stands in the line when that is opened again.
+    assert!(session.press(".").look().contains("From the guess"));
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("r3=20, r4=280"), "{line}");
+    let again = session.press("Ctrl-U Enter").press(",").look();
+    assert_eq!(again, sketch);
+    // An interval is for halving, where it is taken; the drawing takes none.
+    let line = session
+        .press("Enter")
+        .type_in("r3=0..90")
+        .press("Enter")
+        .last_line();
+    assert!(line.contains("is for bisection"), "{line}");
+    session.press("Esc m Enter").type_in("r3=0..90");
+    let halved = session.press("Enter").look();
+    assert!(
+        halved.contains("1 Bisection") && halved.contains("45.0000"),
+        "{halved}"
+    );
+    let line = session.press("m Enter").last_line();
+    assert!(line.contains("begins at no guess"), "{line}");
+}
+
+#[test]
 fn a_watched_method_has_room_on_every_screen() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let mut session = timed(preset("press"), Glyphs::Ascii, cols, rows);

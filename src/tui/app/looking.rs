@@ -3,6 +3,8 @@
 use super::super::views::{self, Listing, Need};
 use super::{App, Mode, View};
 use crate::report::PositionMethod;
+use crate::tui::commands::action::Action;
+use crate::tui::commands::line::EditLine;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
 use ratatui::layout::Size;
@@ -57,7 +59,7 @@ impl App {
         open_scene.balance_forces(forces);
         open_scene.explain(needs.contains(&Need::Working));
         let watched = self.watched.filter(|_| needs.contains(&Need::Study));
-        open_scene.watch(watched);
+        open_scene.watch(watched, &self.guess);
         if needs.contains(&Need::Values) {
             self.relist();
         }
@@ -130,9 +132,36 @@ impl App {
     /// Watches a method, or none.
     pub(super) fn watch_method(&mut self, method: Option<PositionMethod>) {
         self.watched = method;
+        self.guess.clear();
         self.found = None;
         self.shell.scroll[View::Accuracy as usize] = 0;
         self.attend_to_panes();
+    }
+
+    /// Asks where the method begins that is watched.
+    pub(super) fn ask_for_guess(&mut self) {
+        match self.watched {
+            _ if self.player.open_scene.watched().is_none() => {
+                let method = self.shell.keymap.told(Action::Method);
+                self.shell.say(words().no_method_watched(&method));
+            }
+            Some(method) if method.takes_guess() => {
+                self.shell.mode = Mode::Guess(EditLine::for_guess(&self.guess));
+            }
+            _ => self.shell.say(words().begins_at_no_guess()),
+        }
+    }
+
+    /// A guess was typed; one that is none can be mended.
+    pub(super) fn accept_guess(&mut self, guess: &str) {
+        match self.player.open_scene.guess(guess) {
+            Ok(()) => {
+                guess.clone_into(&mut self.guess);
+                self.found = None;
+                self.shell.mode = Mode::Normal;
+            }
+            Err(why) => self.shell.say(why),
+        }
     }
 
     /// Whether a method is watched in the view that is looked at.

@@ -21,6 +21,8 @@ pub(crate) enum Mode {
     Tour(usize),
     /// The line in which a coordinate is typed.
     GoTo(EditLine),
+    /// The line in which is typed where a method begins.
+    Guess(EditLine),
     /// The list of all commands.
     Palette(CommandList),
     /// The list of assemblies, with the cursor on this one.
@@ -49,13 +51,12 @@ impl Mode {
     /// The line that is typed in, if there is one.
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
-            Mode::GoTo(line) => Some(line),
+            Mode::GoTo(line) | Mode::Guess(line) | Mode::Value(line) => Some(line),
             Mode::Palette(palette) => Some(palette.line()),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
             Mode::PlotList(list) => list.typed(),
             Mode::Search(search) => Some(&mut search.name),
-            Mode::Value(line) => Some(line),
             Mode::Normal
             | Mode::Tour(_)
             | Mode::Assemblies(_)

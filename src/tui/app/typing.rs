@@ -78,7 +78,9 @@ impl App {
             Mode::Normal => None,
             Mode::Help(_) => self.search_help(key),
             Mode::Tour(_) => self.turn_page(key),
-            Mode::GoTo(_) | Mode::Value(_) | Mode::FileName(_) => self.line_key(key, now),
+            Mode::GoTo(_) | Mode::Guess(_) | Mode::Value(_) | Mode::FileName(_) => {
+                self.line_key(key, now)
+            }
             Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
                 self.take_assembly(cursor, now);
                 Effect::Show
@@ -122,6 +124,7 @@ impl App {
     fn accept_line(&mut self, now: Duration) {
         match &self.shell.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
+            Mode::Guess(line) => self.accept_guess(line.clone().text()),
             Mode::Value(line) => self.take_value(line.clone().text(), now),
             Mode::FileName(prompt) => self.accept_file(prompt.clone()),
             _ => {}

@@ -114,6 +114,8 @@ pub(crate) enum Action {
     Plots(PlotsAction),
     /// Watch the next method, in the accuracy view alone.
     Method,
+    /// Type where it begins.
+    Guess,
     /// Of the scene view alone.
     Scene(SceneAction),
     /// Show or hide the keys.
@@ -365,6 +367,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
         within(Accuracy, entry(A::Method, "method", W::method, W::watch_a_method, &[Char('m')])),
+        within(Accuracy, entry(A::Guess, "guess", W::guess, W::type_where_it_begins, &[Key::Enter, Char('x')])),
         ] },
         ActionSection { title: W::the_scene, entries: &[
         within(Scene, entry(A::Scene(S::Edit), "edit", W::edit, W::type_another_value, &[Key::Enter])),

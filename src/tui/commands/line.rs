@@ -50,6 +50,13 @@ impl EditLine {
         }
     }
 
+    /// A line for guesses, with those in it that hold.
+    pub(crate) fn for_guess(guess: &str) -> EditLine {
+        let mut line = EditLine::for_words();
+        guess.chars().for_each(|c| line.push(c));
+        line
+    }
+
     /// A line for the name of a file, with a proposal in it.
     pub(crate) fn for_file(proposal: &str) -> EditLine {
         let mut line = EditLine {

@@ -218,12 +218,21 @@ impl OpenScene {
         self.explained.as_ref()
     }
 
-    /// Watches a method, here and from now on, or none.
-    pub(crate) fn watch(&mut self, method: Option<PositionMethod>) {
+    /// Watches a method from a guess, here and from now on, or none.
+    pub(crate) fn watch(&mut self, method: Option<PositionMethod>, guess: &str) {
         if self.watched.as_ref().map(WatchedMethod::method) != method {
-            let new = |method| WatchedMethod::new(method, &self.opened, self.at);
+            let new = |method| WatchedMethod::new((method, guess), &self.opened, self.at);
             self.watched = method.and_then(new);
         }
+    }
+
+    /// The method that is watched begins at another guess.
+    ///
+    /// # Errors
+    /// In words, where that is no guess for this scene; then nothing has changed.
+    pub(crate) fn guess(&mut self, guess: &str) -> Result<(), String> {
+        let watched = self.watched.as_mut();
+        watched.map_or(Ok(()), |watched| watched.begin_at(guess, &self.opened))
     }
 
     /// The method at work, if one is watched and the scene is not too large.

@@ -78,6 +78,11 @@ catalogue! {
 
         // A method by hand.
         watch_a_method = "watch a method by hand";
+        guess = "guess";
+        type_where_it_begins = "where a method begins";
+        guesses_are_typed = "r3=20, r4=280, or to halve r3=0..90; nothing for the sketch";
+        no_method_watched(key: &str) = "No method is watched; press {key} for the first";
+        begins_at_no_guess = "This method begins at no guess";
         newton_raphson = "Newton-Raphson";
         bisection_title = "Bisection";
         by_drawing = "By compass and ruler";
@@ -198,17 +203,17 @@ catalogue! {
         guess_is_written =
             "write NAME=VALUE, with deg, rad or a unit of length behind it where that is not plain, and for \
              bisection NAME=FROM..TO";
-        guess_of_nothing(name: &str, mend: &str) = "--guess: no vector is named `{name}`; {mend}";
+        guess_of_nothing(name: &str, mend: &str) = "no vector is named `{name}`; {mend}";
         sought_are(names: &str) = "sought are {names}";
         not_sought(name: &str, names: &str) =
-            "--guess: `{name}` is given, or goes with the driver; sought are {names}";
-        other_unit(name: &str, unit: &str) = "--guess: of `{name}` the {unit} are sought";
+            "`{name}` is given, or goes with the driver; sought are {names}";
+        other_unit(name: &str, unit: &str) = "of `{name}` the {unit} are sought";
         unit_missing(name: &str, unit: &str) =
-            "--guess: of `{name}` both length and angle are sought; write {name}=VALUE{unit} or {name}=VALUEdeg";
-        guessed_twice(name: &str) = "--guess: what `{name}` says is given twice";
+            "of `{name}` both length and angle are sought; write {name}=VALUE{unit} or {name}=VALUEdeg";
+        guessed_twice(name: &str) = "what `{name}` says is given twice";
         guess_is_one_value(name: &str) =
-            "--guess: Newton-Raphson begins at one value; {name}=FROM..TO is for bisection";
+            "Newton-Raphson begins at one value; {name}=FROM..TO is for bisection";
         needs_no_guess(name: &str) =
-            "--guess: `{name}` is guessed for nothing; --method newton and bisection begin at a guess";
+            "`{name}` is guessed for nothing; Newton-Raphson and bisection begin at a guess";
     }
 }

@@ -78,6 +78,11 @@ catalogue! {
 
         // A method by hand.
         watch_a_method = "bir yöntemi elle izle";
+        guess = "tahmin";
+        type_where_it_begins = "yöntemin başladığı yer";
+        guesses_are_typed = "r3=20, r4=280; ikiye bölmede r3=0..90; boşsa taslak";
+        no_method_watched(key: &str) = "İzlenen yöntem yok; ilki için {key} basın";
+        begins_at_no_guess = "Bu yöntem bir tahminden başlamaz";
         newton_raphson = "Newton-Raphson";
         bisection_title = "İkiye bölme";
         by_drawing = "Pergel ve cetvelle";
@@ -178,17 +183,17 @@ catalogue! {
         guess_is_written =
             "NAME=VALUE yaz, belli değilse arkasına deg, rad ya da bir boy birimi; ikiye bölme için \
              NAME=FROM..TO";
-        guess_of_nothing(name: &str, mend: &str) = "--guess: `{name}` adında bir vektör yok; {mend}";
+        guess_of_nothing(name: &str, mend: &str) = "`{name}` adında bir vektör yok; {mend}";
         sought_are(names: &str) = "bilinmeyenler {names}";
         not_sought(name: &str, names: &str) =
-            "--guess: `{name}` verilmiş ya da tahrikle gider; bilinmeyenler {names}";
-        other_unit(name: &str, unit: &str) = "--guess: `{name}` için {unit} aranır";
+            "`{name}` verilmiş ya da tahrikle gider; bilinmeyenler {names}";
+        other_unit(name: &str, unit: &str) = "`{name}` için {unit} aranır";
         unit_missing(name: &str, unit: &str) =
-            "--guess: `{name}` için hem boy hem açı aranır; {name}=VALUE{unit} ya da {name}=VALUEdeg yaz";
-        guessed_twice(name: &str) = "--guess: `{name}` ile söylenen iki kez verilmiş";
+            "`{name}` için hem boy hem açı aranır; {name}=VALUE{unit} ya da {name}=VALUEdeg yaz";
+        guessed_twice(name: &str) = "`{name}` ile söylenen iki kez verilmiş";
         guess_is_one_value(name: &str) =
-            "--guess: Newton-Raphson tek bir değerden başlar; {name}=FROM..TO ikiye bölme içindir";
+            "Newton-Raphson tek bir değerden başlar; {name}=FROM..TO ikiye bölme içindir";
         needs_no_guess(name: &str) =
-            "--guess: `{name}` boşuna tahmin edilmiş; --method newton ve bisection bir tahminden başlar";
+            "`{name}` boşuna tahmin edilmiş; Newton-Raphson ve ikiye bölme bir tahminden başlar";
     }
 }

@@ -47,6 +47,19 @@ impl fmt::Display for GuessError {
 
 impl std::error::Error for GuessError {}
 
+impl Guess {
+    /// Guesses as they are typed in one line, between commas: `r3=20, r4=280`.
+    ///
+    /// # Errors
+    /// Where one of them cannot be read.
+    pub fn listed(text: &str) -> Result<Vec<Guess>, GuessError> {
+        let all = text.split(',').map(str::trim);
+        all.filter(|guess| !guess.is_empty())
+            .map(str::parse)
+            .collect()
+    }
+}
+
 impl FromStr for Guess {
     type Err = GuessError;
 
@@ -101,9 +114,7 @@ impl Guesses {
         method: PositionMethod,
         guesses: &[Guess],
     ) -> Result<Guesses, String> {
-        if let (Some(guess), PositionMethod::Closed | PositionMethod::Graphical) =
-            (guesses.first(), method)
-        {
+        if let (Some(guess), false) = (guesses.first(), method.takes_guess()) {
             return Err(words().needs_no_guess(&guess.name));
         }
         let mut opening = context.solver.state();

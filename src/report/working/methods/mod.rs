@@ -68,21 +68,22 @@ impl Working {
         Ok(method.work(&context, draft, &guesses))
     }
 
-    /// What a method does at a state, without all that leads to it.
-    #[must_use]
+    /// What a method does at a state from where the guesses say, without all that leads to it.
+    ///
+    /// # Errors
+    /// In words, where a guess is none for this scene.
     pub fn watched(
         &self,
         method: PositionMethod,
         (scene, solver, state): (&Scene, &Solver, &State),
+        guesses: &[Guess],
         digits: usize,
-    ) -> WorkedMethod {
+    ) -> Result<WorkedMethod, String> {
         let context = self.context(scene, solver, state, digits);
+        let guesses = Guesses::new(&context, method, guesses)?;
         let mut draft = Draft::default();
         draft.page.part(method.title());
-        match Guesses::new(&context, method, &[]) {
-            Ok(guesses) => method.work(&context, draft, &guesses),
-            Err(_) => WorkedMethod::of(draft.page),
-        }
+        Ok(method.work(&context, draft, &guesses))
     }
 }
 
@@ -94,6 +95,12 @@ impl WorkedMethod {
 }
 
 impl PositionMethod {
+    /// Whether it begins at a guess.
+    #[must_use]
+    pub fn takes_guess(self) -> bool {
+        matches!(self, PositionMethod::Newton | PositionMethod::Bisection)
+    }
+
     /// The methods that are watched one after the other: the closed form has a view of its own.
     pub const WATCHED: [PositionMethod; 3] = [
         PositionMethod::Newton,

@@ -180,6 +180,7 @@ impl Pane for AccuracyView {
         if app.is_watching() {
             return &[
                 Action::Help,
+                Action::Guess,
                 Action::Method,
                 Action::Back,
                 Action::LineDown,

@@ -20,6 +20,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
         Mode::Help(_) => words().help(),
         Mode::Tour(_) => words().tour(),
         Mode::GoTo(_) => words().go_to(),
+        Mode::Guess(_) => words().guess(),
         Mode::Palette(_) => words().commands(),
         Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {

@@ -16,6 +16,7 @@ use crate::wording::words;
 pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
     match app.mode() {
         Mode::GoTo(typed) => coordinate(app, typed, line),
+        Mode::Guess(typed) => guess(typed, app, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Recovery(_) => offered(app, line),
         // What is asked stands in the middle of the screen.
@@ -53,6 +54,23 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
         return;
     }
     line.hint(&Key::Enter.to_string(), words().go());
+    line.hint(&Key::Escape.to_string(), words().cancel());
+}
+
+/// Where is typed where a method begins.
+fn guess(typed: &EditLine, app: &App, line: &mut Writer<'_>) {
+    line.gap(1);
+    if typed.text().is_empty() && app.message().is_none() {
+        line.say(" ", ScreenPart::Caret);
+        line.say(words().guesses_are_typed(), ScreenPart::Quiet);
+    } else {
+        line.say(typed.text(), ScreenPart::Text);
+        line.say(" ", ScreenPart::Caret);
+    }
+    if object(app, line) {
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), words().take());
     line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
