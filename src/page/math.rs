@@ -21,7 +21,9 @@ pub(super) enum MathPiece {
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
 /// Components, which have an index though no figure does.
-const COMPONENTS: [&str; 4] = ["mx", "my", "ax", "ay"];
+const COMPONENTS: [&str; 16] = [
+    "mx", "my", "ax", "ay", "ex", "ey", "fx", "fy", "tx", "ty", "sx", "sy", "nx", "ny", "Fx", "Fy",
+];
 
 /// The pieces of a formula.
 pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {

@@ -64,7 +64,7 @@ pub use dead_centres::DeadCentre;
 pub use fault::Fault;
 #[cfg(test)]
 pub(crate) use forces::falsified;
-pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, Residual, Withheld};
+pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Residual, Withheld};
 pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unfit};

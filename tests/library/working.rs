@@ -64,7 +64,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Forms that no preset has: a guide that passes its pivot, a barrel likewise, a block that is locked to a
 /// moving link, a guide on a moving link, and a joint between two guides that cross askew.
-const OTHERS: [(&str, &str); 5] = [
+pub(crate) const OTHERS: [(&str, &str); 5] = [
     (
         "offset lever",
         r#"

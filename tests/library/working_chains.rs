@@ -173,6 +173,41 @@ fn a_load_at_a_joint_has_its_pins_balance() {
     }
 }
 
+/// A force at every moving point and a torque on every link make every joint of every kind of group bear something:
+/// by one equation, by two, or by all at once its reactions come out as the solver's.
+#[test]
+fn what_every_kind_of_group_bears_is_worked_out() {
+    let presets = presets::all().iter().map(|p| (p.name, p.text));
+    let mut told = [0; 3];
+    for (name, text) in presets.chain(crate::working::OTHERS) {
+        let scene = Scene::parse(text, name).unwrap();
+        let mechanism = &scene.mechanism;
+        let mut loaded = text.to_owned();
+        for id in mechanism.point_ids() {
+            let at = scene.point_name(id).filter(|name| !name.contains('.'));
+            if let (Some(point), None) = (at, mechanism.point(id).ground) {
+                let [x, y] = [17 + 3 * id.index(), 40 + 11 * id.index()];
+                loaded += &format!("\n[[loads]]\npoint = \"{point}\"\nforce = [{x}, -{y}]\n");
+            }
+        }
+        for link in mechanism.link_ids() {
+            let (link, torque) = (scene.link_name(link), 2 + link.index());
+            loaded += &format!("\n[[loads]]\nlink = \"{link}\"\ntorque = {torque}.5\n");
+        }
+        for text in follow(name, &loaded) {
+            let ways = [
+                "has no share: ",
+                "have no share in two sums",
+                "are solved at once",
+            ];
+            for (count, way) in told.iter_mut().zip(ways) {
+                *count += text.matches(way).count();
+            }
+        }
+    }
+    assert!(told.iter().all(|&count| count > 60), "{told:?}");
+}
+
 /// The law of a spring, and the factor of a load, are chains that are followed like any other.
 #[test]
 fn springs_and_factors_are_told() {

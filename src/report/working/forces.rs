@@ -4,7 +4,7 @@ use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};
-use crate::solver::{Acted, Condition, GroupKind};
+use crate::solver::{Acted, Condition};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
@@ -26,7 +26,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if context.state.residual().is_none() {
         draft.page.text(words().reactions_need_not_exist());
     } else {
-        order(context, draft);
+        super::reactions::reactions(context, draft, &acted);
         let links = context.scene.mechanism.link_ids();
         let open: Vec<&str> = links
             .filter(|&link| !free_body(context, draft, link, &acted))
@@ -38,17 +38,6 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
         super::pins::pins(context, draft, &acted);
     }
     driver(context, draft, torque, &acted);
-}
-
-/// In which order the reactions are found.
-fn order(context: &Context<'_>, draft: &mut Draft) {
-    let count = context.solver.plan().groups.len();
-    let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
-    draft.page.text(words().order_of_groups(&groups.join("; ")));
-    let groups = &context.solver.plan().groups;
-    if groups.iter().any(|group| group.kind == GroupKind::Rrr) {
-        draft.page.text(words().dyad_of_two_arms());
-    }
 }
 
 /// Why there are no forces.

@@ -16,6 +16,35 @@ pub(super) struct BodyForce {
     pub(super) at: Option<Vec2>,
     /// In N m.
     pub(super) couple: f64,
+    /// The joint that hands it on; `None` for what acts by itself.
+    pub(super) joint: Option<BodyJoint>,
+}
+
+/// Through what a force comes to a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum BodyJoint {
+    /// A pin.
+    Pin(PointId),
+    /// A guide, on what slides along it or on what carries it.
+    Guide(SlideId),
+    /// What turns the crank.
+    Driver,
+}
+
+/// All that acts on a link, its inertia apart; `None` where something of it is left open.
+pub(super) fn on_link(
+    context: &Context<'_>,
+    id: LinkId,
+    acted: &[Acted],
+) -> Option<Vec<BodyForce>> {
+    let about = context.scene.mechanism.link(id).members.first()?.point;
+    let body = FreeBody {
+        context,
+        id,
+        acted,
+        about,
+    };
+    body.rows()
 }
 
 /// The forces on a link, and its three equations with numbers; `false` where some of them are left open.
@@ -220,6 +249,7 @@ impl FreeBody<'_> {
                     force,
                     at,
                     couple: 0.0,
+                    joint: Some(BodyJoint::Pin(point)),
                 });
                 continue;
             }
@@ -236,6 +266,7 @@ impl FreeBody<'_> {
                     force: *force,
                     at,
                     couple: 0.0,
+                    joint: None,
                 });
             }
         }
@@ -246,6 +277,7 @@ impl FreeBody<'_> {
                     force,
                     at: Some(state.position(point)),
                     couple: 0.0,
+                    joint: None,
                 });
             }
         }
@@ -256,6 +288,7 @@ impl FreeBody<'_> {
                 force: weight,
                 at: Some(state.position(com)),
                 couple: 0.0,
+                joint: None,
             });
         }
         Some(())
@@ -282,19 +315,20 @@ impl FreeBody<'_> {
     fn couples(&self, rows: &mut Vec<BodyForce>) {
         let couples = self.acted.iter().filter_map(|a| a.couple);
         let own = couples.filter(|(link, _)| *link == self.id);
-        let mut add = |name: &str, couple: f64| {
+        let mut add = |name: &str, couple: f64, joint: Option<BodyJoint>| {
             rows.push(BodyForce {
                 name: name.into(),
                 force: Vec2::ZERO,
                 at: None,
                 couple,
+                joint,
             });
         };
-        own.for_each(|(_, couple)| add(words().torque(), couple));
+        own.for_each(|(_, couple)| add(words().torque(), couple, None));
         if self.mechanism().driver().input == Input::Turn(self.id)
             && let Some(torque) = self.context.state.drive()
         {
-            add(words().driver(), torque);
+            add(words().driver(), torque, Some(BodyJoint::Driver));
         }
     }
 }
@@ -321,6 +355,7 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
         force: force * sign,
         at: Some(state.position(given.slider.point())),
         couple: couple * sign,
+        joint: Some(BodyJoint::Guide(slide)),
     })
 }
 

@@ -4,9 +4,9 @@
 use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::forces::{kind, point_name};
-use crate::solver::Acted;
+use crate::solver::{Acted, PressStroke};
 use crate::wording::words;
-use crate::{Body, Input, Load, PointId, Vec2};
+use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// The laws of loads that are not constant.
 pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
@@ -69,7 +69,62 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                     format!("{} N", f.number(pull))
                 });
             }
-            Load::Force { .. } | Load::Torque { .. } | Load::Press { .. } => {}
+            Load::Press {
+                slide,
+                end,
+                ref curve,
+            } => {
+                if let Some(stroke) = acted.stroke {
+                    let force = acted.forces.first().map_or(0.0, |(_, force)| force.norm());
+                    press(context, draft, (slide, end, curve), (stroke, force));
+                }
+            }
+            Load::Force { .. } | Load::Torque { .. } => {}
+        }
+    }
+}
+
+/// How far a press is from the end of its stroke, and on which line of its curve that lies.
+fn press(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    (slide, end, curve): (SlideId, StrokeEnd, &Profile),
+    (stroke, force): (PressStroke, f64),
+) {
+    let f = context.figures;
+    let name = context.scene.slide_name(slide);
+    let position = context.state.travel(slide).position;
+    let size = position.abs().max(stroke.bottom.abs());
+    draft.page.text(words().distance_of_press(name));
+    let here = Expression::known(name, f.number(position), position);
+    let bottom = Expression::known("r0", f.number(stroke.bottom), stroke.bottom);
+    let distance = match end {
+        StrokeEnd::Least => here - bottom,
+        StrokeEnd::Greatest => bottom - here,
+    };
+    let d = draft.worked("d", &distance, |d| {
+        format!("{} {}", f.beside(d, size), f.unit)
+    });
+    draft.agree("d", d, stroke.distance, size);
+    let knots = curve.knots();
+    let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= stroke.distance && stroke.distance <= pair[1][0];
+    let line = knots.windows(2).find(is_on);
+    match (stroke.closes, line) {
+        (false, _) => draft.page.text(words().press_opens()),
+        (true, Some(&[[d1, p1], [d2, p2]])) if force > 0.0 => {
+            draft.page.text(words().press_by_line());
+            let given = |symbol: &str, value: f64| Expression::known(symbol, f.given(value), value);
+            let slope = (given("p2", p2) - given("p1", p1)) / (given("d2", d2) - given("d1", d1));
+            let d = Expression::known("d", f.beside(d, size), d);
+            let law = given("p1", p1) + slope * (d - given("d1", d1));
+            let worked = draft.worked("p", &law, |p| format!("{} N", f.number(p)));
+            let steep = (p2 - p1).abs() / (d2 - d1) * size;
+            draft.agree("p", worked, force, p1.abs().max(p2.abs()) + steep);
+        }
+        (true, _) => {
+            let first = knots.last().map_or(0.0, |knot| knot[0]);
+            let reach = format!("{} {}", f.given(first), f.unit);
+            draft.page.text(words().press_has_not_begun(&reach));
         }
     }
 }

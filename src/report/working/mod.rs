@@ -24,6 +24,7 @@ mod point_parts;
 mod points;
 mod polygon;
 mod rates;
+mod reactions;
 mod sides;
 mod solution;
 mod stages;

@@ -6,7 +6,7 @@
 
 mod acted;
 
-pub use acted::Acted;
+pub use acted::{Acted, PressStroke};
 
 use super::TorquePart;
 use super::profile::ReadyProfile;
@@ -75,6 +75,25 @@ enum Act {
         length: Constant,
         damping: Constant,
     },
+}
+
+/// How far a slide is from the end of its stroke, in the scene's unit, and how fast it goes there: positive before
+/// the end, and while it closes.
+#[inline(always)]
+fn closing<T: Number>(slide: SlideId, end: StrokeEnd, stroke: &Stroke, state: &State<T>) -> (T, T) {
+    let travel = state.sliding(slide);
+    // A driver that stands is taken for one that goes forward.
+    let stands = state.rates.speed.nearest() == 0.0;
+    let rate = if stands {
+        state.travels[slide.index()].v
+    } else {
+        travel.rate
+    };
+    let bottom = T::of(stroke.bottom);
+    match end {
+        StrokeEnd::Least => (travel.position - bottom, -rate),
+        StrokeEnd::Greatest => (bottom - travel.position, rate),
+    }
 }
 
 /// What a link weighs, and how it resists being accelerated.
@@ -195,23 +214,12 @@ impl Acting {
                 stroke,
                 curve,
             } => {
-                let travel = state.sliding(*slide);
-                // A driver that stands is taken for one that goes forward.
-                let stands = state.rates.speed.nearest() == 0.0;
-                let rate = if stands {
-                    state.travels[slide.index()].v
-                } else {
-                    travel.rate
-                };
-                // Towards the end, both are counted positive.
-                let (distance, towards) = match end {
-                    StrokeEnd::Least => (travel.position - T::of(stroke.bottom), -rate),
-                    StrokeEnd::Greatest => (T::of(stroke.bottom) - travel.position, rate),
-                };
+                let (distance, towards) = closing(*slide, *end, stroke, state);
                 let size = curve.press(distance, towards);
+                let guide = state.sliding(*slide).guide;
                 let against = match end {
-                    StrokeEnd::Least => travel.guide,
-                    StrokeEnd::Greatest => -travel.guide,
+                    StrokeEnd::Least => guide,
+                    StrokeEnd::Greatest => -guide,
                 };
                 let force = against * size;
                 forces.push(TorquePart::Load, *point, force, state);

@@ -18,7 +18,7 @@ mod tests;
 #[cfg(test)]
 pub(crate) use tests::falsified;
 
-pub use applied::Acted;
+pub use applied::{Acted, PressStroke};
 pub use checks::{ForceCheck, Withheld};
 pub use least::LeastNorm;
 pub use open::Indeterminate;

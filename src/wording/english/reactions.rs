@@ -16,11 +16,33 @@ catalogue! {
             "The reactions are the unknowns in the equations of motion of the links below. They are \
              found group by group, the last first, since a group hands on what it bears to those \
              before it: {groups}. The driver's own comes last.";
-        dyad_of_two_arms =
-            "In a dyad RRR the force F at the inner pin on the first link follows from the moments of \
-             each link about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from \
-             the pivots to the inner pin, and M1, M2 the moments of all else on each link, its \
-             inertia among it. A load on that pin goes with the second link.";
+        dyad_by_two_sums(point: &str, first: &str, sums: [&str; 2], second: &str) = {
+            let [one, other] = sums;
+            format!("F is the force at {point} on {first}; -F acts on {second}, and what acts on the pin itself is \
+                     counted there. The outer reactions have no share in two sums: {one} of {first}, and {other} \
+                     of {second}.")
+        };
+        one_sum(sum: &str, outer: &str) =
+            "In one sum what acts as `{outer}` has no share: {sum}.";
+        moments_about(point: &str) = "the moments about {point}";
+        forces_along_guide(slide: &str) = "the forces along {slide}";
+        moment_about(point: &str) = "about {point}";
+        force_along(slide: &str) = "along {slide}";
+        known_on(link: &str) = "known on {link}";
+        so_that = "Both sums are 0:";
+        part_at(part: &str, link: &str, point: &str) = "{part} on {link} at {point}";
+        across(name: &str) = "{name}, across";
+        along(name: &str) = "{name}, along";
+        moment_of(name: &str) = "{name}, moment";
+        reactions_at_once(unknowns: usize) =
+            "No sum is left with one or two unknowns; the equations of all links are solved at once, for {unknowns}; \
+             where a load acts on a pin, the balance of that pin, below, is one of them:";
+        reactions_too_many(links: usize) =
+            "The reactions of {links} links are found at once: too many equations to be read.";
+        sought_reaction = "unknown";
+        what_it_is = "what it is";
+        sums_of_link(link: &str) = "The sums of {link} along x and y, and of moments in N m, arms in m:";
+        sum_on(what: &str, link: &str) = "sum of {what} on {link}";
         no_balance_at_dead_point =
             "At a dead point the mechanical advantage is infinite: no torque of the driver balances \
              the loads, and the reactions do not exist.";
@@ -35,6 +57,12 @@ catalogue! {
         acts_on(what: &str, link: &str) = "{what} on {link}";
         spring_between(from: &str, to: &str) = "L from {from} to {to}";
         pull_of_spring = "Of a spring, its pull with the lengths in m:";
+        distance_of_press(slide: &str) =
+            "The press stands at the distance d from the end of its stroke, where {slide} is r0:";
+        press_by_line =
+            "It presses with p, by the line of its curve from the knot (d1, p1) to the knot (d2, p2):";
+        press_opens = "It goes back, and does not press.";
+        press_has_not_begun(reach: &str) = "It presses from {reach} before the end on, and not yet.";
         pull = "pull";
         factor = "factor";
         weight = "weight";

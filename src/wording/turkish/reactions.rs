@@ -15,11 +15,33 @@ catalogue! {
             "Tepkiler, aşağıdaki uzuvların hareket denklemlerindeki bilinmeyenlerdir. Grup grup, \
              sondan başlayarak bulunur, çünkü bir grup taşıdığını öncekilere aktarır: {groups}. En son \
              tahrikinki gelir.";
-        dyad_of_two_arms =
-            "RRR diadında iç pimin birinci uzva kuvveti F, her uzvun dış mafsalına göre momentlerinden \
-             bulunur: e x F + M1 = 0 ve -f x F + M2 = 0; e ve f dış mafsallardan iç pime, M1 ve M2 her \
-             uzva etki eden öteki her şeyin, ataleti de içinde, momentleridir. O pimdeki bir yük ikinci \
-             uzva sayılır.";
+        dyad_by_two_sums(point: &str, first: &str, sums: [&str; 2], second: &str) = {
+            let [one, other] = sums;
+            format!("F, {first} uzvuna {point} mafsalında etki eden kuvvettir; {second} uzvuna -F etki eder, pimin \
+                     kendisine etki eden de ona sayılır. Dış tepkilerin payı olmayan iki toplam: {first} için \
+                     {one}, {second} için {other}.")
+        };
+        one_sum(sum: &str, outer: &str) =
+            "`{outer}` tepkisinin payı olmayan tek toplam: {sum}.";
+        moments_about(point: &str) = "{point} noktasına göre momentler";
+        forces_along_guide(slide: &str) = "{slide} boyunca kuvvetler";
+        moment_about(point: &str) = "{point} noktasına göre";
+        force_along(slide: &str) = "{slide} boyunca";
+        known_on(link: &str) = "{link} üstünde bilinen";
+        so_that = "İki toplam da 0'dır:";
+        part_at(part: &str, link: &str, point: &str) = "{part}, {link}, {point}";
+        across(name: &str) = "{name}, dik";
+        along(name: &str) = "{name}, boyunca";
+        moment_of(name: &str) = "{name}, moment";
+        reactions_at_once(unknowns: usize) =
+            "Bir ya da iki bilinmeyenli toplam yoktur; bütün uzuvların denklemleri birlikte çözülür, {unknowns} \
+             bilinmeyen; bir pime yük etki ediyorsa, aşağıdaki pim dengesi de onlardandır:";
+        reactions_too_many(links: usize) =
+            "{links} uzvun tepkileri birlikte bulunur: okunamayacak kadar çok denklem.";
+        sought_reaction = "bilinmeyen";
+        what_it_is = "ne olduğu";
+        sums_of_link(link: &str) = "{link} uzvunun x ve y boyunca toplamları, ve N m olarak momentleri, kollar m:";
+        sum_on(what: &str, link: &str) = "{what} toplamı, {link}";
         no_balance_at_dead_point =
             "Ölü konumda mekanik kazanç sonsuzdur: tahrikin hiçbir torku yükleri dengelemez, tepkiler \
              yoktur.";
@@ -34,6 +56,12 @@ catalogue! {
         acts_on(what: &str, link: &str) = "{what}, {link} uzvunda";
         spring_between(from: &str, to: &str) = "L: {from} - {to}";
         pull_of_spring = "Bir yayın çekmesi, boylar m olarak:";
+        distance_of_press(slide: &str) =
+            "Pres, strokunun {slide} değerinin r0 olduğu ucundan d kadar uzaktadır:";
+        press_by_line =
+            "Eğrisinin (d1, p1) ile (d2, p2) düğümleri arasındaki doğruya göre p kuvvetiyle basar:";
+        press_opens = "Geri gider ve basmaz.";
+        press_has_not_begun(reach: &str) = "Uçtan {reach} önce basmaya başlar; henüz basmıyor.";
         pull = "çekme";
         factor = "çarpan";
         weight = "ağırlık";

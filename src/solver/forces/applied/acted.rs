@@ -1,6 +1,6 @@
 //! What each load does at a state, one by one, to be read.
 
-use super::{Act, Acting};
+use super::{Act, Acting, closing};
 use crate::solver::forces::ForceState;
 use crate::solver::state::State;
 use crate::solver::{Order, Solver};
@@ -15,6 +15,19 @@ pub struct Acted {
     pub couple: Option<(LinkId, f64)>,
     /// The link on which it acts itself, and not on the pin at that point: of a press, what slides.
     pub on: Option<LinkId>,
+    /// Of a press, where it is in its stroke.
+    pub stroke: Option<PressStroke>,
+}
+
+/// Where a press is in its stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PressStroke {
+    /// How far from the end, in the scene's unit: 0 there.
+    pub distance: f64,
+    /// Where it ends, in the scene's unit along the guide.
+    pub bottom: f64,
+    /// Whether it moves towards the end.
+    pub closes: bool,
 }
 
 impl Solver {
@@ -51,6 +64,24 @@ impl Acting {
             Act::Press { on, .. } => on.map(|(link, _)| link),
             Act::Force { .. } | Act::Spring { .. } | Act::Torque { .. } => None,
         };
-        Acted { forces, couple, on }
+        let stroke = match load {
+            Act::Press {
+                slide, end, stroke, ..
+            } => {
+                let (distance, towards) = closing(*slide, *end, stroke, state);
+                Some(PressStroke {
+                    distance,
+                    bottom: stroke.bottom.hi,
+                    closes: towards > 0.0,
+                })
+            }
+            Act::Force { .. } | Act::Spring { .. } | Act::Torque { .. } => None,
+        };
+        Acted {
+            forces,
+            couple,
+            on,
+            stroke,
+        }
     }
 }

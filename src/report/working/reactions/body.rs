@@ -1,0 +1,153 @@
+//! A link of a group with what acts on it: what is known by now, and what is sought.
+
+use super::super::draft::{Context, Draft};
+use super::super::figures::WrittenSum;
+use super::super::free_body::BodyForce;
+use crate::wording::words;
+use crate::{LinkId, Vec2};
+
+/// A link, and all that acts on it.
+pub(super) struct GroupBody {
+    pub(super) link: LinkId,
+    /// Loads, weight, inertia, and what later groups hand on.
+    pub(super) given: Vec<BodyForce>,
+    /// What joints of this group, and those to earlier ones, bear.
+    pub(super) sought: Vec<BodyForce>,
+}
+
+/// A sum of what is known, and the sum of the sizes of its terms.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownSum {
+    pub(super) value: f64,
+    pub(super) size: f64,
+}
+
+/// In what a sum over the forces on a link is taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Reckoning {
+    /// Moments about a place, in N m.
+    About(Vec2),
+    /// Forces along a unit vector, in N.
+    Along(Vec2),
+}
+
+impl Reckoning {
+    /// What a force counts.
+    pub(super) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
+        match self {
+            Reckoning::About(place) => {
+                let metres = context.scene.mechanism.metres();
+                let arm = row.at.map_or(Vec2::ZERO, |at| (at - place) * metres);
+                arm.cross(row.force) + row.couple
+            }
+            Reckoning::Along(unit) => unit.dot(row.force),
+        }
+    }
+
+    /// The most that a force could count there.
+    pub(super) fn most(self, context: &Context<'_>, row: &BodyForce) -> f64 {
+        match self {
+            Reckoning::About(place) => {
+                let metres = context.scene.mechanism.metres();
+                let arm = row.at.map_or(0.0, |at| (at - place).norm() * metres);
+                arm * row.force.norm() + row.couple.abs()
+            }
+            Reckoning::Along(_) => row.force.norm(),
+        }
+    }
+
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Reckoning::About(_) => "N m",
+            Reckoning::Along(_) => "N",
+        }
+    }
+}
+
+/// The sum of what is known.
+pub(super) fn known<'a>(
+    context: &Context<'_>,
+    given: impl IntoIterator<Item = &'a BodyForce>,
+    reckoning: Reckoning,
+) -> KnownSum {
+    let nothing = KnownSum {
+        value: 0.0,
+        size: 0.0,
+    };
+    given.into_iter().fold(nothing, |sum, row| KnownSum {
+        value: sum.value + reckoning.of(context, row),
+        size: sum.size + reckoning.most(context, row),
+    })
+}
+
+/// The same by hand: a table of what acts, and `symbol = 12.5 - 3.2 = 9.3 N m`.
+pub(super) fn write_known(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    (link, given): (LinkId, &[&BodyForce]),
+    (symbol, reckoning): (&str, Reckoning),
+    about: &str,
+) -> KnownSum {
+    let f = context.figures;
+    let sum = known(context, given.iter().copied(), reckoning);
+    table(context, draft, (link, given), (reckoning, sum.size), about);
+    let mut written = WrittenSum::default();
+    let mut terms = 0;
+    for row in given {
+        let figure = f.beside(reckoning.of(context, row), sum.size);
+        if figure != "0" {
+            written.push_figure(&figure);
+            terms += 1;
+        }
+    }
+    let value = format!("{} {}", f.beside(sum.value, sum.size), reckoning.unit());
+    match terms {
+        0 | 1 => draft.page.equation([symbol.to_owned(), value]),
+        _ => draft
+            .page
+            .equation([symbol.to_owned(), written.text(), value]),
+    }
+    sum
+}
+
+/// What acts on a link, with its share in a sum.
+fn table(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    (link, given): (LinkId, &[&BodyForce]),
+    (reckoning, size): (Reckoning, f64),
+    about: &str,
+) {
+    if given.is_empty() {
+        return;
+    }
+    let f = context.figures;
+    let largest = given.iter().map(|row| row.force.norm()).fold(0.0, f64::max);
+    let place = match reckoning {
+        Reckoning::About(place) => Some(place),
+        Reckoning::Along(_) => None,
+    };
+    let row = |row: &&BodyForce| {
+        let mut cells = vec![
+            row.name.clone(),
+            f.beside(row.force.x, largest),
+            f.beside(row.force.y, largest),
+        ];
+        if let Some(place) = place {
+            let arm = row.at.map(|at| at - place);
+            let along = |pick: fn(Vec2) -> f64| {
+                arm.map_or("-".into(), |arm| f.beside(pick(arm), arm.norm()))
+            };
+            cells.extend([along(|arm| arm.x), along(|arm| arm.y)]);
+        }
+        cells.push(f.beside(reckoning.of(context, row), size));
+        cells
+    };
+    let name = context.scene.link_name(link);
+    let mut head = vec![words().known_on(name), "fx [N]".into(), "fy [N]".into()];
+    if place.is_some() {
+        head.extend(["x", "y"].map(|axis| format!("{axis} [{}]", f.unit)));
+    }
+    head.push(about.to_owned());
+    draft.wide_table(head, given.iter().map(row).collect());
+}

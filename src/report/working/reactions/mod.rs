@@ -1,0 +1,180 @@
+//! The reactions, group by group in the order in which they are found, the last group first: what is known to act
+//! on the links of a group, the equations in which its reactions are the unknowns, and what comes out.
+//!
+//! Inertia stands among what acts, as -m a in the centre of mass and -I α, so that every sum is 0.
+
+mod body;
+mod reduced;
+mod system;
+
+use super::draft::{Context, Draft};
+use super::forces::point_name;
+use super::free_body::BodyJoint::{Driver, Guide, Pin};
+use super::free_body::{BodyForce, guided, on_link};
+use crate::solver::Acted;
+use crate::wording::words;
+use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2};
+use body::GroupBody;
+
+/// The reactions of all groups.
+pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
+    let count = context.solver.plan().groups.len();
+    let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
+    draft.page.text(words().order_of_groups(&groups.join("; ")));
+    for number in (0..count).rev() {
+        let ranks = Ranks { context, number };
+        let Some(bodies) = ranks.bodies(acted).filter(|bodies| !bodies.is_empty()) else {
+            continue;
+        };
+        draft.page.section(context.group_text(number));
+        if !reduced::write(context, draft, &bodies) {
+            system::write(context, draft, &bodies);
+        }
+    }
+}
+
+/// What is known when a group's turn comes.
+struct Ranks<'a> {
+    context: &'a Context<'a>,
+    number: usize,
+}
+
+impl Ranks<'_> {
+    /// The links of the group; `None` where something that acts on them is left open.
+    fn bodies(&self, acted: &[Acted]) -> Option<Vec<GroupBody>> {
+        let group = self.context.solver.plan().groups.get(self.number)?;
+        let links = group.links.iter();
+        links.map(|&link| self.body(link, acted)).collect()
+    }
+
+    fn body(&self, link: LinkId, acted: &[Acted]) -> Option<GroupBody> {
+        let mut body = GroupBody {
+            link,
+            given: Vec::new(),
+            sought: Vec::new(),
+        };
+        for row in on_link(self.context, link, acted)? {
+            self.sort(row, &mut body)?;
+        }
+        body.given.extend(inertia(self.context, link));
+        Some(body)
+    }
+
+    /// Puts a force to what is known on a link, or to what is sought.
+    fn sort(&self, row: BodyForce, body: &mut GroupBody) -> Option<()> {
+        match row.joint {
+            None => body.given.push(row),
+            Some(Pin(point)) if self.is_handed_on(self.others(body.link, point)) => {
+                body.given.push(row);
+            }
+            Some(Guide(slide)) if self.is_handed_on(self.across(body.link, slide)) => {
+                body.given.push(row);
+            }
+            Some(Pin(point)) => match self.only_guide(body.link, point) {
+                Some(slide) => self.part(row, (point, slide), body)?,
+                None => body.sought.push(row),
+            },
+            Some(Guide(_) | Driver) => body.sought.push(row),
+        }
+        Some(())
+    }
+
+    /// A pin in a slot hands on what the guide bears, which is sought, and the loads on the pin, which are known.
+    fn part(
+        &self,
+        row: BodyForce,
+        (point, slide): (PointId, SlideId),
+        body: &mut GroupBody,
+    ) -> Option<()> {
+        let guide = guided(self.context, slide, 1.0)?;
+        if !self.context.scene.mechanism.is_guided_alone(point) {
+            let at = point_name(self.context, point);
+            body.given.push(BodyForce {
+                name: words().acts_at(words().column_load(), at),
+                force: row.force - guide.force,
+                joint: None,
+                ..row
+            });
+        }
+        body.sought.push(guide);
+        Some(())
+    }
+
+    /// The guide of a pin that joins a link to nothing else.
+    fn only_guide(&self, link: LinkId, point: PointId) -> Option<SlideId> {
+        let mechanism = &self.context.scene.mechanism;
+        let given = mechanism.point(point);
+        let is_alone = given.ground.is_none() && given.links.iter().all(|&other| other == link);
+        let mut guides = mechanism
+            .slide_ids()
+            .filter(|&slide| mechanism.slide(slide).slider == Slider::Pin(point));
+        match (guides.next(), guides.next()) {
+            (Some(slide), None) if is_alone => Some(slide),
+            _ => None,
+        }
+    }
+
+    /// Whether all of these bodies belong to later groups, and have handed on what they bear; where there are none,
+    /// loads alone act there.
+    fn is_handed_on(&self, others: Vec<Body>) -> bool {
+        let groups = &self.context.solver.plan().groups;
+        let is_later = |body: &Body| match body {
+            Body::Ground => false,
+            Body::Link(link) => groups
+                .iter()
+                .skip(self.number + 1)
+                .any(|group| group.links.contains(link)),
+        };
+        others.iter().all(is_later)
+    }
+
+    /// What else meets a link at a pin.
+    fn others(&self, link: LinkId, point: PointId) -> Vec<Body> {
+        let mechanism = &self.context.scene.mechanism;
+        let given = mechanism.point(point);
+        let links = given.links.iter().filter(|&&other| other != link);
+        let ground = given.ground.map(|_| Body::Ground);
+        let slots = mechanism
+            .slides()
+            .iter()
+            .filter(|slide| slide.slider == Slider::Pin(point))
+            .map(|slide| slide.on);
+        let links = links.map(|&other| Body::Link(other));
+        links.chain(ground).chain(slots).collect()
+    }
+
+    /// What is at the other side of a guide: what carries it, or what slides.
+    fn across(&self, link: LinkId, slide: SlideId) -> Vec<Body> {
+        let mechanism = &self.context.scene.mechanism;
+        let given = mechanism.slide(slide);
+        if given.on != Body::Link(link) {
+            return vec![given.on];
+        }
+        match given.slider {
+            Slider::Link { link, .. } => vec![Body::Link(link)],
+            Slider::Pin(point) => {
+                let mut all = self.others(link, point);
+                all.retain(|body| *body != Body::Link(link));
+                all
+            }
+        }
+    }
+}
+
+/// What a link does against being accelerated.
+fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
+    let (mechanism, state) = (&context.scene.mechanism, context.state);
+    let link = mechanism.link(id);
+    let force = link.com.map_or(Vec2::ZERO, |com| {
+        state.acceleration(com) * (-link.mass * mechanism.metres())
+    });
+    let couple = -link.inertia * state.alpha(id);
+    let is_any = force != Vec2::ZERO || couple != 0.0;
+    is_any.then(|| BodyForce {
+        name: words().inertia().into(),
+        force,
+        at: link.com.map(|com| state.position(com)),
+        couple,
+        joint: None,
+    })
+}

@@ -1,0 +1,434 @@
+//! Dyads and the crank: the one or two equations in which their outer reactions do not occur, and the solution by
+//! Cramer's rule.
+
+use super::super::draft::{Context, Draft};
+use super::super::expression::Expression;
+use super::super::figures::{Figures, WrittenSum};
+use super::super::forces::point_name;
+use super::super::free_body::{BodyForce, BodyJoint};
+use super::body::{GroupBody, KnownSum, Reckoning, write_known};
+use crate::wording::words;
+use crate::{Body, Input, PointId, Slider, Vec2};
+
+/// Writes what can be found so; false where the group has none of these forms.
+pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) -> bool {
+    match bodies {
+        [body] => one_link(context, draft, body),
+        [first, second] => two_links(context, draft, [first, second]),
+        _ => false,
+    }
+}
+
+/// The equation of a link in which its outer reaction does not occur.
+struct OuterFree {
+    reckoning: Reckoning,
+    /// What its sum of known terms is called: `M1`, or `S1` along a guide.
+    sum: String,
+    /// Above the column of its terms.
+    about: String,
+    /// In words: moments about B, forces along r6.
+    told: String,
+}
+
+/// What is left out by which equation; `None` where a single equation does not leave it out.
+fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize) -> Option<OuterFree> {
+    match outer.joint? {
+        BodyJoint::Pin(point) => {
+            let name = point_name(context, point);
+            Some(OuterFree {
+                reckoning: Reckoning::About(context.state.position(point)),
+                sum: format!("M{number}"),
+                about: format!("{} [N m]", words().moment_about(name)),
+                told: words().moments_about(name),
+            })
+        }
+        BodyJoint::Guide(slide) => {
+            let given = context.scene.mechanism.slide(slide);
+            let turns = matches!(given.slider, Slider::Pin(_));
+            if turns || context.scene.mechanism.driver().input == Input::Push(slide) {
+                return None;
+            }
+            let name = context.scene.slide_name(slide);
+            Some(OuterFree {
+                reckoning: Reckoning::Along(context.state.travel(slide).guide),
+                sum: format!("S{number}"),
+                about: format!("{} [N]", words().force_along(name)),
+                told: words().forces_along_guide(name),
+            })
+        }
+        BodyJoint::Driver => None,
+    }
+}
+
+/// A component of a unit force's share in an equation: its symbol with its sign, and its value.
+fn shares(
+    f: Figures,
+    reckoning: Reckoning,
+    at: Vec2,
+    letter: char,
+    metres: f64,
+) -> ([Expression; 2], Vec2) {
+    let named = |axis: char, value: f64, size: f64| {
+        Expression::known(format!("{letter}{axis}"), component(f, value, size), value)
+    };
+    match reckoning {
+        Reckoning::About(place) => {
+            let e = (at - place) * metres;
+            let size = e.norm();
+            // e x F = ex Fy - ey Fx.
+            ([-named('y', e.y, size), named('x', e.x, size)], e)
+        }
+        Reckoning::Along(t) => ([named('x', t.x, 1.0), named('y', t.y, 1.0)], t),
+    }
+}
+
+/// A component as it stands in a formula: of a unit vector along an axis it is 1.
+fn component(f: Figures, value: f64, size: f64) -> String {
+    match value.abs() == 1.0 && size == 1.0 {
+        true => f.given(value),
+        false => f.beside(value, size),
+    }
+}
+
+/// `e = B -> C: ex = 0.26, ey = 0.15 m`.
+fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: char, v: Vec2, unit: &str) {
+    for (axis, value) in [('x', v.x), ('y', v.y)] {
+        let figure = component(context.figures, value, v.norm());
+        let figure = format!("{figure}{unit}");
+        draft.page.equation([format!("{letter}{axis}"), figure]);
+    }
+}
+
+/// Two links that meet in a pin, each with an outer reaction that one equation leaves out.
+fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) -> bool {
+    let Some(InnerPin {
+        point: inner,
+        outer,
+        load,
+    }) = joined(context, bodies)
+    else {
+        return false;
+    };
+    let equations = [0, 1].map(|k| free_of(context, outer[k], k + 1));
+    let [Some(first), Some(second)] = &equations else {
+        return false;
+    };
+    let f = context.figures;
+    let metres = context.scene.mechanism.metres();
+    let at = context.state.position(inner);
+    let (point, link) = (
+        point_name(context, inner),
+        context.scene.link_name(bodies[0].link),
+    );
+    let told = [first, second].map(|equation| equation.told.as_str());
+    draft.page.text(words().dyad_by_two_sums(
+        point,
+        link,
+        told,
+        context.scene.link_name(bodies[1].link),
+    ));
+    let mut sums = [KnownSum {
+        value: 0.0,
+        size: 0.0,
+    }; 2];
+    let mut rows = Vec::new();
+    let letters = match (first.reckoning, second.reckoning) {
+        (Reckoning::Along(_), Reckoning::Along(_)) => ['t', 's'],
+        (Reckoning::Along(_), Reckoning::About(_)) => ['t', 'f'],
+        (Reckoning::About(_), Reckoning::Along(_)) => ['e', 't'],
+        (Reckoning::About(_), Reckoning::About(_)) => ['e', 'f'],
+    };
+    for (k, equation) in [first, second].into_iter().enumerate() {
+        let name = (equation.sum.as_str(), equation.reckoning);
+        let pin_load = load.iter().filter(|_| k == 1);
+        let given: Vec<&BodyForce> = bodies[k].given.iter().chain(pin_load).collect();
+        let link = bodies[k].link;
+        sums[k] = write_known(context, draft, (link, &given), name, &equation.about);
+        let (share, v) = shares(f, equation.reckoning, at, letters[k], metres);
+        let unit = match equation.reckoning {
+            Reckoning::About(_) => " m",
+            Reckoning::Along(_) => "",
+        };
+        write_vector(context, draft, letters[k], v, unit);
+        rows.push((share, v.norm()));
+    }
+    // What the pin feels besides goes with the second link, on which -F acts.
+    let right = [(first, true), (second, false)].map(|(equation, negative)| {
+        let sum = sums[usize::from(!negative)];
+        Expression::known(&*equation.sum, f.beside(sum.value, sum.size), sum.value)
+            .minus_if(negative)
+    });
+    draft.page.text(words().so_that());
+    for ((share, _), right) in rows.iter().zip(&right) {
+        let symbols = [share[0].symbols(), share[1].symbols()];
+        let numbers = [share[0].numbers(), share[1].numbers()];
+        for (of, right, between) in [
+            (symbols, right.symbols(), " "),
+            (numbers, right.numbers(), "·"),
+        ] {
+            let mut sum = WrittenSum::default();
+            for (coefficient, unknown) in of.iter().zip(["Fx", "Fy"]) {
+                match coefficient.as_str() {
+                    "0" => {}
+                    "1" => sum.push(false, unknown),
+                    "-1" => sum.push(true, unknown),
+                    figure => sum.push_figure(&format!("{figure}{between}{unknown}")),
+                }
+            }
+            draft.page.equation([sum.text(), right]);
+        }
+    }
+    cramer(
+        context,
+        draft,
+        [&rows[0], &rows[1]],
+        &right,
+        sums,
+        bodies[0],
+        inner,
+    );
+    outer_reaction(context, draft, bodies[0], outer[0]);
+    outer_reaction(context, draft, bodies[1], outer[1]);
+    true
+}
+
+/// The pin in which the two links of a dyad meet.
+struct InnerPin<'a> {
+    point: PointId,
+    /// The one other reaction of each link.
+    outer: [&'a BodyForce; 2],
+    /// What acts on the pin itself.
+    load: Option<BodyForce>,
+}
+
+/// The pin in which two links meet, if each has one reaction besides.
+fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<InnerPin<'a>> {
+    let mechanism = &context.scene.mechanism;
+    let links = bodies.map(|body| body.link);
+    let is_inner = |row: &&BodyForce| match row.joint {
+        Some(BodyJoint::Pin(point)) => {
+            let given = mechanism.point(point);
+            let is_guided = mechanism
+                .slides()
+                .iter()
+                .any(|s| s.slider == Slider::Pin(point));
+            given.ground.is_none()
+                && !is_guided
+                && links.iter().all(|link| given.links.contains(link))
+        }
+        _ => false,
+    };
+    let [first, second] = bodies.map(|body| match &body.sought[..] {
+        [a, b] if is_inner(&a) && !is_inner(&b) => Some((a, b)),
+        [a, b] if is_inner(&b) && !is_inner(&a) => Some((b, a)),
+        _ => None,
+    });
+    let ((inner, one), (other, two)) = (first?, second?);
+    let (Some(BodyJoint::Pin(point)), true) = (inner.joint, inner.joint == other.joint) else {
+        return None;
+    };
+    // A pin has no mass: what acts on it, and what later links hand on to it, goes with the second link.
+    let is_alone = mechanism.partner(bodies[0].link, point).is_some();
+    let load = (!is_alone).then(|| BodyForce {
+        name: words().acts_at(words().column_load(), point_name(context, point)),
+        force: inner.force + other.force,
+        at: inner.at,
+        couple: 0.0,
+        joint: None,
+    });
+    Some(InnerPin {
+        point,
+        outer: [one, two],
+        load,
+    })
+}
+
+/// The force at the inner pin.
+fn cramer(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    [first, second]: [&([Expression; 2], f64); 2],
+    right: &[Expression; 2],
+    sums: [KnownSum; 2],
+    body: &GroupBody,
+    inner: PointId,
+) {
+    let f = context.figures;
+    let is_it = |row: &&BodyForce| row.joint == Some(BodyJoint::Pin(inner));
+    let Some(solved) = body.sought.iter().find(is_it).map(|row| row.force) else {
+        return;
+    };
+    let ([a, b], largest) = (first.0.clone(), first.1);
+    let ([c, d], other) = (second.0.clone(), second.1);
+    let [p, q] = right.clone();
+    let determinant = product(&a, &d) - product(&c, &b);
+    let value = draft.worked("D", &determinant, |v| f.number(v));
+    if value == 0.0 {
+        return;
+    }
+    let below = || Expression::known("D", f.number(value), value);
+    let x = (product(&p, &d) - product(&q, &b)) / below();
+    let y = (product(&a, &q) - product(&c, &p)) / below();
+    // Of the determinant all digits are lost that its terms have in common.
+    let lost = largest * other / value.abs();
+    let sizes = (sums[0].size * other + sums[1].size * largest) / value.abs() * (1.0 + lost);
+    for (name, formula, solved) in [("Fx", x, solved.x), ("Fy", y, solved.y)] {
+        let worked = draft.worked(name, &formula, |v| format!("{} N", f.beside(v, sizes)));
+        let link = context.scene.link_name(body.link);
+        let symbol = words().part_at(name, link, point_name(context, inner));
+        draft.agree(&symbol, worked, solved, sizes);
+    }
+}
+
+/// The product of two coefficients, their signs before it.
+fn product(a: &Expression, b: &Expression) -> Expression {
+    let bare = |of: &Expression| match of {
+        Expression::Minus(of) => (true, (**of).clone()),
+        of => (false, of.clone()),
+    };
+    let ((one, a), (two, b)) = (bare(a), bare(b));
+    (a * b).minus_if(one != two)
+}
+
+/// What is left for an outer joint by the sums of forces, or for a guide.
+fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, outer: &BodyForce) {
+    let all = || {
+        let sought = body.sought.iter().filter(|row| row.joint != outer.joint);
+        body.given.iter().chain(sought)
+    };
+    match outer.joint {
+        Some(BodyJoint::Pin(_)) => {
+            for (axis, unit) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
+                let along = Reckoning::Along(unit);
+                let name = format!("{} {axis}", outer.name);
+                balance(context, draft, all(), (along, &name), unit.dot(outer.force));
+            }
+        }
+        Some(BodyJoint::Guide(slide)) => {
+            let n = context.state.travel(slide).guide.perp();
+            let name = words().across(&outer.name);
+            balance(
+                context,
+                draft,
+                all(),
+                (Reckoning::Along(n), &name),
+                n.dot(outer.force),
+            );
+            if let (Some(at), Slider::Link { .. }) =
+                (outer.at, context.scene.mechanism.slide(slide).slider)
+            {
+                let name = words().moment_of(&outer.name);
+                let about = Reckoning::About(at);
+                balance(context, draft, all(), (about, &name), outer.couple);
+            }
+        }
+        Some(BodyJoint::Driver) | None => {}
+    }
+}
+
+/// `name = -(12.5 - 3.2) = -9.3 N`: what makes a sum nothing.
+fn balance<'a>(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    rows: impl Iterator<Item = &'a BodyForce>,
+    (reckoning, name): (Reckoning, &str),
+    solved: f64,
+) {
+    let f = context.figures;
+    let terms: Vec<f64> = rows.map(|row| reckoning.of(context, row)).collect();
+    let size = terms.iter().map(|v| v.abs()).sum::<f64>();
+    let mut sum = WrittenSum::default();
+    for term in &terms {
+        let figure = f.beside(*term, size);
+        if figure != "0" {
+            sum.push_figure(&figure);
+        }
+    }
+    let worked = -terms.iter().sum::<f64>();
+    draft.agree(name, worked, solved, size);
+    let value = format!("{} {}", f.beside(worked, size), reckoning.unit());
+    let sum = sum.text();
+    match sum.contains(' ') {
+        false => draft.page.equation([name.to_owned(), value]),
+        true => draft
+            .page
+            .equation([name.to_owned(), format!("-({sum})"), value]),
+    }
+}
+
+/// A link with an outer reaction and one thing more that is sought: the force of a slot, or the driver's torque.
+fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool {
+    let f = context.figures;
+    let [a, b] = &body.sought[..] else {
+        return false;
+    };
+    let is_single = |row: &BodyForce| match row.joint {
+        Some(BodyJoint::Driver) => true,
+        Some(BodyJoint::Guide(slide)) => {
+            let mechanism = &context.scene.mechanism;
+            let is_driven = mechanism.driver().input == Input::Push(slide);
+            matches!(mechanism.slide(slide).slider, Slider::Pin(_)) && !is_driven
+        }
+        _ => false,
+    };
+    let (single, outer) = match (is_single(a), is_single(b)) {
+        (true, false) => (a, b),
+        (false, true) => (b, a),
+        _ => return false,
+    };
+    let Some(equation) = free_of(context, outer, 1) else {
+        return false;
+    };
+    draft
+        .page
+        .text(words().one_sum(&equation.told, &outer.name));
+    let name = (equation.sum.as_str(), equation.reckoning);
+    let given: Vec<&BodyForce> = body.given.iter().collect();
+    let sum = write_known(context, draft, (body.link, &given), name, &equation.about);
+    let known = Expression::known(&*equation.sum, f.beside(sum.value, sum.size), sum.value);
+    match single.joint {
+        Some(BodyJoint::Guide(slide)) => {
+            let n = context.state.travel(slide).guide.perp();
+            // On what carries the guide it acts the other way round.
+            let given = context.scene.mechanism.slide(slide);
+            let sign = if given.on == Body::Link(body.link) {
+                -1.0
+            } else {
+                1.0
+            };
+            let n = n * sign;
+            let Some(at) = single.at else {
+                return false;
+            };
+            write_vector(context, draft, 'n', n, "");
+            let unit =
+                |axis: char, v: f64| Expression::known(format!("n{axis}"), f.beside(v, 1.0), v);
+            let metres = context.scene.mechanism.metres();
+            let letter = match equation.reckoning {
+                Reckoning::About(_) => 'e',
+                Reckoning::Along(_) => 't',
+            };
+            let (share, v) = shares(f, equation.reckoning, at, letter, metres);
+            let unit_of_v = if letter == 'e' { " m" } else { "" };
+            write_vector(context, draft, letter, v, unit_of_v);
+            let [x, y] = share;
+            let below = product(&y, &unit('y', n.y)) + product(&x, &unit('x', n.x));
+            let value = draft.worked("D", &below, |v| f.number(v));
+            if value == 0.0 {
+                return true;
+            }
+            let formula = -known / Expression::known("D", f.number(value), value);
+            let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
+            let worked = draft.worked("N", &formula, |v| format!("{} N", f.beside(v, size)));
+            let solved = n.dot(single.force);
+            draft.agree(&words().across(&single.name), worked, solved, size);
+        }
+        _ => {
+            let formula = -known;
+            let worked = draft.found("M", &formula, |v| format!("{} N m", f.beside(v, sum.size)));
+            draft.agree("driver.torque", worked, single.couple, sum.size);
+        }
+    }
+    outer_reaction(context, draft, body, outer);
+    true
+}
