@@ -196,7 +196,7 @@ fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Foun
 }
 
 /// Three digits, as far as these stand behind the point.
-fn rounded(size: f64) -> String {
+pub(super) fn rounded(size: f64) -> String {
     if !(1e-3..1e7).contains(&size) {
         return format!("{size:.2e}");
     }

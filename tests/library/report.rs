@@ -311,3 +311,64 @@ fn a_report_stands_wherever_it_is_asked_for() {
         );
     }
 }
+
+/// What is drawn on a link that is cut free holds it in balance, inertia among it, about whatever point; and each link
+/// of a scene with forces has its picture in its own section.
+#[test]
+fn links_are_cut_free_with_all_that_acts_on_them() {
+    let mut drawn = 0;
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        if !solver.has_forces() {
+            continue;
+        }
+        let working = krank::report::Working::new(&scene, &solver);
+        let mut state = solver.state();
+        let (low, high) = solver.motion().range.ends();
+        for k in 1..8 {
+            let at = low + (high - low) * (f64::from(k) - 0.37) / 8.0;
+            let _ = solver.solve(at, Order::Force, &mut state);
+            for link in scene.mechanism.link_ids() {
+                let all = working.on_link(&scene, &solver, &state, link);
+                let about = krank::Vec2::new(17.0, -45.0);
+                let metres = scene.unit.metres();
+                let (mut force, mut moment) = (krank::Vec2::ZERO, 0.0);
+                let (mut size, mut lever) = (0.0_f64, 0.0_f64);
+                for one in &all {
+                    let arm = one.at.map_or(krank::Vec2::ZERO, |at| (at - about) * metres);
+                    force += one.force;
+                    moment += arm.cross(one.force) + one.couple;
+                    size = size.max(one.force.norm());
+                    lever = lever.max(arm.norm() * one.force.norm() + one.couple.abs());
+                }
+                let context = format!("{} at {at}, {}", preset.name, scene.link_name(link));
+                assert!(all.len() > 1, "{context}: {all:?}");
+                assert!(
+                    force.norm() <= 1e-12 * size,
+                    "{context}: {force:?} of {size}"
+                );
+                assert!(
+                    moment.abs() <= 1e-12 * lever,
+                    "{context}: {moment} of {lever}"
+                );
+            }
+        }
+        let blocks = of_preset(preset.name, 6).page.blocks;
+        for link in scene.mechanism.link_ids() {
+            let end = format!(" Link {}", scene.link_name(link));
+            let begins = |content: &Content| matches!(content, Content::Heading(2, text) if text.ends_with(&end));
+            let at = blocks
+                .iter()
+                .position(|block| begins(&block.content))
+                .unwrap();
+            let Content::Picture(picture) = &blocks[at + 1].content else {
+                panic!("{}: {:?}", preset.name, blocks[at + 1].content);
+            };
+            let text = picture.characters.join("\n");
+            assert!(text.contains(" N"), "{text}");
+            drawn += 1;
+        }
+    }
+    assert!(drawn > 15, "{drawn}");
+}

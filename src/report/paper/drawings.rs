@@ -1,10 +1,11 @@
 //! The linkage as it stands, and with the forces that act.
 
 use super::{ReportedState, picture};
+use crate::LinkId;
 use crate::drawing::{
     self, Glyphs, Labels, Layers, Overlay, Wanted, WorldView, legend_lines, render,
 };
-use crate::page::{Illustration, Page};
+use crate::page::{Block, Content, Illustration, Page};
 use crate::quantity::Catalogue;
 use crate::wording::words;
 use std::sync::Arc;
@@ -12,7 +13,11 @@ use std::sync::Arc;
 /// Columns of a picture on paper and in characters, rows at most, and the height of a cell for its width.
 const PAPER: (u16, u16) = (84, 44);
 const CHARACTERS: (u16, u16) = (76, 26);
+const FREE: (u16, u16) = (64, 26);
+const FREE_CHARACTERS: (u16, u16) = (76, 20);
 const ASPECT: f64 = 2.0;
+/// Each link is drawn by itself, up to this many.
+const MOST_CUT_FREE: usize = 12;
 
 impl ReportedState<'_> {
     /// The linkage in its state.
@@ -23,16 +28,68 @@ impl ReportedState<'_> {
         self.show(&Wanted::default(), caption, page);
     }
 
-    /// The same with loads, and with what joints and guides bear.
-    pub(super) fn forces(&self, page: &mut Page) {
-        if self.state.known().drive().is_none() {
-            return;
+    /// What is worked out of forces, with the linkage and all that acts on it, and each link cut free where its
+    /// equations stand.
+    pub(super) fn forces(&self, blocks: impl Iterator<Item = Block>, page: &mut Page) {
+        let exist = self.state.known().drive().is_some();
+        let mechanism = &self.scene.mechanism;
+        let links = || mechanism.link_ids().filter(|_| exist);
+        // Of more links the pictures alone would fill a book.
+        let is_small = links().count() <= MOST_CUT_FREE;
+        let mut is_apart = false;
+        for block in blocks {
+            // What follows a picture was set below a heading.
+            let is_apart_now = std::mem::take(&mut is_apart) || block.is_apart;
+            let block = Block {
+                is_apart: is_apart_now,
+                ..block
+            };
+            let heading = match &block.content {
+                Content::Heading(2, text) => Some(text.clone()),
+                _ => None,
+            };
+            page.blocks.push(block);
+            let begins = |link: &LinkId| {
+                let part = words().link_part(self.scene.link_name(*link));
+                let part = format!(" {part}");
+                heading.as_ref().is_some_and(|text| text.ends_with(&part))
+            };
+            if let Some(link) = links().find(begins).filter(|_| is_small) {
+                is_apart = self.cut_free(link, page);
+            }
         }
-        let wanted = Wanted {
-            forces: true,
-            ..Wanted::default()
+        if exist {
+            let wanted = Wanted {
+                forces: true,
+                ..Wanted::default()
+            };
+            self.show(&wanted, words().forces_drawn().to_owned(), page);
+        }
+    }
+
+    /// A link by itself; false where nothing is drawn.
+    fn cut_free(&self, link: LinkId, page: &mut Page) -> bool {
+        let (scene, state) = (self.scene, self.state);
+        let forces = self.working.on_link(scene, self.solver, state, link);
+        let Some((figure, reach)) = drawing::free_body(scene, state, link, &forces) else {
+            return false;
         };
-        self.show(&wanted, words().forces_drawn().to_owned(), page);
+        let caption = words().link_cut_free(scene.link_name(link));
+        let view = |(cols, most): (u16, u16)| {
+            WorldView::snug(most, |rows| WorldView::fit(&reach, cols, rows, ASPECT))
+        };
+        let labels = &mut Labels::default();
+        let artwork = drawing::artwork(&figure, &view(FREE), &caption, &[], labels);
+        let drawn = render(&figure, &view(FREE_CHARACTERS), Glyphs::Ascii).text();
+        picture(
+            page,
+            Illustration {
+                artwork: Arc::new(artwork),
+                caption,
+                characters: drawing::lines_drawn(&drawn),
+            },
+        );
+        true
     }
 
     fn show(&self, wanted: &Wanted, caption: String, page: &mut Page) {

@@ -120,10 +120,7 @@ impl ReportedState<'_> {
                 page.blocks.extend(blocks);
                 self.diagrams(page);
             }
-            WorkingPart::Forces => {
-                page.blocks.extend(blocks);
-                self.forces(page);
-            }
+            WorkingPart::Forces => self.forces(blocks, page),
         }
     }
 

@@ -7,6 +7,7 @@
 
 mod check;
 mod coupled;
+mod cut_free;
 mod draft;
 mod equations;
 mod expression;

@@ -34,6 +34,7 @@ catalogue! {
              tangential one.";
 
         // Forces, plots and facts.
+        link_cut_free(link: &str) = "{link} cut free, with all that acts on it, its inertia among it.";
         forces_drawn = "Loads, and the forces that joints and guides bear.";
         plots_part = "Over the whole motion";
         positions_plotted = "Positions";

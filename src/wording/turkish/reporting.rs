@@ -31,6 +31,7 @@ catalogue! {
             "Ağırlık merkezlerinin ivmeleri, tek kutuptan, ölçekli; n merkezcil, t teğetsel parça.";
 
         // Forces, plots and facts.
+        link_cut_free(link: &str) = "{link} serbest cisim olarak: ataleti de içinde, ona etki eden her şey.";
         forces_drawn = "Yükler, mafsalların ve kılavuzların taşıdığı kuvvetler.";
         plots_part = "Bütün hareket boyunca";
         positions_plotted = "Konumlar";

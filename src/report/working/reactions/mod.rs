@@ -162,7 +162,7 @@ impl Ranks<'_> {
 }
 
 /// What a link does against being accelerated.
-fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
+pub(super) fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
     let (mechanism, state) = (&context.scene.mechanism, context.state);
     let link = mechanism.link(id);
     let force = link.com.map_or(Vec2::ZERO, |com| {

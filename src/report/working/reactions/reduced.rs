@@ -297,29 +297,36 @@ fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, ou
         body.given.iter().chain(sought)
     };
     match outer.joint {
-        Some(BodyJoint::Pin(_)) => {
+        Some(BodyJoint::Pin(point)) => {
+            let (link, point) = (
+                context.scene.link_name(body.link),
+                point_name(context, point),
+            );
             for (axis, unit) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
                 let along = Reckoning::Along(unit);
-                let name = format!("{} {axis}", outer.name);
+                let name = format!("{link}.{point}.f{axis}");
                 balance(context, draft, all(), (along, &name), unit.dot(outer.force));
             }
         }
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
-            let name = words().across(&outer.name);
+            let given = context.scene.mechanism.slide(slide);
+            // Figures of a guide are those of what slides along it.
+            let [normal, moment] = match given.on == Body::Link(body.link) {
+                true => [words().across(&outer.name), words().moment_of(&outer.name)],
+                false => ["normal", "moment"]
+                    .map(|of| format!("{}.{of}", context.scene.slide_name(slide))),
+            };
             balance(
                 context,
                 draft,
                 all(),
-                (Reckoning::Along(n), &name),
+                (Reckoning::Along(n), &normal),
                 n.dot(outer.force),
             );
-            if let (Some(at), Slider::Link { .. }) =
-                (outer.at, context.scene.mechanism.slide(slide).slider)
-            {
-                let name = words().moment_of(&outer.name);
+            if let (Some(at), Slider::Link { .. }) = (outer.at, given.slider) {
                 let about = Reckoning::About(at);
-                balance(context, draft, all(), (about, &name), outer.couple);
+                balance(context, draft, all(), (about, &moment), outer.couple);
             }
         }
         Some(BodyJoint::Driver) | None => {}

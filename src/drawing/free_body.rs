@@ -1,0 +1,140 @@
+//! A link cut free of all others, with what acts on it.
+
+use super::figure::{Figure, Role, Shape};
+use super::force_arrows::rounded;
+use super::outline::{self, Corner};
+use super::reach::Reach;
+use super::roles::{link_roles, roles};
+use crate::scene::Scene;
+use crate::solver::State;
+use crate::{LinkId, Vec2};
+
+/// What acts on a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeForce {
+    /// What it is, in a word.
+    pub name: String,
+    /// Where it acts; a couple acts nowhere in particular.
+    pub at: Option<Vec2>,
+    /// In N, in the ground's frame.
+    pub force: Vec2,
+    /// In N m, counter-clockwise.
+    pub couple: f64,
+}
+
+impl FreeForce {
+    /// `B 127 N`, `r4 35.1 N 2.10 N m`.
+    fn told(&self) -> String {
+        let mut text = self.name.clone();
+        for (size, unit) in [(self.force.norm(), "N"), (self.couple.abs(), "N m")] {
+            if size > 0.0 {
+                text += &format!(" {} {unit}", rounded(size));
+            }
+        }
+        text
+    }
+}
+
+/// The longest arrow beside the link.
+const LONGEST: f64 = 0.55;
+/// A smaller part of the largest force, or of the largest moment, is rounding or too short to be seen.
+const SEEN: f64 = 1e-3;
+
+/// The figure of a link with the forces on it, the longest about half as long as the link, and all that it takes to
+/// show it; `None` without an assembly, and where nothing acts.
+#[must_use]
+pub fn free_body(
+    scene: &Scene,
+    state: &State,
+    link: LinkId,
+    forces: &[FreeForce],
+) -> Option<(Figure, Reach)> {
+    let mechanism = &scene.mechanism;
+    let roles = roles(mechanism);
+    let given = mechanism.link(link);
+    let mut figure = Figure::new();
+    let mut places = Vec::new();
+    let mut corners = Vec::new();
+    for member in &given.members {
+        let at = state.position(member.point)?;
+        places.push(at);
+        if given.com != Some(member.point) {
+            let block = roles[member.point.index()] == Role::Slider;
+            corners.push(Corner { at, block });
+        }
+    }
+    let role = link_roles(mechanism)[link.index()];
+    outline::draw(&mut figure, &corners, role, role.of_plate());
+    for (member, &at) in given.members.iter().zip(&places) {
+        let role = match given.com == Some(member.point) {
+            true => Role::CentreOfMass,
+            false => Role::Joint,
+        };
+        figure.add(Shape::Mark { at, role });
+    }
+    arrows(&mut figure, &mut places, forces)?;
+    let name = scene.link_name(link).to_owned();
+    let at = middle(&corners)?;
+    let role = link_roles(mechanism)[link.index()].of_name();
+    figure.add(Shape::Label {
+        at,
+        text: name,
+        role,
+    });
+    let reach = Reach::by_hand(&places, &[]);
+    Some((figure, reach))
+}
+
+/// Adds an arrow for every force and every couple; `places` grows by where they come to.
+fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> Option<()> {
+    let middle = places.iter().fold(Vec2::ZERO, |sum, &at| sum + at) / places.len() as f64;
+    let size = places
+        .iter()
+        .map(|&at| (at - middle).norm())
+        .fold(0.0, f64::max);
+    // A link of one point has no length of its own.
+    let size = if size > 0.0 { 2.0 * size } else { 1.0 };
+    let largest = |of: fn(&FreeForce) -> f64| forces.iter().map(of).fold(0.0, f64::max);
+    let (most, most_couple) = (largest(|f| f.force.norm()), largest(|f| f.couple.abs()));
+    if !(most.is_finite() && most_couple.is_finite() && most + most_couple > 0.0) {
+        return None;
+    }
+    let role = Role::Force;
+    for one in forces {
+        let at = one.at.unwrap_or(middle);
+        let mut outer = at;
+        if one.force.norm() > SEEN * most {
+            let arrow = one.force * (LONGEST * size / most);
+            // What pushes into the link ends where it acts, and what pulls begins there: neither lies upon it.
+            let pushes = arrow.dot(middle - at) > 0.0;
+            outer = if pushes { at - arrow } else { at + arrow };
+            let (from, to) = if pushes { (outer, at) } else { (at, outer) };
+            let cut = false;
+            figure.add(Shape::Arrow {
+                from,
+                to,
+                role,
+                cut,
+            });
+            places.push(outer);
+        }
+        let turns = one.couple.abs() > SEEN * most_couple;
+        if turns {
+            let is_left = one.couple > 0.0;
+            figure.add(Shape::Moment { at, is_left });
+        }
+        if turns || outer != at {
+            let text = one.told();
+            let at = outer;
+            figure.add(Shape::Label { at, text, role });
+        }
+    }
+    Some(())
+}
+
+fn middle(corners: &[Corner]) -> Option<Vec2> {
+    let sum = corners
+        .iter()
+        .fold(Vec2::ZERO, |sum, corner| sum + corner.at);
+    (!corners.is_empty()).then(|| sum / corners.len() as f64)
+}
