@@ -1,21 +1,23 @@
 //! The motor over a cycle, to be read.
 
-use super::motor::{MotorReport, NOTHING, RamReport, end_word};
+mod ram;
+mod telling;
+
+use super::motor::{MotorReport, NOTHING};
 use super::number::{concise, significant};
-use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextRole, TextStyle};
-use crate::study::motor::{
-    Cycle, DriveEffort, Duty, MotorDemand, NoDuty, Passing, Peak, Rule, SMALL_FLUCTUATION,
-};
+use crate::page::{Page, Row, Table, TextStyle};
+use crate::study::motor::{Cycle, DriveEffort, Duty, MotorDemand, NoDuty, Peak};
 use crate::wording::words;
+use telling::{
+    cleaned, columns_of, facts, figure, indented, indented_facts, is_constant, known, none, rough,
+    rule_text, trimmed, verdict,
+};
 
 /// Digits of a figure, and decimals of where it is in degrees.
 const DIGITS: usize = 6;
 const DECIMALS: usize = 3;
 /// Decimals of a dead centre: as many as a double has at some hundred degrees.
 const ALL_DECIMALS: usize = 12;
-/// Columns of a label, and of a figure behind it.
-const LABEL: usize = 18;
-const FIGURE: usize = 10;
 /// Turns a minute in 1 rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
@@ -323,101 +325,6 @@ impl MotorReport {
         page.add(indented_facts(told));
     }
 
-    fn add_ram(&self, report: &RamReport, page: &mut Page) {
-        let ram = &report.ram;
-        let (unit, way) = (self.unit, &self.driver_unit);
-        let mut list: Vec<(&str, String)> = Vec::new();
-        let end = match ram.end.is_known {
-            true => words().works_at(end_word(ram.end.end)),
-            false => words().works_at_by_convention(end_word(ram.end.end)),
-        };
-        list.push((words().ram_works(), end));
-        list.push((
-            words().stroke(),
-            format!("{} {unit}", concise(ram.stroke, 9)),
-        ));
-        let others = ram
-            .others
-            .iter()
-            .map(|centre| (words().turns_too(), centre));
-        let ends = [(words().bottom(), &ram.bottom), (words().top(), &ram.top)];
-        for (label, centre) in ends.into_iter().chain(others) {
-            let at = format!("{:.ALL_DECIMALS$}", centre.at);
-            let position = concise(centre.position, 9);
-            list.push((label, words().centre_at(&at, way, &position, unit)));
-        }
-        let [closing, opening] = ram.ways;
-        let times = |gone: f64| {
-            let seconds = ram.seconds.map(|s| s * gone / (closing + opening));
-            timed(format!("{} {way}", significant(gone, DIGITS)), seconds)
-        };
-        list.push((words().closes_in(), times(closing)));
-        list.push((words().opens_in(), times(opening)));
-        let ratio = significant(ram.time_ratio(), DIGITS);
-        list.push((words().time_ratio(), words().closing_to_opening(&ratio)));
-        if let Some(strokes) = ram.strokes_per_minute() {
-            let text = words().a_minute(&significant(strokes, DIGITS));
-            list.push((words().strokes(), text));
-        }
-        page.heading(words().ram_named(&report.name));
-        page.add(indented_facts(list));
-        self.add_height(report, page);
-        if let Some((tolerance, dwell)) = &report.dwell {
-            let tolerance = format!("{} {unit}", concise(*tolerance, DIGITS));
-            let text = dwell.map_or_else(none, |d| {
-                let gone = timed(format!("{} {way}", significant(d.way, DIGITS)), d.seconds);
-                let [from, to] = [d.from, d.to].map(|at| format!("{at:.DECIMALS$}"));
-                words().dwells_within(&gone, &from, &to, &tolerance)
-            });
-            page.add_below(indented_facts([(words().dwells(), text)]));
-        }
-    }
-
-    fn add_height(&self, report: &RamReport, page: &mut Page) {
-        let Some((height, passings)) = &report.height else {
-            return;
-        };
-        let unit = self.unit;
-        let label = words().at_height(&concise(*height, DIGITS), unit);
-        let Some(both) = passings else {
-            let stroke = significant(report.ram.stroke, DIGITS);
-            let text = words().ram_never_there(&stroke, unit);
-            page.add_below(indented_facts([(label.as_str(), text)]));
-            return;
-        };
-        let sized = |v: f64| figure(Some(v).filter(|v| v.is_finite()));
-        let ways = [words().closing(), words().opening_way()];
-        let mut table = columns_of(indented(&label), ways);
-        let mut row = |label: String, cell: &dyn Fn(&Passing) -> String| {
-            table.row(label, both.iter().map(cell));
-        };
-        let driver = format!("    {} [{}]", words().driver(), self.driver_unit);
-        row(driver, &|p| format!("{:.DECIMALS$}", p.at));
-        let place = format!("    {} [{unit}]", words().label_place());
-        row(place, &|p| sized(p.position));
-        row(format!("    v [{unit}/s]"), &|p| sized(p.velocity));
-        row(format!("    a [{unit}/s^2]"), &|p| sized(p.acceleration));
-        let by = self.effort_unit();
-        match report.torque {
-            Some(torque) => {
-                let force = format!("    {} [N]", words().force());
-                row(force, &|p| sized(torque * p.leverage));
-            }
-            None => {
-                let ratio = format!("    {}", words().newtons_per(by));
-                row(ratio, &|p| sized(p.leverage));
-            }
-        }
-        page.add_below(Content::Table(table));
-        if let Some(torque) = report.torque {
-            let effort = format!("{} {by}", concise(torque, DIGITS));
-            page.text_below(format!("    {}", words().force_held_by(&effort)));
-        }
-        if both.iter().any(|passing| !passing.leverage.is_finite()) {
-            page.text_below(format!("    {}", words().force_unbounded()));
-        }
-    }
-
     fn place(&self, peak: &Peak) -> String {
         let at = if self.turns {
             format!("{:.DECIMALS$}", peak.at)
@@ -438,145 +345,6 @@ impl MotorReport {
             // Shorter, so that the word has room.
             (true, true) => words().back_at(&format!("{:.1}", peak.at)),
             (false, true) => words().back_at(&significant(peak.at, 4)),
-        }
-    }
-}
-
-/// A label below a heading.
-fn indented(label: &str) -> String {
-    format!("  {label}")
-}
-
-/// What is told below a heading.
-fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
-    let told = told.into_iter();
-    facts(told.map(|(label, text)| (indented(label), text)))
-}
-
-/// The same of what there is.
-fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)>) -> Content {
-    let told = told.into_iter();
-    indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
-}
-
-/// A way, and the time that it takes where that is known.
-fn timed(way: String, seconds: Option<f64>) -> String {
-    match seconds {
-        Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),
-        None => way,
-    }
-}
-
-/// Labels, and what is told of each.
-fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content {
-    let mut facts = Facts {
-        names: LABEL + 1,
-        ..Facts::default()
-    };
-    for (label, text) in told {
-        facts.tell(&label, [text]);
-    }
-    Content::Facts(facts)
-}
-
-/// A table whose first columns say most: a narrow screen shows no more than it can.
-fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Table {
-    Table::new(title, heads).set(Setting {
-        names: LABEL,
-        least: vec![FIGURE],
-        rest: Rest::LeftOut,
-        called: TextRole::Label,
-        ..Setting::default()
-    })
-}
-
-/// What stands for a figure that does not exist.
-fn none() -> String {
-    "-".into()
-}
-
-fn figure(value: Option<f64>) -> String {
-    value.map_or_else(none, |v| significant(v, DIGITS))
-}
-
-/// To all digits, without zeros at the end: a speed comes back from radians as it was given.
-fn trimmed(value: f64) -> String {
-    let text = significant(value, DIGITS);
-    if text.contains('.') && !text.contains('e') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}
-
-/// 0 for what rounding has left of figures of a size.
-fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
-    let size = size.unwrap_or(0.0);
-    value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
-}
-
-/// Whether a motor has what is asked, and what is left or how much of it that is; one of its own unit is so many of that
-/// which is told.
-fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
-    let [wants, has, left] =
-        [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
-    let [has, left] = [has, left].map(|size| format!("{size} {unit}"));
-    let share = asked.has / asked.asked;
-    match (asked.is_enough(), share.is_finite()) {
-        (true, true) => words().has_left_by_times(&has, &wants, &left, &significant(share, 3)),
-        (true, false) => words().has_left(&has, &wants, &left),
-        (false, _) => words().has_a_share(&has, &wants, &percent(share)),
-    }
-}
-
-/// What is less than the whole is never told as 100 %.
-fn percent(share: f64) -> String {
-    match share {
-        0.1.. => concise((1000.0 * share).floor() / 10.0, 3),
-        _ => concise(100.0 * share, 2),
-    }
-}
-
-/// Whether it is the same all the way, but for rounding.
-fn is_constant(effect: &DriveEffort) -> bool {
-    let both = effect.largest.zip(effect.least);
-    both.is_some_and(|(most, least)| {
-        let size = most.value.abs().max(least.value.abs());
-        most.value - least.value <= NOTHING * size
-    })
-}
-
-/// What is said of a fluctuation, and that a large one is no more than a rough figure.
-fn rough(says: String, fluctuation: f64) -> String {
-    match fluctuation > SMALL_FLUCTUATION {
-        true => words().roughly(&says),
-        false => says,
-    }
-}
-
-fn rule_text(cycle: &Cycle, what: &str) -> String {
-    let error = significant(cycle.error, 2);
-    match cycle.rule {
-        Rule::Periodic(places) => words().trapezoids(&places, &error, what),
-        Rule::Pieces(pieces) => words().polynomials(&pieces, &error, what),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_not_enough_is_less_than_the_whole() {
-        for (share, told) in [
-            (0.998, "99.8"),
-            (0.9999, "99.9"),
-            (0.5, "50"),
-            (0.1234, "12.3"),
-            (0.0567, "5.7"),
-            (0.0, "0"),
-        ] {
-            assert_eq!(percent(share), told);
         }
     }
 }

@@ -1,0 +1,151 @@
+//! How figures and facts of the motor are told.
+
+use super::DIGITS;
+use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
+use crate::report::motor::NOTHING;
+use crate::report::number::{concise, significant};
+use crate::study::motor::{Cycle, DriveEffort, MotorDemand, Rule, SMALL_FLUCTUATION};
+use crate::wording::words;
+
+/// Columns of a label, and of a figure behind it.
+pub(super) const LABEL: usize = 18;
+const FIGURE: usize = 10;
+
+/// A label below a heading.
+pub(super) fn indented(label: &str) -> String {
+    format!("  {label}")
+}
+
+/// What is told below a heading.
+pub(super) fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
+    let told = told.into_iter();
+    facts(told.map(|(label, text)| (indented(label), text)))
+}
+
+/// The same of what there is.
+pub(super) fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)>) -> Content {
+    let told = told.into_iter();
+    indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
+}
+
+/// A way, and the time that it takes where that is known.
+pub(super) fn timed(way: String, seconds: Option<f64>) -> String {
+    match seconds {
+        Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),
+        None => way,
+    }
+}
+
+/// Labels, and what is told of each.
+pub(super) fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content {
+    let mut facts = Facts {
+        names: LABEL + 1,
+        ..Facts::default()
+    };
+    for (label, text) in told {
+        facts.tell(&label, [text]);
+    }
+    Content::Facts(facts)
+}
+
+/// A table whose first columns say most: a narrow screen shows no more than it can.
+pub(super) fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Table {
+    Table::new(title, heads).set(Setting {
+        names: LABEL,
+        least: vec![FIGURE],
+        rest: Rest::LeftOut,
+        called: TextRole::Label,
+        ..Setting::default()
+    })
+}
+
+/// What stands for a figure that does not exist.
+pub(super) fn none() -> String {
+    "-".into()
+}
+
+pub(super) fn figure(value: Option<f64>) -> String {
+    value.map_or_else(none, |v| significant(v, DIGITS))
+}
+
+/// To all digits, without zeros at the end: a speed comes back from radians as it was given.
+pub(super) fn trimmed(value: f64) -> String {
+    let text = significant(value, DIGITS);
+    if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// 0 for what rounding has left of figures of a size.
+pub(super) fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
+    let size = size.unwrap_or(0.0);
+    value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
+}
+
+/// Whether a motor has what is asked, and what is left or how much of it that is; one of its own unit is so many of that
+/// which is told.
+pub(super) fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
+    let [wants, has, left] =
+        [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
+    let [has, left] = [has, left].map(|size| format!("{size} {unit}"));
+    let share = asked.has / asked.asked;
+    match (asked.is_enough(), share.is_finite()) {
+        (true, true) => words().has_left_by_times(&has, &wants, &left, &significant(share, 3)),
+        (true, false) => words().has_left(&has, &wants, &left),
+        (false, _) => words().has_a_share(&has, &wants, &percent(share)),
+    }
+}
+
+/// What is less than the whole is never told as 100 %.
+fn percent(share: f64) -> String {
+    match share {
+        0.1.. => concise((1000.0 * share).floor() / 10.0, 3),
+        _ => concise(100.0 * share, 2),
+    }
+}
+
+/// Whether it is the same all the way, but for rounding.
+pub(super) fn is_constant(effect: &DriveEffort) -> bool {
+    let both = effect.largest.zip(effect.least);
+    both.is_some_and(|(most, least)| {
+        let size = most.value.abs().max(least.value.abs());
+        most.value - least.value <= NOTHING * size
+    })
+}
+
+/// What is said of a fluctuation, and that a large one is no more than a rough figure.
+pub(super) fn rough(says: String, fluctuation: f64) -> String {
+    match fluctuation > SMALL_FLUCTUATION {
+        true => words().roughly(&says),
+        false => says,
+    }
+}
+
+pub(super) fn rule_text(cycle: &Cycle, what: &str) -> String {
+    let error = significant(cycle.error, 2);
+    match cycle.rule {
+        Rule::Periodic(places) => words().trapezoids(&places, &error, what),
+        Rule::Pieces(pieces) => words().polynomials(&pieces, &error, what),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_enough_is_less_than_the_whole() {
+        for (share, told) in [
+            (0.998, "99.8"),
+            (0.9999, "99.9"),
+            (0.5, "50"),
+            (0.1234, "12.3"),
+            (0.0567, "5.7"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(percent(share), told);
+        }
+    }
+}
