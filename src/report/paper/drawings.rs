@@ -16,7 +16,7 @@ const ASPECT: f64 = 2.0;
 
 impl ReportedState<'_> {
     /// The linkage in its state.
-    pub(super) fn drawing(&self, page: &mut Page) {
+    pub(in crate::report) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
         let caption = words().drawing_of(&self.scene.name, &self.state.at(), unit);
