@@ -50,7 +50,8 @@ pub use curves::curves_csv;
 pub use difference::Pairing;
 pub use errors::Missing;
 pub use exercise::{
-    AnswerFile, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers, class_csv, class_page,
+    AnswerFile, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers, class_csv,
+    class_page,
 };
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;

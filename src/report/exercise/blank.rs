@@ -107,7 +107,8 @@ impl AnswerFile {
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
         let of = |name: &str| {
             let mut all = self.answers.iter().rev();
-            all.find(|(own, _)| own == name).map_or("", |(_, text)| text)
+            all.find(|(own, _)| own == name)
+                .map_or("", |(_, text)| text)
         };
         let figures = key.figures.iter();
         let given = figures.map(|figure| {
@@ -128,7 +129,9 @@ fn separator(text: &str) -> u8 {
     let first = text.lines().find(|line| line.contains([',', ';', '\t']));
     let count = |mark: char| first.map_or(0, |line| line.matches(mark).count());
     let marks = [',', ';', '\t'].map(|mark| (count(mark), mark));
-    let most = marks.into_iter().max_by_key(|(count, mark)| (*count, *mark != ','));
+    let most = marks
+        .into_iter()
+        .max_by_key(|(count, mark)| (*count, *mark != ','));
     match most {
         Some((1.., ';')) => b';',
         Some((1.., '\t')) => b'\t',
@@ -162,7 +165,10 @@ mod tests {
         let expected = AnswerFile {
             sheet: Some("a.toml".into()),
             student: Some("Ayşe Öz".into()),
-            answers: vec![("r3.angle".into(), "29,38".into()), ("C.v".into(), "".into())],
+            answers: vec![
+                ("r3.angle".into(), "29,38".into()),
+                ("C.v".into(), "".into()),
+            ],
         };
         for text in [
             "figure,unit,answer\nsheet,,a.toml\nstudent,,Ayşe Öz\nr3.angle,deg,\"29,38\"\nC.v,mm/s,\n",

@@ -9,8 +9,8 @@ use std::io::{self, Write};
 
 /// The columns: a promise.
 const HEADS: [&str; 17] = [
-    "student", "sheet", "figures", "points", "right", "rounded", "followed", "sign", "unit", "assembly",
-    "wrong", "empty", "first", "verdict", "mistake", "why", "answer",
+    "student", "sheet", "figures", "points", "right", "rounded", "followed", "sign", "unit",
+    "assembly", "wrong", "empty", "first", "verdict", "mistake", "why", "answer",
 ];
 
 /// Writes a row for each student: who, how many figures of each verdict, the first figure that is not right and the
@@ -29,12 +29,18 @@ pub fn class_csv(
         let mut cells = vec![one.student.clone(), one.sheet.clone()];
         cells.extend(numbers(one).map(|number| number.to_string()));
         let named = |figure: Option<&GradedFigure>| match figure {
-            Some(figure) => [figure.quantity.name.clone(), code(figure.verdict).to_owned()],
+            Some(figure) => [
+                figure.quantity.name.clone(),
+                code(figure.verdict).to_owned(),
+            ],
             None => Default::default(),
         };
         cells.extend(named(one.first()));
         cells.extend(named(one.mistake()));
-        cells.push(one.mistake().map_or_else(String::new, |f| f.written.clone()));
+        cells.push(
+            one.mistake()
+                .map_or_else(String::new, |f| f.written.clone()),
+        );
         rows.record(cells.iter().map(|cell| harmless(cell)))?;
     }
     rows.finish()

@@ -11,3 +11,6 @@ pub use blank::{AnswerFile, NoAnswers, blank_answers};
 pub use class::class_csv;
 pub use class::class_page;
 pub use graded::{GradedAnswers, GradedFigure};
+
+#[cfg(test)]
+mod tests;

@@ -19,7 +19,7 @@ use likeness::{MotionKind, is_lively, margins, places};
 /// How often dimensions are drawn, and how far apart: where lengths stand in relations that chance does not
 /// keep, the whole grows or shrinks.
 const TRIES: [(usize, Spread); 3] = [
-    (60, Spread::Apart(30)),
+    (60, Spread::Apart(25)),
     (30, Spread::Apart(12)),
     (12, Spread::Together),
 ];
@@ -29,6 +29,8 @@ const WORST: f64 = 0.1;
 const ASKED: f64 = 0.25;
 /// Where the scene itself comes nearer, an exercise may come so much nearer still.
 const LESS: f64 = 0.8;
+/// How many places are tried of one mechanism.
+const PLACES: usize = 6;
 /// Speeds in percent of the scene's.
 const SPEEDS: [u32; 2] = [50, 200];
 
@@ -157,11 +159,14 @@ impl<'a> ExerciseMaker<'a> {
         if !margins.iter().all(|margin| *margin >= self.worst) {
             return None;
         }
-        let fits = |(at, margin): (&f64, &f64)| {
-            (*margin >= self.asked && is_lively(&solver, *at, &mut work)).then_some(*at)
-        };
-        let good: Vec<f64> = places.iter().zip(&margins).filter_map(fits).collect();
-        let at = *chance.one_of(&good)?;
+        let far = places.iter().zip(&margins);
+        let far: Vec<f64> = far
+            .filter_map(|(at, margin)| (*margin >= self.asked).then_some(*at))
+            .collect();
+        let at = (0..PLACES).find_map(|_| {
+            let at = *chance.one_of(&far)?;
+            is_lively(&solver, at, &mut work).then_some(at)
+        })?;
         opened(&scene, &solver, at)
     }
 }

@@ -83,6 +83,12 @@ impl SolutionChain {
         }
     }
 
+    /// The true value of a slot.
+    #[must_use]
+    pub fn exact_at(&self, slot: ChainSlot) -> Option<f64> {
+        self.exact.get(slot.variable)?.get(slot.order).copied()
+    }
+
     /// All variables, where some are given: `given` tells which, and as what. `None` where nothing follows.
     #[must_use]
     pub fn follow(&self, given: &dyn Fn(ChainSlot) -> Option<f64>) -> Option<ChainValues> {

@@ -58,13 +58,6 @@ struct FacedSlot {
     is_sound: bool,
 }
 
-/// A figure as it follows from earlier ones.
-struct Explanation {
-    /// How far the answer is from it.
-    apart: f64,
-    verdict: FigureVerdict,
-}
-
 impl AnswerKey {
     /// A verdict for every answer; answers that are missing are empty.
     #[must_use]
@@ -176,18 +169,10 @@ impl AnswerKey {
         };
         let mut earlier: Vec<&FacedSlot> = faced.iter().filter(is_earlier).collect();
         earlier.sort_by_key(|face| place(face.slot));
-        let sets = (1..=earlier.len()).map(|count| &earlier[..count]);
-        let alone = earlier.chunks(1);
-        let mut best: Option<Explanation> = None;
-        for set in sets.chain(alone) {
-            let explanation = self.explanation(chain, figure, written, set);
-            if let Some(one) = explanation
-                && best.as_ref().is_none_or(|best| one.apart < best.apart)
-            {
-                best = Some(one);
-            }
-        }
-        Some(best?.verdict)
+        // Who writes figures down goes on with them; but some carry the last ones on with all digits.
+        let sets = (1..=earlier.len()).rev().map(|count| &earlier[..count]);
+        let mut sets = sets.chain(earlier.chunks(1));
+        sets.find_map(|set| self.explanation(chain, figure, written, set))
     }
 
     /// The figure as it follows from some at their face value, where that is what was written.
@@ -197,36 +182,42 @@ impl AnswerKey {
         figure: &AskedFigure,
         written: WrittenFigure,
         set: &[&FacedSlot],
-    ) -> Option<Explanation> {
+    ) -> Option<FigureVerdict> {
         let truth = Truth::of(figure);
-        let by = |set: &[&FacedSlot]| {
+        let by = |face: &dyn Fn(&FacedSlot) -> Option<f64>| {
             let given = |slot| {
                 let mut faces = set.iter();
-                faces.find(|face| face.slot == slot).map(|face| face.value)
+                face(faces.find(|face| face.slot == slot)?)
             };
             chain.figure(&figure.quantity, &chain.follow(&given)?)
         };
-        let followed = by(set)?;
+        let followed = by(&|face| Some(face.value))?;
         let apart = truth.with(followed).apart(written.value).abs();
         let unit = written.unit_of(FEWEST, MOST);
         // What is no nearer to it than to the exact figure explains nothing.
         if !(apart <= unit && apart <= 0.5 * truth.apart(written.value).abs()) {
             return None;
         }
-        let effect = |face: &FacedSlot| by(&[face]).map_or(0.0, |alone| truth.apart(alone).abs());
+        // What one of them does while the others are exact.
+        let effect = |one: &FacedSlot| {
+            let alone = by(&|face| match face.slot == one.slot {
+                true => Some(face.value),
+                false => chain.exact_at(face.slot),
+            });
+            alone.map_or(0.0, |alone| truth.apart(alone).abs())
+        };
         let effects = set.iter().map(|face| (effect(face), *face));
         let effects: Vec<(f64, &FacedSlot)> = effects.collect();
         let largest = |wanted: &dyn Fn(&FacedSlot) -> bool| {
             let wanted = effects.iter().filter(|(_, face)| wanted(face));
             wanted.max_by(|a, b| a.0.total_cmp(&b.0)).copied()
         };
-        let verdict = match largest(&|face| !face.is_sound) {
+        Some(match largest(&|face| !face.is_sound) {
             Some((effect, face)) if effect > unit => FigureVerdict::Followed(face.figure),
             _ => {
                 let (_, face) = largest(&|face| face.is_sound)?;
                 FigureVerdict::Rounded(RoundedEarly::By(face.figure))
             }
-        };
-        Some(Explanation { apart, verdict })
+        })
     }
 }
