@@ -66,6 +66,17 @@ impl Quantity {
         }
     }
 
+    /// The value that it is made of, where `find` tells the figures of the solver; `None` where one of these is
+    /// missing.
+    #[must_use]
+    pub fn made_of(&self, find: impl Fn(Subject, Aspect) -> Option<f64>) -> Option<f64> {
+        let made = match &self.source {
+            FigureSource::Solved(subject, aspect) => find(*subject, *aspect),
+            FigureSource::Derived(derived) => derived.run(find),
+        };
+        made.filter(|v| v.is_finite())
+    }
+
     /// How far the value in this state can be from the true one, in the same unit; `None` where
     /// there is no value, or no bound can be proved.
     #[must_use]

@@ -8,8 +8,10 @@ mod config;
 #[cfg(feature = "tui")]
 mod diagnose;
 mod draw;
+mod exercise;
 mod explain;
 mod failure;
+mod grade;
 mod help;
 mod language;
 mod misuse;
@@ -106,6 +108,8 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Explain(args)) => explain::explain(args, screen),
         Some(Command::Report(args)) => report::report(args, screen),
+        Some(Command::Exercise(args)) => exercise::exercise(args, screen),
+        Some(Command::Grade(args)) => grade::grade(args, screen),
         Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),

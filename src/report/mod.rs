@@ -16,6 +16,7 @@ mod csv_dialect;
 mod curves;
 mod difference;
 mod errors;
+mod exercise;
 mod forces;
 mod forces_page;
 mod least;
@@ -48,6 +49,10 @@ pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
 pub use curves::curves_csv;
 pub use difference::Pairing;
 pub use errors::Missing;
+pub use exercise::{
+    AnswerFile, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers, class_csv,
+    class_page,
+};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};

@@ -63,6 +63,7 @@ mod rate;
 mod reader;
 mod redundant;
 mod resolve;
+mod retell;
 mod rewrite;
 mod slide;
 mod syntax;

@@ -44,6 +44,7 @@ mod frame;
 mod known;
 mod lanes;
 mod lu;
+mod margin;
 mod methods;
 mod motion;
 mod network;

@@ -9,8 +9,10 @@
 //! outside, and no text goes out.
 
 mod cycle;
+mod exercise;
 mod findings;
 mod front;
+mod grading;
 mod iterations;
 pub mod motor;
 mod rk4;
@@ -18,8 +20,13 @@ mod spread;
 mod tally;
 
 pub use crate::solver::{Method, Start, Unfit};
+pub use exercise::{Exercise, ExerciseMaker, ExerciseTitles};
 pub use findings::{
     Finding, Findings, IterationCounts, MethodErrors, MethodFigures, MethodVerdict,
+};
+pub use grading::{
+    AnswerKey, AskedFigure, ChainGroup, ChainSlot, ChainValues, FigureVerdict, GivenAnswer,
+    RoundedEarly, SolutionChain, WrittenFigure,
 };
 pub use iterations::{
     Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,

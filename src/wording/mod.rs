@@ -28,6 +28,7 @@ pub(crate) trait Words:
     + EditingWords
     + ErrorsWords
     + ExamplesWords
+    + ExercisesWords
     + ExportsWords
     + FaultsWords
     + FiguresWords

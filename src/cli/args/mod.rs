@@ -1,5 +1,6 @@
 //! The command line as its users write it.
 
+mod exercise;
 mod figures;
 mod language;
 mod motor;
@@ -8,6 +9,7 @@ mod report;
 mod spreadsheet;
 mod workbench;
 
+pub(super) use exercise::{ExerciseArgs, GradeArgs, GradeFormat};
 pub(super) use figures::{
     AccuracyArgs, ExplainArgs, OutputFormat, SweepArgs, TableArgs, TextFormat,
 };
@@ -69,6 +71,10 @@ pub(super) enum Command {
     Explain(ExplainArgs),
     #[command(about = words().does_report(), after_help = words().examples_of_report())]
     Report(ReportArgs),
+    #[command(about = words().does_exercise(), after_help = words().examples_of_exercise())]
+    Exercise(ExerciseArgs),
+    #[command(about = words().does_grade(), after_help = words().examples_of_grade())]
+    Grade(GradeArgs),
     #[command(about = words().does_draw(), after_help = words().examples_of_draw())]
     Draw(DrawArgs),
     #[command(about = words().does_sweep(), after_help = words().examples_of_sweep())]

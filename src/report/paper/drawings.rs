@@ -21,7 +21,7 @@ const MOST_CUT_FREE: usize = 12;
 
 impl ReportedState<'_> {
     /// The linkage in its state.
-    pub(super) fn drawing(&self, page: &mut Page) {
+    pub(in crate::report) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
         let caption = words().drawing_of(&self.scene.name, &self.state.at(), unit);

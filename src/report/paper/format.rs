@@ -38,6 +38,17 @@ impl ReportFormat {
         }
     }
 
+    /// The usual ending of a file's name.
+    #[must_use]
+    pub fn ending(self) -> &'static str {
+        match self {
+            ReportFormat::Html => "html",
+            ReportFormat::Latex => "tex",
+            ReportFormat::Markdown => "md",
+            ReportFormat::Text => "txt",
+        }
+    }
+
     /// The one that a file is to have by the ending of its name.
     #[must_use]
     pub fn of_ending(path: &Path) -> Option<ReportFormat> {

@@ -8,7 +8,7 @@ use crate::wording::words;
 
 impl ReportedState<'_> {
     /// The tables of an order before anything is found.
-    pub(super) fn asked(&self, order: Order, page: &mut Page) {
+    pub(in crate::report) fn asked(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
         self.tables(order, VectorFigure::asked, page);
     }

@@ -27,7 +27,7 @@ pub struct Report {
 }
 
 /// What a report is written from.
-struct ReportedState<'a> {
+pub(super) struct ReportedState<'a> {
     scene: &'a Scene,
     solver: &'a Solver,
     state: &'a State,
@@ -42,8 +42,22 @@ impl Report {
     /// digits.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
+        Report {
+            page: ReportedState::new(scene, solver, state, digits).page(),
+        }
+    }
+}
+
+impl<'a> ReportedState<'a> {
+    /// A state that was solved as far as there is anything, to so many significant digits.
+    pub(super) fn new(
+        scene: &'a Scene,
+        solver: &'a Solver,
+        state: &'a State,
+        digits: usize,
+    ) -> ReportedState<'a> {
         let working = Working::new(scene, solver);
-        let reported = ReportedState {
+        ReportedState {
             loops: working.loop_vectors(scene, solver, state, digits),
             reach: Reach::of(scene, solver),
             working,
@@ -51,14 +65,16 @@ impl Report {
             solver,
             state,
             digits,
-        };
-        Report {
-            page: reported.page(),
         }
     }
 }
 
 impl ReportedState<'_> {
+    /// Whether there are tables with a column per vector.
+    pub(super) fn has_loops(&self) -> bool {
+        !self.loops.is_empty()
+    }
+
     fn has_positions(&self) -> bool {
         self.state.condition() != Condition::NoAssembly
     }

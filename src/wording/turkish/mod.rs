@@ -10,6 +10,7 @@ mod configuration;
 mod editing;
 mod errors;
 mod examples;
+mod exercises;
 mod exports;
 mod faults;
 mod figures;

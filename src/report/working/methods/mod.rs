@@ -9,6 +9,7 @@ mod problem;
 mod reduced;
 
 pub use guess::{Guess, GuessError};
+pub(super) use problem::kind;
 
 use super::draft::{Context, Draft};
 use super::stages::{ProblemForm, Stage};

@@ -41,7 +41,7 @@ impl LoopProblem {
     }
 }
 
-pub(super) fn kind(unknown: LoopUnknown) -> SoughtKind {
+pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> SoughtKind {
     match unknown {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => SoughtKind::Angle,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => SoughtKind::Length,

@@ -1,0 +1,153 @@
+//! `krank grade`: what became of the answers of one student, or of a class.
+
+use super::args::{GradeArgs, GradeFormat, OutputFormat};
+use super::commands::place;
+use super::exercise::AskedState;
+use super::failure::{Failure, note};
+use super::output::{write_text, write_to};
+use super::screen::TextScreen;
+use super::source::{SolvableScene, find, load};
+use crate::files::read_any;
+use crate::page::TextStyle;
+use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page};
+use crate::scene::LARGEST_FILE;
+use crate::wording::words;
+use std::path::{Path, PathBuf, is_separator};
+
+/// Grades every file; one that cannot be graded is told, and the others are graded all the same.
+pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.csv.dialect(match args.format {
+        GradeFormat::Text => OutputFormat::Text,
+        GradeFormat::Csv => OutputFormat::Csv,
+    })?;
+    let mut grader = Grader {
+        args,
+        screen,
+        sheets: Vec::new(),
+    };
+    if !args.sheet.is_dir() {
+        grader.sheet(&args.sheet)?;
+    }
+    let mut class = Vec::new();
+    let mut missing = 0;
+    for file in &args.answers {
+        match grader.graded(file) {
+            Ok(graded) => class.push(graded),
+            Err(failure) if args.answers.len() == 1 => return Err(failure),
+            Err(failure) => {
+                failure.tell(screen);
+                missing += 1;
+            }
+        }
+    }
+    let path = args.output.output.as_deref();
+    let style = TextStyle::plain(screen.ascii);
+    match (args.format, &class[..]) {
+        (GradeFormat::Csv, class) => write_to(path, |out| class_csv(class, dialect, out))?,
+        (GradeFormat::Text, [one]) => write_text(path, &one.page().to_text(style))?,
+        (GradeFormat::Text, class) => write_text(path, &class_page(class).to_text(style))?,
+    }
+    match missing {
+        0 => Ok(()),
+        some => Err(Failure::Usage(
+            words().some_not_graded(some, args.answers.len()),
+        )),
+    }
+}
+
+/// Grades files, and keeps the sheets that they name.
+struct Grader<'a> {
+    args: &'a GradeArgs,
+    screen: TextScreen,
+    sheets: Vec<OpenSheet>,
+}
+
+/// A sheet that was opened.
+struct OpenSheet {
+    path: PathBuf,
+    scene: SolvableScene,
+    asked: AskedState,
+}
+
+impl Grader<'_> {
+    /// The sheet of a file, opened once.
+    fn sheet(&mut self, path: &Path) -> Result<&OpenSheet, Failure> {
+        let place_of = |sheets: &[OpenSheet]| sheets.iter().position(|s| s.path == path);
+        let known = match place_of(&self.sheets) {
+            Some(known) => known,
+            None => {
+                let scene = load(&find(path)?, &self.args.assembly.wishes)?;
+                let SolvableScene { scene: of, solver } = &scene;
+                let at = place(&self.args.place, of, solver, self.screen);
+                let asked = AskedState::new(of, solver, at)?;
+                self.sheets.push(OpenSheet {
+                    path: path.to_owned(),
+                    scene,
+                    asked,
+                });
+                self.sheets.len() - 1
+            }
+        };
+        Ok(&self.sheets[known])
+    }
+
+    /// One file, graded by the sheet that was named, or by the one of the folder that it names itself.
+    fn graded(&mut self, path: &Path) -> Result<GradedAnswers, Failure> {
+        let shown = path.display().to_string();
+        let file = answers(path, &shown)?;
+        let is_folder = self.args.sheet.is_dir();
+        let sheet = match is_folder {
+            true => named_sheet(&self.args.sheet, path, &file)?,
+            false => self.args.sheet.clone(),
+        };
+        let name = sheet.file_name().unwrap_or(sheet.as_os_str());
+        let name = name.to_string_lossy().into_owned();
+        if let Some(named) = file
+            .sheet
+            .as_ref()
+            .filter(|own| !is_folder && **own != name)
+        {
+            note(
+                &words().answers_another_sheet(&shown, named, &name),
+                self.screen,
+            );
+        }
+        let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
+        let key = asked.key(&scene.scene, &scene.solver, &file.names());
+        let student = path.file_stem().unwrap_or_default().to_string_lossy();
+        Ok(GradedAnswers::new(&key, &file, &student, &name))
+    }
+}
+
+/// The answers in a file.
+fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
+    let bytes = read_any(path, LARGEST_FILE)
+        .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
+    if bytes.len() > LARGEST_FILE {
+        return Err(Failure::Usage(words().too_many_answers(shown)));
+    }
+    AnswerFile::read(&bytes).map_err(|why| {
+        Failure::Usage(match why {
+            NoAnswers::NoFigure => words().holds_no_answers(shown),
+            NoAnswers::TooLong => words().too_many_answers(shown),
+        })
+    })
+}
+
+/// The scene in a folder that a file of answers names, or that bears the file's own name. A student's file names none
+/// outside the folder.
+fn named_sheet(folder: &Path, path: &Path, file: &AnswerFile) -> Result<PathBuf, Failure> {
+    let own = || {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        format!("{stem}.toml")
+    };
+    let name = file.sheet.clone().unwrap_or_else(own);
+    let sheet = folder.join(&name);
+    let is_inside = name.ends_with(".toml") && !name.contains(is_separator);
+    match is_inside && sheet.is_file() {
+        true => Ok(sheet),
+        false => Err(Failure::Usage(
+            words().names_no_sheet(&path.display().to_string(), &name),
+        )),
+    }
+}

@@ -1,0 +1,121 @@
+//! The answers of a class: a row for each student.
+
+use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
+use crate::page::{Page, Table};
+use crate::report::csv_dialect::{CsvDialect, CsvSheet};
+use crate::study::FigureVerdict;
+use crate::wording::words;
+use std::io::{self, Write};
+
+/// The columns: a promise.
+const HEADS: [&str; 17] = [
+    "student", "sheet", "figures", "points", "right", "rounded", "followed", "sign", "unit",
+    "assembly", "wrong", "empty", "first", "verdict", "mistake", "why", "answer",
+];
+
+/// Writes a row for each student: who, how many figures of each verdict, the first figure that is not right and the
+/// first that is worth no point, each with its verdict.
+///
+/// # Errors
+/// What the output says.
+pub fn class_csv(
+    class: &[GradedAnswers],
+    dialect: CsvDialect,
+    to: &mut dyn Write,
+) -> io::Result<()> {
+    let mut rows = CsvSheet::new(dialect, to);
+    rows.record(HEADS)?;
+    for one in class {
+        let mut cells = vec![one.student.clone(), one.sheet.clone()];
+        cells.extend(numbers(one).map(|number| number.to_string()));
+        let named = |figure: Option<&GradedFigure>| match figure {
+            Some(figure) => [
+                figure.quantity.name.clone(),
+                code(figure.verdict).to_owned(),
+            ],
+            None => Default::default(),
+        };
+        cells.extend(named(one.first()));
+        cells.extend(named(one.mistake()));
+        cells.push(
+            one.mistake()
+                .map_or_else(String::new, |f| f.written.clone()),
+        );
+        rows.record(cells.iter().map(|cell| harmless(cell)))?;
+    }
+    rows.finish()
+}
+
+/// The same to be read.
+#[must_use]
+pub fn class_page(class: &[GradedAnswers]) -> Page {
+    let mut page = Page::default();
+    let heads = [
+        words().points_head(),
+        words().figures_head(),
+        words().first_mistake_head(),
+        words().judged(),
+    ];
+    let mut table = Table::new(words().student(), heads);
+    for one in class {
+        let points = one.counts().points().to_string();
+        let mistake = one.mistake();
+        let [name, verdict] = match mistake {
+            Some(figure) => [figure.quantity.name.clone(), one.told(figure)],
+            None => ["-".to_owned(), "-".to_owned()],
+        };
+        let figures = one.figures.len().to_string();
+        table.row(one.student.clone(), [points, figures, name, verdict]);
+    }
+    page.table(table);
+    page
+}
+
+fn numbers(one: &GradedAnswers) -> [usize; 10] {
+    let counts = one.counts();
+    let VerdictCounts {
+        right,
+        rounded,
+        followed,
+        sign,
+        unit,
+        assembly,
+        wrong,
+        empty,
+    } = counts;
+    [
+        one.figures.len(),
+        counts.points(),
+        right,
+        rounded,
+        followed,
+        sign,
+        unit,
+        assembly,
+        wrong,
+        empty,
+    ]
+}
+
+/// A verdict as the columns are called.
+fn code(verdict: FigureVerdict) -> &'static str {
+    match verdict {
+        FigureVerdict::Right => "right",
+        FigureVerdict::Rounded(_) => "rounded",
+        FigureVerdict::Followed(_) => "followed",
+        FigureVerdict::Sign | FigureVerdict::Opposite => "sign",
+        FigureVerdict::OtherUnit(_) => "unit",
+        FigureVerdict::OtherAssembly => "assembly",
+        FigureVerdict::Wrong | FigureVerdict::Unreadable => "wrong",
+        FigureVerdict::Empty => "empty",
+    }
+}
+
+/// A cell that a spreadsheet takes for no formula: students write into their files what they like.
+fn harmless(cell: &str) -> String {
+    let is_number = cell.replace(',', ".").parse::<f64>().is_ok();
+    match cell.starts_with(['=', '+', '-', '@']) && !is_number {
+        true => format!("'{cell}"),
+        false => cell.to_owned(),
+    }
+}

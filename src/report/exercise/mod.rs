@@ -1,0 +1,16 @@
+//! Exercises on paper and in a spreadsheet: what is asked, files to answer in, and what became of them.
+
+mod asked;
+mod blank;
+mod class;
+mod graded;
+mod sheet;
+
+pub use asked::answer_key;
+pub use blank::{AnswerFile, NoAnswers, blank_answers};
+pub use class::class_csv;
+pub use class::class_page;
+pub use graded::{GradedAnswers, GradedFigure};
+
+#[cfg(test)]
+mod tests;

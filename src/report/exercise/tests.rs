@@ -1,0 +1,289 @@
+//! The figures that the lecture notes print, graded; and answers that are wrong in one way each.
+
+use super::*;
+use crate::scene::{Scene, presets};
+use crate::solver::{Order, Solver};
+use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
+use proptest::prelude::*;
+
+fn key(name: &str, more: &[String]) -> AnswerKey {
+    let preset = presets::find(name).unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut enclosure);
+    answer_key(&scene, &solver, state.state(), enclosure.state(), more)
+}
+
+/// `figure answer` line by line, graded.
+fn graded(name: &str, answers: &str) -> GradedAnswers {
+    let rows = answers.lines().map(|line| {
+        let (figure, answer) = line.trim().split_once(' ').unwrap();
+        format!("{figure};;{answer}\n")
+    });
+    let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
+    let key = key(name, &file.names());
+    GradedAnswers::new(&key, &file, "notes", name)
+}
+
+/// What was answered, and the verdicts in words.
+fn told(name: &str, answers: &str) -> Vec<String> {
+    let graded = graded(name, answers);
+    let all = graded.figures.iter();
+    let answered = all.filter(|figure| figure.verdict != FigureVerdict::Empty);
+    answered
+        .map(|figure| {
+            let name = &figure.quantity.name;
+            format!("{name} {}: {}", figure.written, graded.told(figure))
+        })
+        .collect()
+}
+
+#[test]
+fn week_4_is_explained_by_its_rounded_angle() {
+    let notes = "r4.length 28,0
+        r3.angle 345,5
+        r3.omega -89,45
+        r4.rate -1447,93
+        r3.alpha 8259
+        r4.accel -459977,6";
+    assert_eq!(
+        told("slider-crank", notes),
+        [
+            "r3.angle 345,5: right",
+            "r4.length 28,0: right",
+            "r3.omega -89,45: rounded early: r3.angle as 345,5",
+            "r4.rate -1447,93: rounded early: r3.angle as 345,5",
+            "r3.alpha 8259: rounded early: r3.angle as 345,5",
+            "r4.accel -459977,6: rounded early: r3.angle as 345,5",
+        ]
+    );
+}
+
+#[test]
+fn the_slip_of_sign_of_week_4_is_told() {
+    let notes = "r4.length -28\nr3.angle -14.47";
+    assert_eq!(
+        told("slider-crank", notes),
+        [
+            "r3.angle -14.47: cut off, not rounded",
+            "r4.length -28: wrong in sign",
+        ]
+    );
+    // The other root, with the angle that belongs to it.
+    let other = "r3.angle 194.4775\nr4.length -10.7047\nr4.rate 0";
+    let graded = graded("slider-crank", other);
+    let verdicts: Vec<_> = graded.figures.iter().map(|f| f.verdict).collect();
+    assert_eq!(verdicts[..2], [FigureVerdict::OtherAssembly; 2]);
+}
+
+#[test]
+fn weeks_3_and_7_are_right_but_for_what_was_rounded() {
+    let notes = "r3.angle 29.38
+        r4.angle 290.75
+        r3.omega -3.916
+        r4.omega 3.091
+        r3.alpha 42.27
+        r4.alpha 95.5
+        B.a 22500
+        B.a.angle 240
+        C.a 23994.18
+        C.a.angle 206.47
+        C.a.t 22495
+        r3.com.a 22260
+        r3.com.a.angle 222.68
+        r4.com.a 11997.09
+        r4.com.a.angle 206.47";
+    let told = told("four-bar", notes);
+    let rounded = [
+        "C.a 23994.18: rounded early: r4.alpha as 95.5",
+        "r4.com.a 11997.09: rounded early: r4.alpha as 95.5",
+        "C.a.t 22495: wrong",
+    ];
+    for line in &told {
+        assert!(
+            line.ends_with(": right") || rounded.contains(&line.as_str()),
+            "{line}"
+        );
+    }
+    for line in rounded {
+        assert!(told.contains(&line.to_owned()), "{line}: {told:#?}");
+    }
+    let drawn = "r3.angle 29.3795\nr4.angle 290.7520";
+    let drawn = self::told("four-bar", drawn);
+    let expected = [
+        "r3.angle 29.3795: rounded early",
+        "r4.angle 290.7520: rounded early",
+    ];
+    assert_eq!(drawn, expected);
+}
+
+#[test]
+fn each_mistake_has_its_name() {
+    for (answer, verdict) in [
+        ("r3.angle 0.5128", "in rad"),
+        ("r3.angle 29,379 deg", "right"),
+        ("r3.angle 389.379", "right"),
+        ("r3.angle 209.379", "the other way round"),
+        ("r3.angle -29.379", "wrong in sign"),
+        ("r3.angle 35", "wrong"),
+        ("r3.angle no", "no figure"),
+        ("r3.omega -37.40", "in rpm"),
+        ("r3.omega -224.4", "in deg/s"),
+        ("r3.omega 3.916", "wrong in sign"),
+        ("r3.omega -4", "too few digits"),
+        ("r3.alpha 2421.7", "in deg/s^2"),
+        ("C.v 0.77277", "in m/s"),
+        ("C.v 77.277", "in cm/s"),
+        ("C.a 23995.1", "right"),
+        ("C.a 2.40e4", "right"),
+        ("C.a 23990", "rounded early"),
+    ] {
+        let told = told("four-bar", answer);
+        let (written, _) = answer.split_once(' ').unwrap();
+        assert!(
+            told[0].ends_with(&format!(": {verdict}")),
+            "{answer}: {told:?}"
+        );
+        assert!(told[0].starts_with(written) && told.len() == 1, "{told:?}");
+    }
+}
+
+/// A crank that is 10 degrees off with all that follows from it: one mistake, and the rest is right by it.
+#[test]
+fn what_follows_from_a_mistake_is_right_by_it() {
+    let answers = "r3.angle 39.379
+        r4.angle 290.7525
+        r3.omega -4.1155
+        r4.omega 2.1476";
+    let graded = graded("four-bar", answers);
+    let mistake = graded.mistake().unwrap();
+    assert_eq!(mistake.quantity.name, "r3.angle");
+    let verdict = |name: &str| {
+        let mut figures = graded.figures.iter();
+        figures.find(|f| f.quantity.name == name).unwrap().verdict
+    };
+    assert_eq!(verdict("r3.angle"), FigureVerdict::Wrong);
+    // By hand: the equation multiplied by the unit vector along r4, then along r3.
+    let (w2, t2, t3, t4) = (15.0, 60_f64, 39.379_f64, 290.7525_f64);
+    let sin = |degrees: f64| degrees.to_radians().sin();
+    let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
+    let w4 = -100.0 * w2 * sin(t2 - t3) / (250.0 * sin(t4 - t3));
+    let again = format!("r3.angle 39.379\nr4.angle 290.7525\nr3.omega {w3:.4}\nr4.omega {w4:.4}");
+    let again = told("four-bar", &again);
+    assert_eq!(again[2], format!("r3.omega {w3:.4}: right by r3.angle"));
+    assert_eq!(again[3], format!("r4.omega {w4:.4}: right by r3.angle"));
+    assert!(matches!(
+        verdict("r4.angle"),
+        FigureVerdict::Right | FigureVerdict::Rounded(RoundedEarly::Near)
+    ));
+}
+
+#[test]
+fn the_other_assembly_of_a_four_bar_is_known() {
+    let preset = presets::find("four-bar").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let group = solver.plan().numbered().nth(1).unwrap().0;
+    let choices = solver.choices(60.0, group);
+    let other = choices.iter().find(|choice| !choice.is_current).unwrap();
+    let r3 = scene.mechanism.link_ids().nth(1).unwrap();
+    let angle = other.state.angle(r3).unwrap();
+    let told = told("four-bar", &format!("r3.angle {angle:.3}"));
+    assert_eq!(told, [format!("r3.angle {angle:.3}: of another assembly")]);
+}
+
+/// The exact figures of every preset, to six digits, are right; and none is asked for twice.
+#[test]
+fn exact_figures_are_right_in_every_preset() {
+    for preset in presets::all() {
+        let key = key(preset.name, &[]);
+        assert!(!key.figures.is_empty(), "{}", preset.name);
+        let rows = key.figures.iter().map(|f| {
+            let name = &f.quantity.name;
+            format!("{name};;{:.5e}\n", f.exact)
+        });
+        let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
+        let graded = GradedAnswers::new(&key, &file, "x", "y");
+        assert_eq!(graded.strangers, [""; 0]);
+        for (figure, asked) in graded.figures.iter().zip(&key.figures) {
+            // Of a large angle five decimals are left.
+            assert_eq!(
+                figure.verdict,
+                FigureVerdict::Right,
+                "{} {asked:?}",
+                preset.name
+            );
+        }
+        let mut names = file.names();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), key.figures.len(), "{}", preset.name);
+    }
+}
+
+/// What is asked of the lectures' scenes: every star of their tables, and the points.
+#[test]
+fn what_is_asked_is_what_has_a_star() {
+    let names = |scene: &str| -> Vec<String> {
+        let figures = key(scene, &[]).figures.into_iter();
+        figures.map(|f| f.quantity.name).collect()
+    };
+    let slider = [
+        "r3.angle",
+        "r4.length",
+        "r3.omega",
+        "r4.rate",
+        "r3.alpha",
+        "r4.accel",
+        "B.v",
+        "B.v.angle",
+        "C.v",
+        "C.v.angle",
+        "r3.com.v",
+        "r3.com.v.angle",
+        "B.a",
+        "B.a.angle",
+        "C.a",
+        "C.a.angle",
+        "r3.com.a",
+        "r3.com.a.angle",
+    ];
+    assert_eq!(names("slider-crank"), slider);
+    let press = names("press");
+    for name in [
+        "r3.angle",
+        "r4.angle",
+        "r5.omega",
+        "r6.alpha",
+        "r4e.angle",
+        "F.a",
+    ] {
+        assert!(press.contains(&name.to_owned()), "{name}: {press:?}");
+    }
+    // It turns with r4, and is not asked for once more.
+    assert!(!press.contains(&"r4e.omega".to_owned()));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    /// Whatever stands in a file of answers, there is a verdict for every figure.
+    #[test]
+    fn no_answer_ends_in_a_panic(
+        answers in prop::collection::vec((0_usize..40, "[-+]?[0-9]{0,5}[.,]?[0-9]{0,4}(e-?[0-9]{1,3})?|.{0,12}"), 1..30),
+    ) {
+        let key = key("slider-crank", &[]);
+        let rows = answers.iter().map(|(number, answer)| {
+            let figure = key.figures.get(*number).map_or("x.y", |f| f.quantity.name.as_str());
+            format!("{figure};;{answer}\n")
+        });
+        if let Ok(file) = AnswerFile::read(rows.collect::<String>().as_bytes()) {
+            let graded = GradedAnswers::new(&key, &file, "x", "y");
+            prop_assert_eq!(graded.figures.len(), key.figures.len());
+            let _ = graded.page();
+            let mut text = Vec::new();
+            class_csv(&[graded], Default::default(), &mut text).unwrap();
+        }
+    }
+}

@@ -1,0 +1,354 @@
+//! The loop equations of a scene as a chain in which figures follow from each other.
+
+use super::Working;
+use super::draft::Context;
+use super::polygon::Term;
+use super::sides::{Locks, SideShape, Turns};
+use super::stages::LoopUnknown;
+use crate::scene::Scene;
+use crate::solver::{Order, Solver, State};
+use crate::study::{ChainGroup, LoopSum, SolutionChain, SoughtKind, SoughtVector, VectorPart};
+use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
+
+impl Working {
+    /// How the figures of a state follow from each other; `None` where it has no rates, or the loops do not tell all that
+    /// is sought.
+    #[must_use]
+    pub fn chain(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<SolutionChain> {
+        if !state.has(Order::Acceleration) {
+            return None;
+        }
+        let context = self.context(scene, solver, state, DIGITS);
+        Variables::new(&context).chain(&context)
+    }
+
+    /// The values of the chain's variables in another state, of another assembly perhaps: angles in rad.
+    #[must_use]
+    pub fn positions(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<Vec<f64>> {
+        let context = self.context(scene, solver, state, DIGITS);
+        let position = |unknown: &LoopUnknown| match *unknown {
+            LoopUnknown::Angle(link) => state.angle(link).map(angle::radians),
+            LoopUnknown::Travel(slide) => Some(state.travel(slide)?.position),
+            LoopUnknown::Length(_) | LoopUnknown::Direction(_) => None,
+        };
+        let variables = Variables::new(&context);
+        variables.list.iter().map(position).collect()
+    }
+}
+
+/// Nothing is written from it.
+const DIGITS: usize = 6;
+
+/// The variables of the loops, the driver's coordinate first.
+struct Variables {
+    list: Vec<LoopUnknown>,
+}
+
+impl Variables {
+    fn new(context: &Context<'_>) -> Variables {
+        let driver = match context.scene.mechanism.driver().input {
+            Input::Turn(link) => LoopUnknown::Angle(link),
+            Input::Push(slide) => LoopUnknown::Travel(slide),
+        };
+        let groups = context.stages.iter().filter(|stage| stage.group.is_some());
+        let sought = groups.flat_map(|stage| stage.unknowns.iter().copied());
+        Variables {
+            list: std::iter::once(driver).chain(sought).collect(),
+        }
+    }
+
+    fn find(&self, unknown: LoopUnknown) -> Option<usize> {
+        self.list.iter().position(|own| *own == unknown)
+    }
+
+    fn chain(&self, context: &Context<'_>) -> Option<SolutionChain> {
+        let mechanism = &context.scene.mechanism;
+        let mut groups = Vec::new();
+        for stage in context.stages.iter().filter(|stage| stage.group.is_some()) {
+            let loops = stage.loops.iter().map(|&number| {
+                let terms = &context.polygon.loops.get(number)?.terms;
+                self.sum(context, terms)
+            });
+            let sought = stage.unknowns.iter().map(|&unknown| self.find(unknown));
+            groups.push(ChainGroup {
+                loops: loops.collect::<Option<_>>()?,
+                sought: sought.collect::<Option<_>>()?,
+            });
+        }
+        let links = mechanism.link_ids();
+        let links: Option<Vec<_>> = links.map(|link| self.angle(context, link)).collect();
+        let links = links?;
+        let slides = mechanism.slide_ids();
+        let slides: Option<Vec<_>> = slides
+            .map(|slide| Some([self.travel(slide)?, guide(mechanism, slide, &links)?]))
+            .collect();
+        let slides = slides?;
+        Some(SolutionChain {
+            kinds: self.list.iter().map(|unknown| kind(*unknown)).collect(),
+            exact: self
+                .list
+                .iter()
+                .map(|unknown| exact(context, *unknown))
+                .collect::<Option<_>>()?,
+            groups,
+            points: ways(mechanism, &links, &slides),
+            links,
+            slides,
+        })
+    }
+
+    /// A loop as a sum.
+    fn sum(&self, context: &Context<'_>, terms: &[Term]) -> Option<LoopSum> {
+        let mut sum = LoopSum::default();
+        for term in terms {
+            let side = context.polygon.sides.get(term.side)?;
+            let reading = context.readings.get(term.side)?;
+            let angle = match side.turns {
+                Turns::Never => VectorPart::Known(angle::radians(reading.theta)),
+                Turns::With(link, offset) => {
+                    VectorPart::Sought(self.root(link)?, angle::radians(offset))
+                }
+                Turns::Freely => return None,
+            };
+            let length = match side.shape {
+                SideShape::Slide(slide) => self.travel(slide)?,
+                SideShape::Link(_) | SideShape::Rigid(..) => VectorPart::Known(reading.r),
+                SideShape::Free(..) => return None,
+            };
+            sum.sought.push(SoughtVector {
+                sign: if term.reversed { -1.0 } else { 1.0 },
+                length,
+                angle,
+            });
+        }
+        Some(sum)
+    }
+
+    fn root(&self, link: LinkId) -> Option<usize> {
+        self.find(LoopUnknown::Angle(link))
+    }
+
+    fn travel(&self, slide: SlideId) -> Option<VectorPart> {
+        let place = self.find(LoopUnknown::Travel(slide))?;
+        Some(VectorPart::Sought(place, 0.0))
+    }
+
+    /// The angle of a link, with what it turns.
+    fn angle(&self, context: &Context<'_>, link: LinkId) -> Option<VectorPart> {
+        let locks: &Locks = &context.polygon.locks;
+        Some(match locks.turns(Body::Link(link), 0.0) {
+            Turns::With(root, offset) => {
+                VectorPart::Sought(self.root(root)?, angle::radians(offset))
+            }
+            Turns::Never | Turns::Freely => {
+                VectorPart::Known(angle::radians(context.state.angle(link)))
+            }
+        })
+    }
+}
+
+fn kind(unknown: LoopUnknown) -> SoughtKind {
+    super::methods::kind(unknown)
+}
+
+/// The values of a variable in the state: of an angle in rad.
+fn exact(context: &Context<'_>, unknown: LoopUnknown) -> Option<[f64; 3]> {
+    let state = context.state;
+    Some(match unknown {
+        LoopUnknown::Angle(link) => [
+            angle::radians(state.angle(link)),
+            state.omega(link),
+            state.alpha(link),
+        ],
+        LoopUnknown::Travel(slide) => {
+            let travel = state.travel(slide);
+            [travel.position, travel.rate, travel.accel]
+        }
+        LoopUnknown::Length(_) | LoopUnknown::Direction(_) => return None,
+    })
+}
+
+/// The angle of a guide.
+fn guide(mechanism: &Mechanism, slide: SlideId, links: &[VectorPart]) -> Option<VectorPart> {
+    let slide = mechanism.slide(slide);
+    let own = angle::radians(slide.angle);
+    turned(slide.on, own, links)
+}
+
+/// A direction at an angle to a body.
+fn turned(body: Body, by: f64, links: &[VectorPart]) -> Option<VectorPart> {
+    Some(match body {
+        Body::Ground => VectorPart::Known(by),
+        Body::Link(link) => match *links.get(link.index())? {
+            VectorPart::Known(angle) => VectorPart::Known(angle + by),
+            VectorPart::Sought(place, more) => VectorPart::Sought(place, more + by),
+        },
+    })
+}
+
+/// The shortest way to every point, over links and guides.
+fn ways(
+    mechanism: &Mechanism,
+    links: &[VectorPart],
+    slides: &[[VectorPart; 2]],
+) -> Vec<Option<LoopSum>> {
+    let points = mechanism.points().iter();
+    let mut ways: Vec<Option<LoopSum>> = points
+        .map(|point| {
+            Some(LoopSum {
+                known: point.ground?,
+                sought: Vec::new(),
+            })
+        })
+        .collect();
+    let mut waiting: Vec<PointId> = Vec::new();
+    waiting.extend(mechanism.point_ids().filter(|p| has(&ways, *p)));
+    let ground = mechanism.slide_ids();
+    let ground = ground.filter(|slide| mechanism.slide(*slide).on == Body::Ground);
+    for slide in ground.collect::<Vec<_>>() {
+        let start = LoopSum {
+            known: mechanism.slide(slide).through,
+            sought: Vec::new(),
+        };
+        let point = mechanism.slide(slide).slider.point();
+        if let Some(way) = along(slides, slide, start)
+            && reach(&mut ways, point, way)
+        {
+            waiting.push(point);
+        }
+    }
+    let mut next = 0;
+    while let Some(&point) = waiting.get(next) {
+        next += 1;
+        for (reached, way) in steps(mechanism, links, slides, point, &ways) {
+            if reach(&mut ways, reached, way) {
+                waiting.push(reached);
+            }
+        }
+    }
+    ways
+}
+
+fn has(ways: &[Option<LoopSum>], point: PointId) -> bool {
+    ways.get(point.index()).is_some_and(Option::is_some)
+}
+
+/// Keeps the first way to a point.
+fn reach(ways: &mut [Option<LoopSum>], point: PointId, way: LoopSum) -> bool {
+    match ways.get_mut(point.index()) {
+        Some(place @ None) => {
+            *place = Some(way);
+            true
+        }
+        _ => false,
+    }
+}
+
+/// From a point along every link that carries it, to the points of that and along the guides on it.
+fn steps(
+    mechanism: &Mechanism,
+    links: &[VectorPart],
+    slides: &[[VectorPart; 2]],
+    from: PointId,
+    ways: &[Option<LoopSum>],
+) -> Vec<(PointId, LoopSum)> {
+    let mut steps = Vec::new();
+    let Some(Some(way)) = ways.get(from.index()) else {
+        return steps;
+    };
+    for &link in &mechanism.point(from).links {
+        let body = Body::Link(link);
+        let Some(origin) = mechanism.link(link).local(from) else {
+            continue;
+        };
+        let to = |local: Vec2| {
+            let vector = local - origin;
+            let mut way = way.clone();
+            if vector != Vec2::ZERO {
+                way.sought.push(SoughtVector {
+                    sign: 1.0,
+                    length: VectorPart::Known(vector.norm()),
+                    angle: turned(body, vector.y.atan2(vector.x), links)?,
+                });
+            }
+            Some(way)
+        };
+        for member in &mechanism.link(link).members {
+            steps.extend(to(member.local).map(|way| (member.point, way)));
+        }
+        for slide in mechanism.slide_ids() {
+            let given = mechanism.slide(slide);
+            if given.on == body
+                && let Some(way) = to(given.through).and_then(|way| along(slides, slide, way))
+            {
+                steps.push((given.slider.point(), way));
+            }
+        }
+    }
+    steps
+}
+
+/// A way that goes on along a guide.
+fn along(slides: &[[VectorPart; 2]], slide: SlideId, mut way: LoopSum) -> Option<LoopSum> {
+    let [length, angle] = *slides.get(slide.index())?;
+    way.sought.push(SoughtVector {
+        sign: 1.0,
+        length,
+        angle,
+    });
+    Some(way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Catalogue;
+    use crate::scene::presets;
+    use crate::solver::Condition;
+
+    /// Where nothing is given but the driver, the chain finds what the solver has found.
+    #[test]
+    fn every_figure_of_every_preset_follows_from_the_loops() {
+        let mut chained = 0;
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let mut state = solver.state();
+            let at = scene.mechanism.driver().start;
+            assert_eq!(
+                solver.solve(at, Order::Acceleration, &mut state),
+                Condition::Ok
+            );
+            let working = Working::new(&scene, &solver);
+            let Some(chain) = working.chain(&scene, &solver, &state) else {
+                println!("{}: no chain", preset.name);
+                continue;
+            };
+            chained += 1;
+            let values = chain.follow(&|_| None).unwrap();
+            let catalogue = Catalogue::new(&scene);
+            let figures = catalogue.figures();
+            for figure in figures.iter().filter(|f| f.order() <= Order::Acceleration) {
+                let own = figure.value(&state).unwrap();
+                let found = chain.figure(figure, &values);
+                let found = found.unwrap_or_else(|| panic!("{} {}", preset.name, figure.name));
+                let mut apart = (found - own).abs();
+                if figure.is_direction() {
+                    apart = apart.min(360.0 - apart);
+                }
+                let size = figures
+                    .iter()
+                    .filter(|f| f.unit == figure.unit)
+                    .filter_map(|f| f.value(&state))
+                    .fold(1.0, |most: f64, v| most.max(v.abs()));
+                assert!(
+                    apart <= 1e-9 * size,
+                    "{} {}: {found} for {own}",
+                    preset.name,
+                    figure.name
+                );
+            }
+        }
+        assert!(chained >= 20, "{chained}");
+    }
+}

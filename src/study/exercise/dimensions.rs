@@ -1,0 +1,254 @@
+//! Which numbers of a scene are its dimensions, and how they hang together.
+
+use super::agreeable::{agreeable, exactly};
+use super::chance::SeededChance;
+use crate::scene::{Measure, Scene, Value, ValueOwner};
+
+/// The dimensions of a scene.
+#[derive(Clone, Debug)]
+pub(super) struct Dimensions {
+    /// Different sizes: what is equal in the scene stays equal.
+    sizes: Vec<f64>,
+    list: Vec<Dimension>,
+}
+
+/// A number that is a dimension.
+#[derive(Clone, Debug)]
+struct Dimension {
+    value: Value,
+    rule: DimensionRule,
+}
+
+/// How a dimension follows from the sizes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum DimensionRule {
+    /// It is one of them, by its sign.
+    Size(usize),
+    /// It is so many halves of a size: a centre of mass at mid-length stays there.
+    Halves(usize, f64),
+    /// It grows with a size.
+    With(usize),
+    /// It grows with the whole: where a driven slide stands.
+    Whole,
+}
+
+/// How far the dimensions are to move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spread {
+    /// Each by itself, by up to so many percent.
+    Apart(u32),
+    /// All by the same factor.
+    Together,
+}
+
+/// The factors by which a whole scene is made larger or smaller: agreeable numbers stay agreeable.
+const FACTORS: [f64; 8] = [0.4, 0.5, 0.8, 1.2, 1.25, 1.5, 2.0, 2.5];
+/// The size of the whole, in percent.
+const WHOLE: [u32; 2] = [60, 160];
+
+impl Dimensions {
+    /// The dimensions of a scene: lengths of links, points on links and on the ground, guides, centres of mass.
+    pub(super) fn of(scene: &Scene) -> Dimensions {
+        let values: Vec<Value> = scene.values().into_iter().filter(is_dimension).collect();
+        let lengths: Vec<(String, f64)> = scene
+            .mechanism
+            .link_ids()
+            .filter_map(|link| {
+                let name = scene.link_name(link);
+                let own = format!("{name} length");
+                let length = values.iter().find(|v| v.name == own)?;
+                Some((format!("{name} "), length.number))
+            })
+            .collect();
+        let mut dimensions = Dimensions {
+            sizes: Vec::new(),
+            list: Vec::new(),
+        };
+        let link_of = |value: &Value| {
+            let of = lengths
+                .iter()
+                .filter(|(name, _)| value.name.starts_with(name));
+            of.max_by_key(|(name, _)| name.len())
+                .map(|(_, length)| *length)
+        };
+        // Lengths and points of the ground first: what lies on a link may follow from them.
+        let is_local = |value: &Value| value.measure == Measure::Coordinate && is_on(value, scene);
+        for value in values.iter().filter(|v| !is_local(v)) {
+            let rule = match value.owner {
+                ValueOwner::Driver => DimensionRule::Whole,
+                _ => DimensionRule::Size(dimensions.size(value.number)),
+            };
+            dimensions.push(value, rule);
+        }
+        for value in values.iter().filter(|v| is_local(v)) {
+            let rule = dimensions.local(value, link_of(value));
+            dimensions.push(value, rule);
+        }
+        dimensions
+    }
+
+    fn push(&mut self, value: &Value, rule: DimensionRule) {
+        let value = value.clone();
+        self.list.push(Dimension { value, rule });
+    }
+
+    fn find(&self, number: f64) -> Option<usize> {
+        let size = number.abs();
+        self.sizes.iter().position(|&own| own == size)
+    }
+
+    fn size(&mut self, number: f64) -> usize {
+        self.find(number).unwrap_or_else(|| {
+            self.sizes.push(number.abs());
+            self.sizes.len() - 1
+        })
+    }
+
+    /// A coordinate on a link, which may have a length.
+    fn local(&mut self, value: &Value, length: Option<f64>) -> DimensionRule {
+        let of_length = length.and_then(|length| Some((length, self.find(length)?)));
+        let Some((length, size)) = of_length else {
+            return DimensionRule::Size(self.size(value.number));
+        };
+        let halves = 2.0 * value.number / length;
+        if halves == halves.round() {
+            return DimensionRule::Halves(size, halves);
+        }
+        let is_centre = value.name.contains(" com ");
+        match self.find(value.number).filter(|_| !is_centre) {
+            Some(same) => DimensionRule::Size(same),
+            None => DimensionRule::With(size),
+        }
+    }
+
+    /// Whether there is anything to change.
+    pub(super) fn is_empty(&self) -> bool {
+        self.sizes.is_empty()
+    }
+
+    /// Other dimensions by chance: for each value what is to stand in its place.
+    pub(super) fn changed(
+        &self,
+        chance: &mut SeededChance,
+        spread: Spread,
+    ) -> Option<Vec<(Value, String)>> {
+        let texts = match spread {
+            Spread::Apart(percent) => self.apart(chance, percent)?,
+            Spread::Together => self.together(chance)?,
+        };
+        let values = self.list.iter().map(|dimension| dimension.value.clone());
+        Some(values.zip(texts).collect())
+    }
+
+    fn together(&self, chance: &mut SeededChance) -> Option<Vec<String>> {
+        let factor = *chance.one_of(&FACTORS)?;
+        let list = self.list.iter();
+        Some(list.map(|d| exactly(d.value.number * factor)).collect())
+    }
+
+    fn apart(&self, chance: &mut SeededChance, percent: u32) -> Option<Vec<String>> {
+        let [low, high] = WHOLE;
+        let whole = f64::from(chance.between(low, high)) / 100.0;
+        let mut sizes = Vec::with_capacity(self.sizes.len());
+        for size in &self.sizes {
+            let own = chance.between(100_u32.saturating_sub(percent), 100 + percent);
+            let size: f64 = agreeable(size * whole * f64::from(own) / 100.0)?
+                .parse()
+                .ok()?;
+            sizes.push(size);
+        }
+        let text = |d: &Dimension| {
+            let number = d.value.number;
+            match d.rule {
+                DimensionRule::Size(size) => Some(exactly(sizes.get(size)?.copysign(number))),
+                DimensionRule::Halves(size, halves) => {
+                    Some(exactly(sizes.get(size)? * halves / 2.0))
+                }
+                DimensionRule::Whole => agreeable(number * whole),
+                DimensionRule::With(size) => {
+                    agreeable(number * sizes.get(size)? / self.sizes.get(size)?)
+                }
+            }
+        };
+        self.list.iter().map(text).collect()
+    }
+}
+
+/// Whether a value is a dimension that is not 0: zeros place things on axes. What acts, where it starts and what a
+/// motor keeps is none.
+fn is_dimension(value: &Value) -> bool {
+    let is_length = matches!(value.measure, Measure::Length | Measure::Coordinate);
+    let is_of_part = matches!(value.owner, ValueOwner::Element(_) | ValueOwner::Driver);
+    is_length && is_of_part && value.number != 0.0 && !value.name.contains(" knot ")
+}
+
+/// Whether a value is a coordinate on a link.
+fn is_on(value: &Value, scene: &Scene) -> bool {
+    let mut links = scene.mechanism.link_ids();
+    links.any(|link| {
+        let behind = value.name.strip_prefix(scene.link_name(link));
+        behind.is_some_and(|behind| behind.starts_with(' '))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    fn changed(name: &str, spread: Spread) -> Vec<(String, String)> {
+        let preset = presets::find(name).unwrap();
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let dimensions = Dimensions::of(&scene);
+        let mut chance = SeededChance::new(5);
+        let changed = dimensions.changed(&mut chance, spread).unwrap();
+        changed.into_iter().map(|(v, t)| (v.name, t)).collect()
+    }
+
+    fn number(list: &[(String, String)], name: &str) -> f64 {
+        let found = list.iter().find(|(own, _)| own == name);
+        found
+            .unwrap_or_else(|| panic!("{name}: {list:?}"))
+            .1
+            .parse()
+            .unwrap()
+    }
+
+    #[test]
+    fn every_length_is_a_dimension_and_zeros_stay() {
+        let list = changed("four-bar", Spread::Apart(30));
+        let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
+        let all = [
+            "D x",
+            "r2 length",
+            "r3 length",
+            "r4 length",
+            "r3 com x",
+            "r4 com x",
+        ];
+        assert_eq!(names, all);
+        assert_eq!(number(&list, "r3 com x"), number(&list, "r3 length") / 2.0);
+    }
+
+    #[test]
+    fn what_is_equal_stays_equal() {
+        let list = changed("triple-parallelogram", Spread::Apart(30));
+        assert_eq!(number(&list, "r2 length"), number(&list, "r5 length"));
+        assert_eq!(number(&list, "D x"), number(&list, "r3 length"));
+        assert_eq!(number(&list, "H x"), number(&list, "r3 K x"));
+    }
+
+    #[test]
+    fn loads_and_what_they_keep_are_none() {
+        let list = changed("press-ram", Spread::Together);
+        assert!(
+            list.iter().all(|(name, _)| !name.contains("knot")),
+            "{list:?}"
+        );
+        assert!(
+            list.iter().any(|(name, _)| name == "r6 through x"),
+            "{list:?}"
+        );
+        assert!(list.iter().any(|(name, _)| name == "r4 E y"), "{list:?}");
+    }
+}

@@ -1,0 +1,129 @@
+use super::*;
+use crate::scene::presets;
+use crate::solver::Range;
+
+fn titles() -> ExerciseTitles {
+    ExerciseTitles {
+        name: "Exercise".into(),
+        source: "here".into(),
+        note: "so".into(),
+    }
+}
+
+fn open(name: &str) -> (Scene, Solver) {
+    let preset = presets::find(name).unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+/// The places of the motion, by every fifteenth degree.
+fn assembles_everywhere(solver: &Solver) -> bool {
+    let mut state = solver.state();
+    let (low, high) = match solver.motion().range {
+        Range::Full { period } => (0.0, period),
+        Range::Limited { .. } => return false,
+    };
+    let steps = ((high - low) / 15.0) as u32;
+    (0..=steps).all(|n| {
+        let at = low + 15.0 * f64::from(n);
+        solver.solve(at, Order::Position, &mut state) == Condition::Ok
+    })
+}
+
+fn thousand(name: &str) {
+    let (scene, solver) = open(name);
+    let maker = ExerciseMaker::new(&scene, &solver);
+    let mut texts = std::collections::HashSet::new();
+    let begin = std::time::Instant::now();
+    for seed in 0..1000 {
+        let made = maker.exercise(seed, &titles());
+        let made = made.unwrap_or_else(|| panic!("{name}, seed {seed}: none"));
+        assert!(assembles_everywhere(&made.solver), "{name}, seed {seed}");
+        let at = made.scene.mechanism.driver().start;
+        assert_eq!(at % 5.0, 0.0, "{name}, seed {seed}");
+        let mut work = made.solver.state();
+        let margins = made.solver.margins(at, &mut work).unwrap();
+        let least = margins.iter().copied().fold(1.0, f64::min);
+        // 30 degrees from a dead point; the press itself comes less far.
+        assert!(
+            least >= maker.asked && least > 0.2,
+            "{name}, seed {seed}: {least}"
+        );
+        texts.insert(made.scene.text().to_owned());
+    }
+    println!("{name} {:?}", begin.elapsed());
+    assert!(texts.len() > 990, "{name}: {} of them differ", texts.len());
+}
+
+#[test]
+fn a_thousand_four_bars_turn_fully() {
+    thousand("four-bar");
+}
+
+#[test]
+fn a_thousand_slider_cranks_turn_fully() {
+    thousand("slider-crank");
+}
+
+#[test]
+fn a_thousand_presses_turn_fully() {
+    thousand("press");
+}
+
+/// Every preset has exercises, and each is a scene that opens as it was left.
+#[test]
+fn every_preset_has_exercises() {
+    for preset in presets::all() {
+        let (scene, solver) = open(preset.name);
+        let maker = ExerciseMaker::new(&scene, &solver);
+        for seed in [1, 2] {
+            let made = maker.exercise(seed, &titles());
+            let made = made.unwrap_or_else(|| panic!("{}, seed {seed}: none", preset.name));
+            assert_eq!(MotionKind::of(&made.solver), maker.kind, "{}", preset.name);
+            let again = maker.exercise(seed, &titles()).unwrap();
+            assert_eq!(again.scene.text(), made.scene.text(), "{}", preset.name);
+        }
+    }
+}
+
+/// The exercise of a seed never changes: sheets that were handed out stay what they were.
+#[test]
+fn a_seed_keeps_its_exercise() {
+    let (scene, solver) = open("four-bar");
+    let made = ExerciseMaker::new(&scene, &solver)
+        .exercise(7, &titles())
+        .unwrap();
+    let values = made.scene.values().into_iter();
+    let values: Vec<String> = values.map(|v| format!("{} {}", v.name, v.text())).collect();
+    let known = [
+        "A x 0",
+        "A y 0",
+        "D x 290",
+        "D y 0",
+        "driver angle 320",
+        "driver speed 13 rad/s",
+        "r2 length 95",
+        "r2 com x 0",
+        "r2 com y 0",
+        "r3 length 200",
+        "r3 com x 100",
+        "r3 com y 0",
+        "r4 length 210",
+        "r4 com x 105",
+        "r4 com y 0",
+        "C start x 126.367",
+        "C start y 131.621",
+    ];
+    assert_eq!(values, known);
+}
+
+#[test]
+fn a_scene_without_lengths_has_none() {
+    let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
+        [links]\nr = { points = { A = [0, 0] } }\n";
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let maker = ExerciseMaker::new(&scene, &solver);
+    assert!(maker.exercise(1, &titles()).is_none());
+}

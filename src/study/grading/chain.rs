@@ -1,0 +1,312 @@
+//! The loop equations as a chain: what follows from figures that somebody found before.
+//!
+//! Whatever is given stands at its face value, rounded or wrong as it is; the rest is solved from the equations of its
+//! group as by hand, and what is given too much of is met as well as can be.
+
+use crate::Vec2;
+use crate::quantity::{Aspect, Quantity, Subject};
+use crate::solver::Order;
+use crate::study::{LoopSum, SoughtKind, SoughtVector, VectorPart};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// What is sought, with its rates: angles in rad, lengths in the scene's unit, per s and s^2.
+pub type ChainValues = Vec<[f64; 3]>;
+
+/// How the figures of one state follow from each other.
+#[derive(Clone, Debug)]
+pub struct SolutionChain {
+    /// What each variable is; the first is the driver's coordinate.
+    pub kinds: Vec<SoughtKind>,
+    /// Their true values.
+    pub exact: ChainValues,
+    /// The groups, in the order in which they are solved.
+    pub groups: Vec<ChainGroup>,
+    /// The angles of the links.
+    pub links: Vec<VectorPart>,
+    /// The slides: the position along the guide, and the guide's angle.
+    pub slides: Vec<[VectorPart; 2]>,
+    /// The way to every point, from the frame's origin.
+    pub points: Vec<Option<LoopSum>>,
+}
+
+/// A group: its loops, and the variables that are sought in them.
+#[derive(Clone, Debug)]
+pub struct ChainGroup {
+    /// The sums that are nought.
+    pub loops: Vec<LoopSum>,
+    /// By their numbers.
+    pub sought: Vec<usize>,
+}
+
+/// A variable, and which of its rates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ChainSlot {
+    /// 0 for itself, 1 and 2 for its rates.
+    pub order: usize,
+    /// Its number.
+    pub variable: usize,
+}
+
+/// Steps of Newton's method; from the true values it takes a few.
+const STEPS: usize = 30;
+/// A step that is so small, in rad or in parts of the longest vector, is the last.
+const ARRIVED: f64 = 1e-13;
+/// Singular values below this part of the largest one are none.
+const SINGULAR: f64 = 1e-12;
+
+impl SolutionChain {
+    /// The slots of all that is sought, in the order in which it is found.
+    #[must_use]
+    pub fn slots(&self) -> Vec<ChainSlot> {
+        let sought = || self.groups.iter().flat_map(|group| &group.sought);
+        let of = |order| sought().map(move |&variable| ChainSlot { order, variable });
+        (0..3).flat_map(of).collect()
+    }
+
+    /// The slot that a figure tells, and what its angle is more than that of the variable, in rad.
+    #[must_use]
+    pub fn slot_of(&self, figure: &Quantity) -> Option<(ChainSlot, f64)> {
+        let (subject, aspect) = (figure.subject()?, figure.aspect()?);
+        let (part, orders) = match subject {
+            Subject::Link(link) => (*self.links.get(link.index())?, Aspect::TURNING),
+            Subject::Slide(slide) => (self.slides.get(slide.index())?[0], Aspect::STRETCHING),
+            _ => return None,
+        };
+        let order = orders.iter().position(|own| *own == aspect)?;
+        match part {
+            VectorPart::Sought(variable, more) if variable > 0 => {
+                let more = if order == 0 { more } else { 0.0 };
+                Some((ChainSlot { order, variable }, more))
+            }
+            VectorPart::Sought(..) | VectorPart::Known(_) => None,
+        }
+    }
+
+    /// The true value of a slot.
+    #[must_use]
+    pub fn exact_at(&self, slot: ChainSlot) -> Option<f64> {
+        self.exact.get(slot.variable)?.get(slot.order).copied()
+    }
+
+    /// All variables, where some are given: `given` tells which, and as what. `None` where nothing follows.
+    #[must_use]
+    pub fn follow(&self, given: &dyn Fn(ChainSlot) -> Option<f64>) -> Option<ChainValues> {
+        let mut values = self.exact.clone();
+        for order in 0..3 {
+            for group in &self.groups {
+                let mut open = Vec::new();
+                for &variable in &group.sought {
+                    match given(ChainSlot { order, variable }) {
+                        Some(value) => values.get_mut(variable)?[order] = value,
+                        None => open.push(variable),
+                    }
+                }
+                self.solve(group, order, &open, &mut values)?;
+            }
+        }
+        Some(values)
+    }
+
+    /// Rates for these positions, all of them solved.
+    #[must_use]
+    pub fn rates_at(&self, positions: &[f64]) -> Option<ChainValues> {
+        self.follow(&|slot| match slot.order {
+            0 => positions.get(slot.variable).copied(),
+            _ => None,
+        })
+    }
+
+    /// A figure of these values; `None` for what is no motion.
+    #[must_use]
+    pub fn figure(&self, figure: &Quantity, values: &[[f64; 3]]) -> Option<f64> {
+        figure.made_of(|subject, aspect| self.value(subject, aspect, values))
+    }
+
+    fn solve(
+        &self,
+        group: &ChainGroup,
+        order: usize,
+        open: &[usize],
+        values: &mut [[f64; 3]],
+    ) -> Option<()> {
+        if open.is_empty() || group.loops.is_empty() {
+            return Some(());
+        }
+        if order > 0 {
+            // Rates are linear: what the others leave is what these have to make good.
+            for &variable in open {
+                values.get_mut(variable)?[order] = 0.0;
+            }
+            let rates = step(group, order, open, values)?;
+            for (&variable, rate) in open.iter().zip(&rates) {
+                values.get_mut(variable)?[order] = *rate;
+            }
+            return Some(());
+        }
+        for _ in 0..STEPS {
+            let step = step(group, order, open, values)?;
+            let longest = longest(group, values);
+            let mut largest = 0.0_f64;
+            for (&variable, change) in open.iter().zip(&step) {
+                values.get_mut(variable)?[0] += change;
+                let scale = match self.kinds.get(variable)? {
+                    SoughtKind::Angle => 1.0,
+                    SoughtKind::Length => longest,
+                };
+                largest = largest.max(change.abs() / scale);
+            }
+            if largest <= ARRIVED {
+                break;
+            }
+        }
+        Some(())
+    }
+
+    fn value(&self, subject: Subject, aspect: Aspect, values: &[[f64; 3]]) -> Option<f64> {
+        let order = match aspect.order() {
+            Order::Position => 0,
+            Order::Velocity => 1,
+            Order::Acceleration => 2,
+            Order::Force => return None,
+        };
+        let turned = |part: VectorPart, by: f64| {
+            let value = part_of(part, order, values)?;
+            Some(if order == 0 {
+                degrees(value + by)
+            } else {
+                value
+            })
+        };
+        let is_turning = Aspect::TURNING.contains(&aspect);
+        match subject {
+            Subject::Driver => match self.kinds.first()? {
+                SoughtKind::Angle if order == 0 => Some(values.first()?[0].to_degrees()),
+                SoughtKind::Angle | SoughtKind::Length => Some(values.first()?[order]),
+            },
+            Subject::Link(link) => turned(*self.links.get(link.index())?, 0.0),
+            Subject::Slide(slide) => {
+                let [travel, guide] = *self.slides.get(slide.index())?;
+                // The vector runs from the sliding point back to `through`.
+                if is_turning {
+                    turned(guide, PI)
+                } else {
+                    part_of(travel, order, values)
+                }
+            }
+            Subject::Point(point) => {
+                let way = self.points.get(point.index())?.as_ref()?;
+                let motion = motion(way, values)?;
+                let vector = motion.get(order)?;
+                match aspect {
+                    Aspect::X | Aspect::Vx | Aspect::Ax => Some(vector.x),
+                    _ => Some(vector.y),
+                }
+            }
+            Subject::Between(tail, head) => {
+                let way = |point: crate::PointId| self.points.get(point.index())?.as_ref();
+                let (tail, head) = (motion(way(tail)?, values)?, motion(way(head)?, values)?);
+                between(std::array::from_fn(|i| head[i] - tail[i]), aspect)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// What solves the open variables of a group to first order.
+fn step(group: &ChainGroup, order: usize, open: &[usize], values: &[[f64; 3]]) -> Option<Vec<f64>> {
+    let rows = 2 * group.loops.len();
+    let mut matrix = DMatrix::zeros(rows, open.len());
+    let mut left = DVector::zeros(rows);
+    for (number, of) in group.loops.iter().enumerate() {
+        let sum = motion(of, values)?[order];
+        (left[2 * number], left[2 * number + 1]) = (-sum.x, -sum.y);
+        for vector in &of.sought {
+            let (r, u) = heading(vector, values)?;
+            for (part, by) in [(vector.length, u), (vector.angle, u.perp() * r)] {
+                let VectorPart::Sought(variable, _) = part else {
+                    continue;
+                };
+                if let Some(column) = open.iter().position(|&own| own == variable) {
+                    matrix[(2 * number, column)] += by.x * vector.sign;
+                    matrix[(2 * number + 1, column)] += by.y * vector.sign;
+                }
+            }
+        }
+    }
+    let all_finite = |list: &[f64]| list.iter().all(|v| v.is_finite());
+    if !all_finite(matrix.as_slice()) || !all_finite(left.as_slice()) {
+        return None;
+    }
+    let parts = matrix.try_svd(true, true, f64::EPSILON, 1000)?;
+    let least = SINGULAR * parts.singular_values.max();
+    let solved = parts.solve(&left, least).ok()?;
+    let solved: Vec<f64> = solved.iter().copied().collect();
+    all_finite(&solved).then_some(solved)
+}
+
+fn longest(group: &ChainGroup, values: &[[f64; 3]]) -> f64 {
+    let vectors = group.loops.iter().flat_map(|of| &of.sought);
+    let lengths = vectors.filter_map(|v| Some(heading(v, values)?.0.abs()));
+    lengths.fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// A length or an angle, or one of its rates.
+fn part_of(part: VectorPart, order: usize, values: &[[f64; 3]]) -> Option<f64> {
+    match part {
+        VectorPart::Known(value) if order == 0 => Some(value),
+        VectorPart::Known(_) => Some(0.0),
+        VectorPart::Sought(variable, more) => {
+            let value = *values.get(variable)?.get(order)?;
+            Some(if order == 0 { value + more } else { value })
+        }
+    }
+}
+
+/// Length and direction of a vector.
+fn heading(vector: &SoughtVector, values: &[[f64; 3]]) -> Option<(f64, Vec2)> {
+    let (sin, cos) = part_of(vector.angle, 0, values)?.sin_cos();
+    Some((part_of(vector.length, 0, values)?, Vec2::new(cos, sin)))
+}
+
+/// The sum of some vectors, its rate, and the rate of that.
+fn motion(of: &LoopSum, values: &[[f64; 3]]) -> Option<[Vec2; 3]> {
+    let mut sum = [of.known, Vec2::ZERO, Vec2::ZERO];
+    for vector in &of.sought {
+        let (r, u) = heading(vector, values)?;
+        let [rate, accel] = [1, 2].map(|order| part_of(vector.length, order, values));
+        let [omega, alpha] = [1, 2].map(|order| part_of(vector.angle, order, values));
+        let (rate, accel, omega, alpha) = (rate?, accel?, omega?, alpha?);
+        let n = u.perp();
+        let parts = [
+            u * r,
+            u * rate + n * (r * omega),
+            u * (accel - r * omega * omega) + n * (r * alpha + 2.0 * rate * omega),
+        ];
+        for (sum, part) in sum.iter_mut().zip(parts) {
+            *sum += part * vector.sign;
+        }
+    }
+    Some(sum)
+}
+
+/// A figure of the vector between two points.
+fn between([r, v, a]: [Vec2; 3], aspect: Aspect) -> Option<f64> {
+    let length = r.norm();
+    let u = r / length;
+    let (rate, omega) = (u.dot(v), u.cross(v) / length);
+    Some(match aspect {
+        Aspect::Length => length,
+        Aspect::Rate => rate,
+        Aspect::Accel => u.dot(a) + length * omega * omega,
+        Aspect::Angle => crate::angle::degrees(r),
+        Aspect::Omega => omega,
+        Aspect::Alpha => (u.cross(a) - 2.0 * rate * omega) / length,
+        _ => return None,
+    })
+}
+
+/// Degrees from 0 to below 360.
+fn degrees(radians: f64) -> f64 {
+    crate::angle::wrapped(radians.to_degrees())
+}

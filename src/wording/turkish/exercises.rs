@@ -1,0 +1,111 @@
+//! Exercises: sheets, files of answers, and what becomes of them.
+
+use super::Turkish;
+use crate::wording::english::ExercisesWords;
+
+catalogue! {
+    impl ExercisesWords for Turkish {
+        // The scene of an exercise.
+        exercise_called(name: &str, seed: u64) = "{name}: ödev {seed}";
+        exercise_made_by(scene: &str, seed: u64) = "krank exercise {scene} --seed {seed}";
+        made_by_chance = "boylar, hız ve açı rastgele seçildi; verilenler kesindir";
+
+        // The sheet.
+        name_and_number = "Ad: ______________________________   Numara: ____________________";
+        given_part = "Verilenler";
+        asked_part = "İstenenler";
+        fixed_at(at: &str, unit: &str) = "{at} {unit} konumunda sabit";
+        link_from_to(from: &str, to: &str, length: &str, unit: &str) = "{from} noktasından {to} noktasına, {length} {unit}";
+        point_on_link(name: &str, at: &str, unit: &str) = "{name}, uzvun ekseninde {at} {unit}";
+        the_frame = "şase";
+        slides_along(what: &str, on: &str, at: &str, unit: &str, angle: &str) =
+            "{what} kayar, kızak: {on}, {at} {unit} noktasından {angle} deg ile";
+        driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
+            "{name}: {at}, hız {speed}, ivme {acceleration}";
+        what_is_asked =
+            "Her döngünün vektörel poligonunu çizin, denklemlerini sinüs ve kosinüsle yazın, iki kez türevini \
+             alın ve tabloları doldurun. Ara hesapta bütün haneleri taşıyın; yazdığınızı en az dört haneye \
+             yuvarlayın. Uzvun eksen takımı ilk ucundan başlar, x ekseni uzuv boyuncadır.";
+        points_are_asked = "Noktaların hız ve ivmeleri, büyüklük ve yön:";
+        where_answers_belong(file: &str) =
+            "Cevaplar hesap tablosunun açtığı {file} dosyasına yazılır; değerlerin adı ve birimi orada durur.";
+
+        // Verdicts.
+        is_right = "doğru";
+        rounded_by(figure: &str, written: &str) = "erken yuvarlama: {figure} = {written}";
+        rounded_somewhere = "erken yuvarlama";
+        cut_off = "yuvarlanmadan kesilmiş";
+        too_few_digits = "hane az";
+        right_by_own(figure: &str) = "kendi {figure} değerine göre doğru";
+        wrong_in_sign = "işareti yanlış";
+        other_way_round = "yönü ters";
+        in_other_unit(unit: &str) = "birimi {unit}";
+        of_other_assembly = "öbür montaj biçimi";
+        is_wrong = "yanlış";
+        is_unanswered = "boş";
+        is_no_figure = "sayı değil";
+
+        // Answers.
+        answers_to(sheet: &str) = "Cevaplanan: {sheet}.";
+        figure = "değer";
+        answer = "cevap";
+        exact_figure = "kesin";
+        judged = "sonuç";
+        student = "öğrenci";
+        points_head = "puan";
+        figures_head = "toplam";
+        first_mistake_head = "ilk hata";
+        points_of(points: usize, figures: usize, right: usize) =
+            "{figures} değerden {points} puan: {right} değer doğru, ötekiler yuvarlama dışında ya da önceki \
+             yanlışa göre doğru.";
+        first_that_differs(figure: &str, verdict: &str) = "İlk ayrılan {figure}: {verdict}.";
+        first_mistake(figure: &str, verdict: &str) = "İlk hata {figure}: {verdict}.";
+        no_figures_of_scene(names: &str) = "Bu sahnede olmayan değerler: {names}.";
+
+        // What the commands cannot do.
+        no_exercise(seed: u64) =
+            "{seed} tohumu için ödev bulunamadı: boylar arasında rastlantının bozduğu bağıntılar var";
+        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: sorulacak bir şey yok";
+        folder_for_many = "--count birçok dosya yazar: nereye olduğunu -o DIR söyler";
+        seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
+        answers_are_there(file: &str) =
+            "`{file}` içindeki cevaplar kaybolurdu; başka bir klasöre yazın";
+        holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir değerin satırı yok";
+        too_many_answers(file: &str) = "`{file}` bir cevap dosyası değil: çok büyük";
+        names_no_sheet(file: &str, sheet: &str) =
+            "`{file}` klasördeki hiçbir ödevi söylemiyor: `{sheet}`";
+        answers_another_sheet(file: &str, named: &str, sheet: &str) =
+            "`{file}` dosyasına göre cevaplanan {named}, notlandıran ise {sheet}";
+        some_not_graded(some: usize, files: usize) = "{files} dosyadan {some} tanesi notlandırılmadı";
+
+        // On the command line.
+        does_exercise = "Sahneden ödev yap: rastgele boylar, ödev kâğıdı, cevap dosyası, çözüm";
+        does_grade = "Cevapları notlandır: her değer doğru, erken yuvarlanmış, işareti, birimi ya da kendisi yanlış";
+        seed_of_exercise = "Hangi ödev: aynı tohum her makinede aynı ödevi verir";
+        count_of_exercises = "Ardışık tohumlarla kaç ödev";
+        format_of_sheet = "Ödev ve çözüm nasıl yazılacak [yoksa: klasöre html, değilse metin]";
+        folder_of_exercises = "Sahneyi, ödevi, cevap dosyasını ve çözümü bu klasöre yaz";
+        sheet_to_grade = "Ödevin sahnesi, herhangi bir sahne ya da hazır sahne, ya da cevapların adını söylediği sahnelerin klasörü";
+        files_of_answers = "Cevap dosyaları, CSV";
+        how_to_write_grades = "Nasıl yazılacağı; CSV her dosyaya bir satır verir";
+        examples_of_exercise = "\
+Örnekler:
+  krank exercise four-bar --seed 7
+  krank exercise slider-crank --seed 1 --count 100 -o class
+  krank exercise press --seed 3 --decimal comma --format latex -o class
+
+Bütün boylar, hız ve açı rastgele, iki haneli sayılardır; sahne montaj biçimini
+korur, eskisi gibi hareket eder ve ölü konumlardan uzakta durur. -o her tohum
+için four-bar-7.toml (sahne), four-bar-7.html (ödev), four-bar-7.csv (cevaplar)
+ve four-bar-7-solution.html (çözüm) dosyalarını yazar.";
+        examples_of_grade = "\
+Örnekler:
+  krank grade class/four-bar-7.toml ayse.csv
+  krank grade class answered/*.csv --format csv -o points.csv
+  krank grade four-bar --at 60 notes.csv
+
+Cevap, kesin değerin kendi hanelerine (en az üç) yuvarlanmışıysa doğrudur. Doğru
+olmayan, önceki cevapların yazıldığı hâlinden çıkıyor olabilir: o zaman erken
+yuvarlanmıştır ya da yanlış olan bir cevaba göre doğrudur; o cevap söylenir.";
+    }
+}
