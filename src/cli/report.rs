@@ -6,8 +6,15 @@ use super::failure::Failure;
 use super::output::{file, write_text};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use crate::report::{Report, ReportFormat};
+use crate::files::read_any;
+use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat};
+use crate::scene::LARGEST_FILE;
 use crate::solver::{Condition, Order};
+use crate::wording::words;
+use std::path::Path;
+
+/// The largest file of another program's figures.
+const LARGEST_FOREIGN: usize = 16 * LARGEST_FILE;
 
 /// Writes the report; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -16,7 +23,11 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
-    let report = Report::new(&scene, &solver, &state, usize::from(args.digits));
+    let digits = usize::from(args.digits);
+    let mut report = Report::new(&scene, &solver, &state, digits);
+    if let Some(file) = &args.against {
+        report.add_beside(&foreign(file)?, (&scene, &solver, state.state()), digits);
+    }
     let path = args.output.output.as_deref();
     let of_file = || file(path).and_then(ReportFormat::of_ending);
     let format = args.format.or_else(of_file).unwrap_or_default();
@@ -26,4 +37,20 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     }
     tell_of_near_misses(&scene, &solver, screen);
     nothing_hidden(&scene, &state)
+}
+
+/// The figures in a file that somebody else wrote.
+fn foreign(path: &Path) -> Result<ForeignFigures, Failure> {
+    let shown = path.display().to_string();
+    let bytes = read_any(path, LARGEST_FOREIGN)
+        .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
+    let too_long = || Failure::Usage(words().too_many_figures(&shown));
+    if bytes.len() > LARGEST_FOREIGN {
+        return Err(too_long());
+    }
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    ForeignFigures::read(&name.to_string_lossy(), &bytes).map_err(|why| match why {
+        NoFigures::Nothing => Failure::Usage(words().holds_no_figures(&shown)),
+        NoFigures::TooLong => too_long(),
+    })
 }

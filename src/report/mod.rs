@@ -8,6 +8,8 @@
 
 mod accuracy;
 mod answers;
+mod beside;
+mod cells;
 mod check;
 mod check_page;
 mod choice_facts;
@@ -39,6 +41,7 @@ pub use accuracy::{
     unfit_text,
 };
 pub use answers::{Answer, Answers};
+pub use beside::{ForeignFigures, NoFigures};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
     SlideFacts, SliderKind, TransmissionFacts, limits_text, near_misses, range_text,

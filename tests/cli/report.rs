@@ -80,3 +80,108 @@ fn markdown_has_its_pictures_in_characters() {
         assert!(heard.out.contains(piece), "{piece}\n{}", heard.out);
     }
 }
+
+/// What the lecture prints, with its units and its decimal commas, beside the exact figures.
+#[test]
+fn printed_figures_stand_beside_krank_s() {
+    let here = folder("report-against");
+    let file = here.join("notes.csv");
+    let printed = "figure;unit;value\nr3.angle;deg;29,3795\nr3.omega;rd/s;-3,916\nr4.alpha;rad/s²;95,5\n\
+        C.a;mm/s^2;23994,18\nC.a.t;m/s2;23,875\nB.a;mm/s;22500\nnothing;mm;3\n";
+    std::fs::write(&file, printed).unwrap();
+    let path = file.to_str().unwrap();
+    let of = |language: &str| {
+        done(&[
+            "report",
+            "four-bar",
+            "--at",
+            "60",
+            "--against",
+            path,
+            "--format",
+            "text",
+            "--language",
+            language,
+        ])
+    };
+    let text = of("en");
+    let (_, beside) = text.split_once(" Beside notes.csv\n").unwrap();
+    let row = |name: &str| -> Vec<&str> {
+        let line = beside.lines().find(|line| line.starts_with(name)).unwrap();
+        line.split_whitespace().collect()
+    };
+    assert_eq!(
+        row("r3.angle")[2..],
+        ["29.3794", "29,3795", "0.0000522", "-"]
+    );
+    assert_eq!(row("r3.omega")[2..], ["-3.91641", "-3,916", "agrees", "-"]);
+    assert_eq!(
+        row("C.a ")[2..],
+        ["23995.1", "23994,18", "-0.913", "-3.8e-5"]
+    );
+    assert_eq!(
+        row("C.a.t")[2..],
+        ["23875.9", "23,875", "-0.902", "-3.8e-5"]
+    );
+    // Another unit is no length's, and another name is none.
+    assert!(
+        beside
+            .replace('\n', " ")
+            .contains("in no such unit: B.a, nothing."),
+        "{beside}"
+    );
+    assert!(of("tr").contains("notes.csv ile"), "{}", of("tr"));
+    std::fs::write(&file, "no figures\n").unwrap();
+    let args = ["report", "four-bar", "--against", path];
+    assert!(refused(2, &args).contains("holds no figures"));
+}
+
+/// What another program wrote over the motion: of each column the largest difference, and where.
+#[test]
+fn a_course_stands_beside_krank_s() {
+    let here = folder("report-course");
+    let file = here.join("motion.csv");
+    let path = file.to_str().unwrap();
+    let columns = "C.x,r3.angle,r4.omega";
+    done(&[
+        "sweep",
+        "four-bar",
+        "--step",
+        "10",
+        "--columns",
+        columns,
+        "-o",
+        path,
+    ]);
+    let of = || {
+        let args = ["report", "four-bar", "--against", path, "--format", "text"];
+        let text = done(&args);
+        let (_, beside) = text.split_once(" Beside motion.csv\n").unwrap();
+        beside.to_owned()
+    };
+    let row = |text: &str, name: &str| -> Vec<String> {
+        let line = text.lines().find(|line| line.starts_with(name)).unwrap();
+        line.split_whitespace().map(str::to_owned).collect()
+    };
+    assert_eq!(row(&of(), "C.x")[2..], ["37", "0", "-", "-", "0"]);
+    let given = std::fs::read_to_string(&file).unwrap();
+    let changed: Vec<String> = given
+        .lines()
+        .map(|line| match line.strip_prefix("120,") {
+            Some(rest) => {
+                let cells: Vec<&str> = rest.split(',').collect();
+                let off: f64 = cells[0].parse::<f64>().unwrap() + 0.5;
+                let turned: f64 = cells[1].parse::<f64>().unwrap() - 360.0;
+                format!("120,{off},{turned},{}", cells[2..].join(","))
+            }
+            None => line.to_owned(),
+        })
+        .collect();
+    std::fs::write(&file, changed.join("\n")).unwrap();
+    let text = of();
+    let off = row(&text, "C.x");
+    assert_eq!(off[2..5], ["37", "0.500", "120.000"], "{text}");
+    assert_eq!(off[6], "1", "{text}");
+    // A turn more is the same direction.
+    assert_eq!(row(&text, "r3.angle")[6], "0", "{text}");
+}

@@ -4,7 +4,8 @@ use super::{OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::ReportFormat;
 use crate::wording::words;
 use clap::builder::PossibleValue;
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, ValueHint};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ReportArgs {
@@ -18,6 +19,9 @@ pub(in crate::cli) struct ReportArgs {
     #[arg(help = words().digits())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(in crate::cli) digits: u8,
+    #[arg(help = words().against_figures())]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(in crate::cli) against: Option<PathBuf>,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,
 }

@@ -1,5 +1,6 @@
 //! The file that a student answers in: a row for each figure, written empty and read filled.
 
+use crate::report::cells::ReadCells;
 use crate::report::csv_dialect::{CsvDialect, CsvSheet};
 use crate::study::{AnswerKey, GivenAnswer, WrittenFigure};
 use std::io::{self, Write};
@@ -57,22 +58,11 @@ impl AnswerFile {
     /// # Errors
     /// Where it holds no figure at all, or too many rows.
     pub fn read(bytes: &[u8]) -> Result<AnswerFile, NoAnswers> {
-        // Names of figures are ASCII in most scenes; a name of a student may be in any old encoding.
-        let text = String::from_utf8_lossy(bytes);
-        let text = text.trim_start_matches('\u{feff}');
-        let separator = separator(text);
-        let mut reader = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .delimiter(separator)
-            .from_reader(text.as_bytes());
+        let ReadCells { rows, separator } =
+            ReadCells::read(bytes, MOST_ROWS).ok_or(NoAnswers::TooLong)?;
         let mut file = AnswerFile::default();
-        for (number, row) in reader.records().enumerate() {
-            if number >= MOST_ROWS {
-                return Err(NoAnswers::TooLong);
-            }
-            let Ok(row) = row else { continue };
-            let cells: Vec<&str> = row.iter().map(str::trim).collect();
+        for row in &rows {
+            let cells: Vec<&str> = row.iter().map(String::as_str).collect();
             file.take(&cells, separator);
         }
         match file.answers.is_empty() {
@@ -81,7 +71,7 @@ impl AnswerFile {
         }
     }
 
-    fn take(&mut self, cells: &[&str], separator: u8) {
+    fn take(&mut self, cells: &[&str], separator: char) {
         let Some(&name) = cells.first().filter(|name| !name.is_empty()) else {
             return;
         };
@@ -124,27 +114,12 @@ impl AnswerFile {
     }
 }
 
-/// What stands between the cells: what the first line that has any of them has most.
-fn separator(text: &str) -> u8 {
-    let first = text.lines().find(|line| line.contains([',', ';', '\t']));
-    let count = |mark: char| first.map_or(0, |line| line.matches(mark).count());
-    let marks = [',', ';', '\t'].map(|mark| (count(mark), mark));
-    let most = marks
-        .into_iter()
-        .max_by_key(|(count, mark)| (*count, *mark != ','));
-    match most {
-        Some((1.., ';')) => b';',
-        Some((1.., '\t')) => b'\t',
-        _ => b',',
-    }
-}
-
 /// The cell of the answer. Where cells stand between commas, a decimal comma has parted it.
-fn answer(cells: &[&str], separator: u8) -> String {
+fn answer(cells: &[&str], separator: char) -> String {
     let answer = cells.get(2).copied().unwrap_or_default();
     let decimals = cells.get(3).copied().unwrap_or_default();
     let are_digits = !decimals.is_empty() && decimals.chars().all(|c| c.is_ascii_digit());
-    if separator == b',' && are_digits && !answer.is_empty() {
+    if separator == ',' && are_digits && !answer.is_empty() {
         format!("{answer},{decimals}")
     } else {
         answer.to_owned()

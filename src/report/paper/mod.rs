@@ -11,6 +11,7 @@ mod plots;
 
 pub use format::ReportFormat;
 
+use super::beside::ForeignFigures;
 use super::check::Check;
 use super::working::{LoopVectors, Worked, Working, WorkingNotation, WorkingPart};
 use crate::drawing::Reach;
@@ -45,6 +46,19 @@ impl Report {
         Report {
             page: ReportedState::new(scene, solver, state, digits).page(),
         }
+    }
+}
+
+impl Report {
+    /// Adds the figures of a lecture's notes or of another program beside krank's: those of the state that is
+    /// reported, which was solved with forces, or a table over the driver.
+    pub fn add_beside(
+        &mut self,
+        figures: &ForeignFigures,
+        stand: (&Scene, &Solver, &State),
+        digits: usize,
+    ) {
+        figures.add_to(&mut self.page, stand, digits);
     }
 }
 

@@ -64,6 +64,10 @@ catalogue! {
         method_newton = "Newton-Raphson on the loop equations, iteration by iteration";
         method_bisection = "Halving an interval of one unknown";
         method_graphical = "Compass and ruler, step by step";
+        against_figures = "Figures of notes or of another program, to stand beside krank's: CSV with a figure a row, or with columns over driver.angle";
+        holds_no_figures(file: &str) =
+            "`{file}` holds no figures: a row is `figure,unit,value`, or a number for each head, of which one is the driver's";
+        too_many_figures(file: &str) = "`{file}` is too large to be compared";
         guess_of_vectors = "Where a method begins: r3=20,r4=280 in deg or the scene's unit, for bisection r3=0..90 [default: a sketch of the opening]";
         leave_units_out = "Leave the units out";
         add_bounds = "Add what the error of each figure does not exceed; nothing where no bound can be proved";

@@ -66,5 +66,23 @@ what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.
         too_many_links_to_report = "too many links to report on here: krank report does it";
         write_a_report = "write a report";
         the_report = "the report";
+
+        // Beside the figures of others.
+        beside_file(file: &str) = "Beside {file}";
+        beside_list(file: &str) =
+            "The figures of {file} and krank's; `agrees` where the digits that stand there tell no difference.";
+        beside_course(file: &str, rows: usize) =
+            "The columns of {file} beside krank's, over {rows} rows: of each the largest difference, where that is, \
+             what part it is of the largest figure, and in how many rows the difference is beyond rounding.";
+        foreign_difference = "difference";
+        part_of_it = "of it";
+        agrees = "agrees";
+        not_compared(names: &str) =
+            "Not compared, since krank has no such figure here, or in no such unit: {names}.";
+        rows_compared = "rows";
+        largest_difference = "most off";
+        at_driver = "at";
+        of_largest = "of largest";
+        beyond_rounding = "beyond";
     }
 }

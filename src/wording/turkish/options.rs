@@ -142,6 +142,10 @@ catalogue! {
         method_newton = "Döngü denklemlerine Newton-Raphson, yineleme yineleme";
         method_bisection = "Bir bilinmeyenin aralığını ikiye bölme";
         method_graphical = "Pergel ve cetvel, adım adım";
+        against_figures = "krank'ınkilerin yanında duracak değerler, ders notundan ya da başka bir programdan: her satırda bir değer ya da driver.angle boyunca sütunlar olan CSV";
+        holds_no_figures(file: &str) =
+            "`{file}` içinde değer yok: bir satır `figure,unit,value` ya da biri tahrikinki olan her başlık için bir sayıdır";
+        too_many_figures(file: &str) = "`{file}` karşılaştırılamayacak kadar büyük";
         guess_of_vectors = "Yöntemin başladığı yer: r3=20,r4=280, deg ya da sahnenin birimiyle; ikiye bölme için r3=0..90 [yoksa: açılışın bir taslağı]";
     }
 }

@@ -63,5 +63,23 @@ kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
         too_many_links_to_report = "burada rapor için uzuv çok fazla: krank report yazar";
         write_a_report = "bir rapor yaz";
         the_report = "rapor";
+
+        // Beside the figures of others.
+        beside_file(file: &str) = "{file} ile karşılaştırma";
+        beside_list(file: &str) =
+            "{file} değerleri ve krank'ınkiler; yazılı basamaklar bir fark göstermiyorsa `uyuyor`.";
+        beside_course(file: &str, rows: usize) =
+            "{rows} satır boyunca {file} sütunları krank'ınkilerin yanında: her birinin en büyük farkı, yeri, en \
+             büyük değere oranı ve kaç satırda yuvarlamadan büyük olduğu.";
+        foreign_difference = "fark";
+        part_of_it = "oranı";
+        agrees = "uyuyor";
+        not_compared(names: &str) =
+            "Karşılaştırılmayanlar (krank'ta burada ya da bu birimde böyle bir değer yok): {names}.";
+        rows_compared = "satır";
+        largest_difference = "en büyük fark";
+        at_driver = "yeri";
+        of_largest = "en büyüğe oranı";
+        beyond_rounding = "aşan";
     }
 }

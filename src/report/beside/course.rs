@@ -1,0 +1,77 @@
+//! Columns over the driver's coordinate: of each the largest difference, and where.
+
+use super::DIGITS;
+use super::foreign::ForeignCourse;
+use super::list::{apart, is_rounding};
+use crate::page::{Page, Setting, Table};
+use crate::report::number::significant;
+use crate::solver::{Condition, Order, Solver};
+use crate::wording::words;
+
+/// The largest difference of a column.
+#[derive(Clone, Copy, Default)]
+struct Furthest {
+    rows: usize,
+    at: f64,
+    off: f64,
+    /// The largest of krank's figures in the column.
+    most: f64,
+    /// As often the difference is more than rounding to the digits of the other figure.
+    beyond: usize,
+}
+
+pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
+    page.part(&words().beside_file(file));
+    page.text(words().beside_course(file, course.rows.len()));
+    let orders = course.columns.iter().map(|quantity| quantity.order());
+    let order = orders.max().unwrap_or(Order::Position);
+    let mut furthest = vec![Furthest::default(); course.columns.len()];
+    let mut state = solver.state();
+    for (at, values) in &course.rows {
+        if solver.solve(*at, order, &mut state) == Condition::NoAssembly {
+            continue;
+        }
+        for ((quantity, value), one) in course.columns.iter().zip(values).zip(&mut furthest) {
+            let (Some(foreign), Some(own)) = (value, quantity.value(&state)) else {
+                continue;
+            };
+            let off = apart(quantity, foreign.value, own);
+            one.rows += 1;
+            one.most = one.most.max(own.abs());
+            one.beyond += usize::from(!is_rounding(*foreign, (own, off)));
+            if off.abs() > one.off.abs() {
+                (one.off, one.at) = (off, *at);
+            }
+        }
+    }
+    let at = format!("{} [{}]", words().at_driver(), course.driver.unit);
+    let heads = [
+        words().rows_compared(),
+        words().largest_difference(),
+        &at,
+        words().of_largest(),
+        words().beyond_rounding(),
+    ];
+    let mut table = Table::new(words().figure(), heads).set(Setting::default());
+    for (quantity, one) in course.columns.iter().zip(&furthest) {
+        let part = match one.off != 0.0 && one.most > 0.0 && !quantity.is_direction() {
+            true => format!("{:.1e}", one.off.abs() / one.most),
+            false => "-".into(),
+        };
+        let (off, at) = match one.off == 0.0 {
+            true => ("0".into(), "-".into()),
+            false => (significant(one.off, DIGITS), significant(one.at, 6)),
+        };
+        let name = format!("{} [{}]", quantity.name, quantity.unit);
+        table.row(
+            name,
+            [one.rows.to_string(), off, at, part, one.beyond.to_string()],
+        );
+    }
+    if !course.columns.is_empty() {
+        page.table(table);
+    }
+    if !course.strangers.is_empty() {
+        page.text(words().not_compared(&course.strangers.join(", ")));
+    }
+}

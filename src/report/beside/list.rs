@@ -1,0 +1,82 @@
+//! A list of figures of one state.
+
+use super::DIGITS;
+use super::foreign::{ForeignRow, ForeignValue};
+use crate::angle;
+use crate::page::{Page, Setting, Table};
+use crate::quantity::Quantity;
+use crate::report::number::{direction, significant};
+use crate::solver::State;
+use crate::wording::words;
+
+pub(super) fn add_to(
+    page: &mut Page,
+    file: &str,
+    rows: &[ForeignRow],
+    state: &State,
+    digits: usize,
+) {
+    page.part(&words().beside_file(file));
+    page.text(words().beside_list(file));
+    let heads = [
+        "krank",
+        file,
+        words().foreign_difference(),
+        words().part_of_it(),
+    ];
+    let mut table = Table::new(words().figure(), heads).set(Setting::default());
+    let mut strangers = Vec::new();
+    let mut is_any = false;
+    for row in rows {
+        let found = row.figure.as_ref();
+        let found =
+            found.and_then(|(quantity, value)| Some((quantity, value, quantity.value(state)?)));
+        let Some((quantity, foreign, own)) = found else {
+            strangers.push(row.name.as_str());
+            continue;
+        };
+        is_any = true;
+        let own_text = match quantity.is_direction() {
+            true => direction(own, digits),
+            false => significant(own, digits),
+        };
+        let off = apart(quantity, foreign.value, own);
+        let [difference, part] = told(quantity, *foreign, (own, off));
+        let name = format!("{} [{}]", row.name, quantity.unit);
+        table.row(name, [own_text, row.written.clone(), difference, part]);
+    }
+    if is_any {
+        page.table(table);
+    }
+    if !strangers.is_empty() {
+        page.text(words().not_compared(&strangers.join(", ")));
+    }
+}
+
+/// The difference of two figures; of directions the short way round.
+pub(super) fn apart(quantity: &Quantity, foreign: f64, own: f64) -> f64 {
+    let half = angle::TURN / 2.0;
+    match quantity.is_direction() {
+        true => angle::wrapped(foreign - own + half) - half,
+        false => foreign - own,
+    }
+}
+
+/// Whether the digits of the other figure do not tell it from krank's.
+pub(super) fn is_rounding(foreign: ForeignValue, (own, off): (f64, f64)) -> bool {
+    // A last digit that was rounded up in doubles may be off by a rounding more.
+    off.abs() <= foreign.rounding * (1.0 + 1e-9) + 4.0 * f64::EPSILON * own.abs()
+}
+
+/// The difference, and the part of the figure that it is; nothing where the digits of the other figure do not tell
+/// one.
+fn told(quantity: &Quantity, foreign: ForeignValue, (own, off): (f64, f64)) -> [String; 2] {
+    if is_rounding(foreign, (own, off)) {
+        return [words().agrees().to_owned(), "-".into()];
+    }
+    let part = match quantity.is_direction() || own == 0.0 {
+        true => "-".into(),
+        false => format!("{:.1e}", off / own),
+    };
+    [significant(off, DIGITS), part]
+}
