@@ -48,6 +48,7 @@ pub(crate) trait Words:
     + ReactionsWords
     + ReadingWords
     + ReportingWords
+    + SceneKeysWords
     + TerminalsWords
     + TourWords
     + ViewsWords
