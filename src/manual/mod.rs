@@ -80,6 +80,15 @@ impl Topic {
         words().topic_told((self.about)(words()), self.turkish)
     }
 
+    /// Its name in the language that is spoken.
+    #[cfg(feature = "tui")]
+    pub(crate) fn called(&self) -> &'static str {
+        match Language::spoken() {
+            Language::English => self.name,
+            Language::Turkish => self.turkish,
+        }
+    }
+
     /// Whether it is asked for by this word.
     fn is_called(&self, word: &str) -> bool {
         word == self.name || spelled(word) == spelled(self.turkish)
