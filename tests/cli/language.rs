@@ -234,14 +234,15 @@ fn every_view_is_turkish() {
         "motion", "tables", "plots", "forces", "scene", "working", "motor", "lengths",
     ] {
         for size in ["80x24", "120x40", "40x12"] {
-            is_turkish(&turkish(&[
-                "four-bar-load",
-                "--view",
-                view,
-                "--print",
-                "--size",
-                size,
-            ]));
+            let args = ["four-bar-load", "--view", view, "--print", "--size", size];
+            let screen = turkish(&args);
+            is_turkish(&screen);
+            // The tab that is looked at is whole, and the last one too.
+            let tabs = screen.lines().next().unwrap();
+            assert!(
+                tabs.matches('[').count() == tabs.matches(']').count(),
+                "{tabs}"
+            );
         }
     }
 }
