@@ -37,7 +37,7 @@ catalogue! {
         pin_in_the_slot = "yarıkta hareket eden pim, dönmekte serbest";
         link_without_turning = "ya da: dönmeden kayan uzuv, başlangıcı kılavuzun üstünde";
         what_carries_the_guide = "kılavuzu taşıyan: `\"ground\"` ya da bir uzuv";
-        point_of_the_guide = "kılavuzun bir noktası: `on` cisminin adıyla bir noktası ya da onun ekseninde `[x, y]`";
+        point_of_the_guide = "kılavuzun bir noktası: `on` cisminin bir noktası, adıyla, ya da onun ekseninde `[x, y]`";
         angle_of_guide = "kılavuzun `on` cisminin x eksenine açısı, deg olarak";
         turn_of_slider = "kayan uzvun x ekseninin kılavuza açısı, deg olarak";
         force_at_a_point = "bir noktada `[x, y]` kuvveti, N olarak";
