@@ -50,9 +50,7 @@ fn contents() -> String {
         rows.map(|(name, about)| format!("| {name} | {about} |\n"))
             .collect()
     };
-    let topics = TOPICS
-        .iter()
-        .map(|t| (t.name, (t.about)(words()).to_owned()));
+    let topics = TOPICS.iter().map(|topic| (topic.name, topic.told()));
     let krank = Cli::command();
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));
@@ -86,7 +84,8 @@ fn of_command(word: &str) -> Result<String, Failure> {
 fn unknown(word: &str, krank: &Command) -> Failure {
     let topics = || TOPICS.iter().map(|topic: &Topic| topic.name);
     let commands = krank.get_subcommands().map(Command::get_name);
-    let near = nearest(word, topics().chain(commands));
+    let others: Vec<&str> = manual::names_of_language().collect();
+    let near = nearest(word, topics().chain(commands).chain(others));
     let topics = topics().collect::<Vec<_>>().join(", ");
     Failure::Usage(match near {
         Some(near) => words().no_topic_but_near(word, near, &topics),

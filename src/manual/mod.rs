@@ -9,7 +9,8 @@ mod layout;
 mod markdown;
 mod table;
 
-use crate::wording::{Wording, Words};
+use crate::document::with_ascii_letters;
+use crate::wording::{Language, Wording, Words, words};
 #[cfg(feature = "tui")]
 pub(crate) use fold::{folded, joined};
 #[cfg(feature = "tui")]
@@ -19,11 +20,42 @@ pub(crate) use layout::{LineKind, lines};
 /// Something to read.
 #[derive(Debug)]
 pub(crate) struct Topic {
-    /// In one word, as it is asked for.
+    /// In one word, as it is asked for in every language.
     pub(crate) name: &'static str,
+    /// The same in Turkish, as it may be asked for too.
+    turkish: &'static str,
     /// In a line, what it tells.
     pub(crate) about: Wording,
-    parts: &'static [&'static str],
+    parts: &'static [ManualPart],
+}
+
+/// A chapter or a part of one, in each language.
+#[derive(Debug)]
+struct ManualPart {
+    english: &'static str,
+    turkish: &'static str,
+}
+
+impl ManualPart {
+    fn of(&self, language: Language) -> &'static str {
+        match language {
+            Language::English => self.english,
+            Language::Turkish => self.turkish,
+        }
+    }
+}
+
+/// The chapter of this name in the folders of the languages; the English of some stands elsewhere too.
+macro_rules! chapter {
+    ($name:literal) => {
+        chapter!($name, concat!("english/", $name))
+    };
+    ($name:literal, $english:expr) => {
+        ManualPart {
+            english: include_str!($english),
+            turkish: include_str!(concat!("turkish/", $name)),
+        }
+    };
 }
 
 /// The line in whose place the table of the workbench's keys stands.
@@ -32,12 +64,40 @@ const KEYS: &str = "{keys}\n";
 const SCENE_KEYS: &str = "{keys of a scene}\n";
 
 impl Topic {
-    /// The text in Markdown; `keys` makes the rows of the workbench's keys, where they are shown.
+    /// The text in Markdown, in the language that is spoken; `keys` makes the rows of the workbench's keys, where they
+    /// are shown.
     pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
-        let text = self.parts.concat();
+        let language = Language::spoken();
+        let text: String = self.parts.iter().map(|part| part.of(language)).collect();
         let text = filled(text, KEYS, keys);
         filled(text, SCENE_KEYS, crate::scene::reference)
     }
+}
+
+impl Topic {
+    /// As the list of the topics tells it: in Turkish with the name that it has there.
+    pub(crate) fn told(&self) -> String {
+        words().topic_told((self.about)(words()), self.turkish)
+    }
+
+    /// Its name in the language that is spoken.
+    #[cfg(feature = "tui")]
+    pub(crate) fn called(&self) -> &'static str {
+        match Language::spoken() {
+            Language::English => self.name,
+            Language::Turkish => self.turkish,
+        }
+    }
+
+    /// Whether it is asked for by this word.
+    fn is_called(&self, word: &str) -> bool {
+        word == self.name || spelled(word) == spelled(self.turkish)
+    }
+}
+
+/// A word as it is typed where the keyboard has no Turkish letters.
+fn spelled(word: &str) -> String {
+    with_ascii_letters(word).to_ascii_lowercase()
 }
 
 /// The text with what is to stand in the place of a line.
@@ -52,151 +112,93 @@ fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
 pub(crate) const TOPICS: &[Topic] = &[
     Topic {
         name: "tutorial",
+        turkish: "giriş",
         about: <dyn Words>::about_tutorial,
-        parts: &[include_str!("tutorial.md")],
+        parts: &[chapter!("tutorial.md")],
     },
     Topic {
         name: "scene",
+        turkish: "sahne",
         about: <dyn Words>::about_scene,
         parts: &[
-            include_str!("scene.md"),
-            include_str!("../scene/rules.md"),
-            include_str!("faults.md"),
+            chapter!("scene.md"),
+            chapter!("rules.md", "../scene/rules.md"),
+            chapter!("faults.md"),
         ],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "views",
+        turkish: "görünümler",
         about: <dyn Words>::about_views,
-        parts: &[include_str!("views.md")],
+        parts: &[chapter!("views.md")],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "keys",
+        turkish: "tuşlar",
         about: <dyn Words>::about_keys,
-        parts: &[include_str!("keys.md")],
+        parts: &[chapter!("keys.md")],
     },
     Topic {
         name: "columns",
+        turkish: "sütunlar",
         about: <dyn Words>::about_columns,
-        parts: &[include_str!("columns.md"), include_str!("../notation.md")],
+        parts: &[
+            chapter!("columns.md"),
+            chapter!("notation.md", "../notation.md"),
+        ],
     },
     Topic {
         name: "forces",
+        turkish: "kuvvetler",
         about: <dyn Words>::about_forces,
-        parts: &[include_str!("forces.md")],
+        parts: &[chapter!("forces.md")],
     },
     Topic {
         name: "drawings",
+        turkish: "çizimler",
         about: <dyn Words>::about_drawings,
-        parts: &[include_str!("drawings.md")],
+        parts: &[chapter!("drawings.md")],
     },
     Topic {
         name: "files",
+        turkish: "dosyalar",
         about: <dyn Words>::about_files,
-        parts: &[include_str!("files.md")],
+        parts: &[chapter!("files.md")],
     },
     Topic {
         name: "trust",
+        turkish: "güven",
         about: <dyn Words>::about_trust,
-        parts: &[include_str!("trust.md")],
+        parts: &[chapter!("trust.md")],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "terminals",
+        turkish: "terminaller",
         about: <dyn Words>::about_terminals,
-        parts: &[include_str!("terminals.md")],
+        parts: &[chapter!("terminals.md")],
     },
     Topic {
         name: "limits",
+        turkish: "sınırlar",
         about: <dyn Words>::about_limits,
-        parts: &[include_str!("limits.md")],
+        parts: &[chapter!("limits.md")],
     },
 ];
 
-/// The topic of this name.
+/// The topic of this name, in English or in Turkish.
 pub(crate) fn find(name: &str) -> Option<&'static Topic> {
-    TOPICS.iter().find(|topic| topic.name == name)
+    TOPICS.iter().find(|topic| topic.is_called(name))
+}
+
+/// The names of the topics in the language that is spoken, where they have others there.
+pub(crate) fn names_of_language() -> impl Iterator<Item = &'static str> {
+    let is_turkish = Language::spoken() == Language::Turkish;
+    let topics = TOPICS.iter().filter(move |_| is_turkish);
+    topics.map(|topic| topic.turkish)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The narrowest screen of the workbench, a terminal, and a wide one.
-    const WIDTHS: [usize; 3] = [40, 80, 100];
-
-    /// Topics are read where the locale has nothing else, and their Markdown is what is understood here.
-    #[test]
-    fn topics_are_plain() {
-        for topic in TOPICS {
-            let text = topic.text(String::new);
-            assert!(text.is_ascii(), "{}", topic.name);
-            assert!(text.starts_with("# "), "{}", topic.name);
-            assert!(
-                !text.contains(KEYS) && !text.contains(SCENE_KEYS),
-                "{}",
-                topic.name
-            );
-            for foreign in ["](", "<br", "\t", "\n1. "] {
-                assert!(!text.contains(foreign), "{}: {foreign}", topic.name);
-            }
-        }
-    }
-
-    /// The words of a text, sorted: tables change the order of theirs. Rules of tables, fences and marks of
-    /// headings are none.
-    fn words(text: &str) -> Vec<String> {
-        let pieces = text.split(|c: char| c.is_whitespace() || c == '|');
-        let bare = pieces.map(|word| word.replace("**", "").trim_matches(['#', ':']).to_owned());
-        let is_word = |word: &String| !word.chars().all(|c| c == '-') && !word.starts_with("```");
-        let mut words: Vec<String> = bare.filter(is_word).collect();
-        words.sort();
-        words
-    }
-
-    /// The words in the heads of tables.
-    fn heads(text: &str) -> Vec<String> {
-        let lines: Vec<&str> = text.lines().collect();
-        let heads = lines.windows(2).filter(|pair| pair[1].starts_with("|---"));
-        heads.flat_map(|pair| words(pair[0])).collect()
-    }
-
-    /// Every word of a topic is shown at every width.
-    #[test]
-    fn no_word_is_lost() {
-        for topic in TOPICS {
-            let text = topic.text(String::new);
-            for width in WIDTHS {
-                let shown: Vec<String> = lines(&text, width).into_iter().map(|l| l.text).collect();
-                let mut shown = words(&shown.join("\n"));
-                // The head of a column may be told at each of its cells, or not at all.
-                let heads = heads(&text);
-                let mut lost = words(&text);
-                lost.retain(|word| match shown.binary_search(word) {
-                    Ok(i) => {
-                        shown.remove(i);
-                        false
-                    }
-                    Err(_) => true,
-                });
-                lost.retain(|word| !heads.contains(word));
-                assert!(lost.is_empty(), "{} at {width}: {lost:?}", topic.name);
-            }
-        }
-    }
-
-    /// Only what is written as it stands, a screen or a file, may be wider than the terminal.
-    #[test]
-    fn lines_keep_to_the_width() {
-        for topic in TOPICS {
-            for width in WIDTHS {
-                for line in lines(&topic.text(String::new), width) {
-                    let length = line.text.chars().count();
-                    let fits = length <= width || line.kind == LineKind::Code;
-                    assert!(fits, "{} at {width}: {}", topic.name, line.text);
-                }
-            }
-        }
-    }
-}
+mod tests;

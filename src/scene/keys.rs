@@ -5,6 +5,7 @@
 
 use super::measure::Measure;
 use super::rate::Degree;
+use crate::wording::{Wording, Words, words};
 
 /// A key.
 pub(super) struct SceneKey {
@@ -13,9 +14,28 @@ pub(super) struct SceneKey {
     /// The kinds of elements that have it, each called by a key of its own; every kind where none is named.
     of: &'static [&'static str],
     /// What it is; nothing where it is told with the next one.
-    words: &'static str,
+    words: KeyText,
     /// What holds where it is left out; nothing where it must be given.
-    default: &'static str,
+    default: KeyText,
+}
+
+/// A text of the reference.
+#[derive(Clone, Copy)]
+enum KeyText {
+    /// As it is typed in a scene, whatever is spoken; or nothing.
+    Typed(&'static str),
+    /// A sentence of the catalogue.
+    Said(Wording),
+}
+
+impl KeyText {
+    /// In the language that is spoken.
+    fn spoken(self) -> &'static str {
+        match self {
+            KeyText::Typed(text) => text,
+            KeyText::Said(sentence) => sentence(words()),
+        }
+    }
 }
 
 /// What stands behind a key.
@@ -65,15 +85,25 @@ impl NumberMeasure {
     }
 }
 
+/// A text in quotes is typed; a name is that of a sentence.
+macro_rules! key_text {
+    ($typed:literal) => {
+        KeyText::Typed($typed)
+    };
+    ($said:ident) => {
+        KeyText::Said(<dyn Words>::$said)
+    };
+}
+
 /// Rows of `name: kind, of, words, default`.
 macro_rules! keys {
-    ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:literal, $default:literal;)*)*) => {
+    ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:tt, $default:tt;)*)*) => {
         $(pub(super) const $table: &[SceneKey] = &[$(SceneKey {
             name: $name,
             kind: $kind,
             of: &$of,
-            words: $words,
-            default: $default,
+            words: key_text!($words),
+            default: key_text!($default),
         }),*];)*
     };
 }
@@ -83,96 +113,77 @@ use NumberMeasure::{Driver, Effort, Of};
 
 keys! {
 SCENE =
-    "name": Text, [], "the title", "the file's name";
-    "source": Text, [], "where the mechanism comes from", "none";
-    "note": Text, [], "what there is to see", "none";
-    "unit": Text, [], "of every length: `\"mm\"`, `\"cm\"`, `\"m\"` or `\"in\"`", "`\"mm\"`";
-    "ground": Points(Of(Measure::Coordinate)), [], "points fixed in the frame: `A = [x, y]`", "none";
-    "driver": Table(DRIVER), [], "the input: a link that is turned or a slide that is pushed", "";
-    "links": Each(LINK), [], "rigid links, each a table: `r2 = { ... }`", "none";
-    "slides": Each(SLIDE), [], "guides and what moves along them, each a table: `r4 = { ... }`", "none";
-    "start": Points(Of(Measure::Start)), [],
-        "rough positions of moving points where the scene opens: `C = [x, y]`", "none";
-    "vectors": Vectors, [], "more vectors for the tables, tail and head: `r1 = [\"D\", \"A\"]`", "none";
-    "loads": List(LOAD), [], "any number of loads, each a force, a torque or a press", "none";
-    "springs": List(SPRING), [], "any number of springs and dampers between points", "none";
-    "gravity": Pair(Of(Measure::Gravity)), [], "acceleration of free fall `[x, y]` in m/s^2", "`[0, 0]`";
-    "figures": Formulas, [], "figures made of others, by formulas: `swing = \"r4.angle - r3.angle\"`", "none";
-    "motor": Table(MOTOR), [], "what is to drive the scene; it changes no motion", "none";
-    "redundant": Table(REDUNDANT), [], "what is asked of constraints that repeat others", "none";
+    "name": Text, [], the_title, name_of_the_file;
+    "source": Text, [], where_it_comes_from, no_default;
+    "note": Text, [], what_there_is_to_see, no_default;
+    "unit": Text, [], unit_of_every_length, "`\"mm\"`";
+    "ground": Points(Of(Measure::Coordinate)), [], points_fixed_in_frame, no_default;
+    "driver": Table(DRIVER), [], the_input, "";
+    "links": Each(LINK), [], rigid_links, no_default;
+    "slides": Each(SLIDE), [], guides_and_sliders, no_default;
+    "start": Points(Of(Measure::Start)), [], rough_positions, no_default;
+    "vectors": Vectors, [], further_vectors, no_default;
+    "loads": List(LOAD), [], any_number_of_loads, no_default;
+    "springs": List(SPRING), [], any_number_of_springs, no_default;
+    "gravity": Pair(Of(Measure::Gravity)), [], acceleration_of_fall, "`[0, 0]`";
+    "figures": Formulas, [], figures_by_formulas, no_default;
+    "motor": Table(MOTOR), [], what_is_to_drive, no_default;
+    "redundant": Table(REDUNDANT), [], constraints_that_repeat, no_default;
 
 DRIVER =
-    "link": Text, ["link"], "the link that turns about its ground point", "";
-    "slide": Text, ["slide"], "or: the slide that is pushed", "";
-    "angle": Number(Of(Measure::Angle)), ["link"],
-        "direction of the driven link's x axis where the scene opens, in deg", "";
-    "position": Number(Of(Measure::Coordinate)), ["slide"],
-        "of a driven slide where the scene opens: along the guide from `through`", "";
-    "speed": Rate(Degree::Speed), [],
-        "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; of a slide `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)",
-        "1 rad/s, or 1 unit/s";
-    "acceleration": Rate(Degree::Acceleration), [],
-        "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; of a slide `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)", "0";
+    "link": Text, ["link"], the_turning_link, "";
+    "slide": Text, ["slide"], the_pushed_slide, "";
+    "angle": Number(Of(Measure::Angle)), ["link"], opening_angle, "";
+    "position": Number(Of(Measure::Coordinate)), ["slide"], opening_position, "";
+    "speed": Rate(Degree::Speed), [], speed_of_driver, unit_speed;
+    "acceleration": Rate(Degree::Acceleration), [], acceleration_of_driver, "0";
 
 LINK =
     "from": Text, [], "", "";
     "to": Text, [], "", "";
-    "length": Number(Of(Measure::Length)), [],
-        "the two ends of a link and their distance: its vector in the loop equation", "no vector";
-    "points": Points(Of(Measure::Coordinate)), [],
-        "further points in the link's frame: `{ P = [150, 80] }`; alone for a link without two natural ends",
-        "none";
-    "com": Pair(Of(Measure::Coordinate)), [], "centre of mass `[x, y]` in the link's frame", "none";
-    "mass": Number(Of(Measure::Mass)), [], "in kg; needs `com`", "0";
-    "inertia": Number(Of(Measure::Inertia)), [], "about the centre of mass in kg m^2; needs `com`", "0";
+    "length": Number(Of(Measure::Length)), [], ends_and_their_distance, no_vector_by_default;
+    "points": Points(Of(Measure::Coordinate)), [], points_in_link_frame, no_default;
+    "com": Pair(Of(Measure::Coordinate)), [], centre_in_link_frame, no_default;
+    "mass": Number(Of(Measure::Mass)), [], mass_of_link, "0";
+    "inertia": Number(Of(Measure::Inertia)), [], inertia_of_link, "0";
 
 SLIDE =
-    "point": Text, ["point"], "the pin that moves in the slot, free to turn", "";
-    "link": Text, ["link"], "or: the link that slides without turning, its origin on the guide", "";
-    "on": Text, [], "what carries the guide: `\"ground\"` or a link", "";
-    "through": Pair(Of(Measure::Coordinate)), [],
-        "a point of the guide: a point of `on` by its name, or `[x, y]` in the frame of `on`", "";
-    "angle": Number(Of(Measure::Angle)), [], "of the guide against the x axis of `on`, in deg", "0";
-    "turn": Number(Of(Measure::Angle)), ["link"], "of a sliding link's x axis against the guide, in deg", "0";
+    "point": Text, ["point"], pin_in_the_slot, "";
+    "link": Text, ["link"], link_without_turning, "";
+    "on": Text, [], what_carries_the_guide, "";
+    "through": Pair(Of(Measure::Coordinate)), [], point_of_the_guide, "";
+    "angle": Number(Of(Measure::Angle)), [], angle_of_guide, "0";
+    "turn": Number(Of(Measure::Angle)), ["link"], turn_of_slider, "0";
 
 LOAD =
     "point": Text, ["force"], "", "";
-    "force": Pair(Of(Measure::Force)), ["force"], "a force `[x, y]` in N at a point", "";
-    "frame": Text, ["force"], "the link in whose frame a force is given: it turns with it", "`\"ground\"`";
+    "force": Pair(Of(Measure::Force)), ["force"], force_at_a_point, "";
+    "frame": Text, ["force"], frame_of_a_force, "`\"ground\"`";
     "link": Text, ["torque"], "", "";
-    "torque": Number(Of(Measure::Torque)), ["torque"], "or: a torque in N m on a link, counter-clockwise", "";
-    "over": Knots([Driver, Of(Measure::Factor)], "factor"), ["force", "torque"],
-        "the part of a force or a torque that acts, over the driver's coordinate: knots \
-         `[[0, 0.2], [15, 1], [360, 0.2]]` in deg, or in the unit of a driven slide", "1";
+    "torque": Number(Of(Measure::Torque)), ["torque"], torque_on_a_link, "";
+    "over": Knots([Driver, Of(Measure::Factor)], "factor"), ["force", "torque"], factor_over_driver, "1";
     "slide": Text, ["press"], "", "";
-    "press": Knots([Of(Measure::Coordinate), Of(Measure::Force)], "size"), ["press"],
-        "or: a force in N against a slide that closes, over the distance before the end of its stroke: knots \
-         `[[12, 0], [4, 200e3], [0, 350e3]]`", "";
-    "end": Text, ["press"],
-        "where a press works: the `\"least\"` or the `\"greatest\"` position along the guide; must be given \
-         where that is horizontal", "the lower end";
+    "press": Knots([Of(Measure::Coordinate), Of(Measure::Force)], "size"), ["press"], press_of_a_slide, "";
+    "end": Text, ["press"], end_of_a_press, the_lower_end;
 
 SPRING =
     "from": Text, [], "", "";
-    "to": Text, [], "the two points, on different bodies", "";
-    "stiffness": Number(Of(Measure::Stiffness)), [], "in N/m", "0";
-    "length": Number(Of(Measure::Length)), [], "without a force, in the scene's `unit`", "0";
-    "damping": Number(Of(Measure::Damping)), [], "in N s/m, of the rate of the distance", "0";
+    "to": Text, [], ends_of_a_spring, "";
+    "stiffness": Number(Of(Measure::Stiffness)), [], stiffness_of_spring, "0";
+    "length": Number(Of(Measure::Length)), [], free_length, "0";
+    "damping": Number(Of(Measure::Damping)), [], damping_of_spring, "0";
 
 MOTOR =
-    "torque": Number(Of(Measure::Torque)), ["link"], "rated torque in N m", "unknown";
-    "force": Number(Of(Measure::Force)), ["slide"], "of a driven slide instead: rated force in N", "unknown";
-    "peak": Number(Effort), [], "what the motor gives for a short while, in N m or N", "unknown";
-    "speed": Rate(Degree::Speed), [], "its rated speed, written as the driver's", "unknown";
-    "flywheel": Number(Of(Measure::Inertia)), ["link"], "moment of inertia on the driver's shaft in kg m^2", "0";
-    "fluctuation": Number(Of(Measure::Factor)), ["link"],
-        "wished of the driver's speed, (greatest - least) / mean", "none";
-    "tolerance": Number(Of(Measure::Length)), [],
-        "how far from the end of its stroke a ram still counts as at rest", "none";
+    "torque": Number(Of(Measure::Torque)), ["link"], rated_torque, unknown_by_default;
+    "force": Number(Of(Measure::Force)), ["slide"], rated_force, unknown_by_default;
+    "peak": Number(Effort), [], peak_of_motor, unknown_by_default;
+    "speed": Rate(Degree::Speed), [], rated_speed, unknown_by_default;
+    "flywheel": Number(Of(Measure::Inertia)), ["link"], flywheel_of_motor, "0";
+    "fluctuation": Number(Of(Measure::Factor)), ["link"], fluctuation_wished, no_default;
+    "tolerance": Number(Of(Measure::Length)), [], rest_of_ram, no_default;
 
 REDUNDANT =
-    "misfit": Number(Of(Measure::Length)), [],
-        "by how much they may disagree over the motion, in the scene's `unit`: for drawings of few digits", "0";
+    "misfit": Number(Of(Measure::Length)), [], misfit_accepted, "0";
 }
 
 /// The row of a key.
@@ -186,11 +197,11 @@ pub(super) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
     keys.iter().filter(fits).map(|key| key.name).collect()
 }
 
-/// Every key of a scene as a table in Markdown: what it is, and what holds where it is left out. Plain keys stand
-/// first, as they do in a file.
+/// Every key of a scene as a table in Markdown: what it is, and what holds where it is left out, in the language that
+/// is spoken. Plain keys stand first, as they do in a file.
 #[must_use]
 pub fn reference() -> String {
-    let mut table = "| key | what it is | default |\n|---|---|---|\n".to_owned();
+    let mut table = format!("| {} |\n|---|---|---|\n", words().heads_of_keys());
     let section = |key: &&SceneKey| key.heading().is_some();
     rows(&mut table, SCENE.iter().filter(|key| !section(key)));
     for key in SCENE.iter().filter(section) {
@@ -219,7 +230,7 @@ fn rows<'k>(table: &mut String, keys: impl Iterator<Item = &'k SceneKey>) {
     let mut names = Vec::new();
     for key in keys {
         names.push(format!("`{}`", key.name));
-        if !key.words.is_empty() {
+        if !key.words.spoken().is_empty() {
             row(table, &names.join(", "), key);
             names.clear();
         }
@@ -227,11 +238,11 @@ fn rows<'k>(table: &mut String, keys: impl Iterator<Item = &'k SceneKey>) {
 }
 
 fn row(table: &mut String, name: &str, key: &SceneKey) {
-    let default = match key.default {
+    let default = match key.default.spoken() {
         "" => String::new(),
         default => format!("{default} "),
     };
-    table.push_str(&format!("| {name} | {} | {default}|\n", key.words));
+    table.push_str(&format!("| {name} | {} | {default}|\n", key.words.spoken()));
 }
 
 #[cfg(test)]
@@ -239,8 +250,10 @@ mod tests {
     use super::*;
     use crate::document::Lenient;
     use crate::scene::{draft, input, link, loads, motor, redundant, slide};
+    use crate::wording::Language;
     use serde::Deserialize;
     use serde::de::DeserializeOwned;
+    use std::collections::BTreeSet;
     use toml::de::ValueDeserializer;
 
     /// Every row is read into a field, and every field has its row.
@@ -266,10 +279,34 @@ mod tests {
         }
     }
 
-    /// Every key is told in the reference, none without words.
+    /// Every key is told in the reference, none without words, and in both languages the same rows.
     #[test]
     fn the_reference_has_every_key() {
-        let told = reference();
+        let told = Language::ALL.map(|language| {
+            language.speak();
+            let told = reference();
+            has_every_key(&told);
+            told
+        });
+        let typed = |told: &str| -> Vec<String> {
+            let cells = told.lines().map(|row| row.split(" | ").next().unwrap());
+            cells.skip(1).map(str::to_owned).collect()
+        };
+        let [english, turkish] = told;
+        assert_eq!(typed(&english), typed(&turkish));
+        for (english, turkish) in english.lines().zip(turkish.lines()) {
+            let is_rule = english.starts_with("|---");
+            assert!(is_rule || english != turkish, "{english}");
+            // What is typed between backticks is the same.
+            let code = |row: &str| -> BTreeSet<String> {
+                let pieces = row.split('`').skip(1).step_by(2);
+                pieces.map(str::to_owned).collect()
+            };
+            assert_eq!(code(english), code(turkish));
+        }
+    }
+
+    fn has_every_key(told: &str) {
         let sections = SCENE.iter().filter_map(SceneKey::heading);
         for (heading, keys) in sections {
             let (_, section) = told.split_once(&format!("| **`{heading}`** | ")).unwrap();

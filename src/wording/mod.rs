@@ -49,6 +49,7 @@ pub(crate) trait Words:
     + ReactionsWords
     + ReadingWords
     + ReportingWords
+    + SceneKeysWords
     + TerminalsWords
     + TourWords
     + ViewsWords

@@ -2,6 +2,7 @@
 
 use super::{Run, command, done, folder, presets, refused, rows, run};
 use assert_cmd::Command;
+use std::path::Path;
 
 const UTF8: [(&str, &str); 2] = [("LC_ALL", "C.UTF-8"), ("TERM", "xterm-256color")];
 
@@ -17,6 +18,13 @@ fn turkish(args: &[&str]) -> String {
     let Run { code, out, err } = krank_in(&UTF8, &args);
     assert_eq!(code, 0, "{err}");
     out
+}
+
+/// What it says in a language where all letters can be shown, in this folder.
+pub(super) fn spoken(language: &str, here: &Path, args: &[&str]) -> Run {
+    let mut krank = Command::new(env!("CARGO_BIN_EXE_krank"));
+    let krank = krank.env_clear().envs(UTF8).current_dir(here);
+    run(krank.args(args).args(["--language", language]))
 }
 
 /// Words of English that have no place on a Turkish screen; names of columns and units are others.
@@ -149,6 +157,10 @@ fn where_letters_are_missing_they_are_spelled_and_never_marked() {
         &["config"],
         &["man"],
         &["help"],
+        &["help", "scene"],
+        &["help", "columns"],
+        &["help", "trust"],
+        &["help", "limits"],
     ] {
         let args = [args, &["--language", "tr"]].concat();
         assert!(done(&args).is_ascii(), "{args:?}");
@@ -157,6 +169,38 @@ fn where_letters_are_missing_they_are_spelled_and_never_marked() {
         let letters = |text: &str| text.chars().count();
         assert_eq!(letters(&all.out), letters(&done(&args)), "{args:?}");
     }
+}
+
+/// The manual's topics are listed with the names that they have in Turkish, and answer to both.
+#[test]
+fn the_manual_is_turkish() {
+    let contents = turkish(&["help"]);
+    let listed = contents.lines().filter_map(|line| {
+        let (about, name) = line.strip_suffix(')')?.rsplit_once(" (")?;
+        Some((about.split_whitespace().next()?.to_owned(), name.to_owned()))
+    });
+    let listed: Vec<(String, String)> = listed.collect();
+    assert!(listed.len() >= 8, "{contents}");
+    for (name, in_turkish) in &listed {
+        let text = turkish(&["help", name]);
+        assert_eq!(text, turkish(&["help", in_turkish]), "{name}");
+        assert_ne!(
+            text,
+            done(&["help", in_turkish]),
+            "{name} is told in English"
+        );
+        assert_eq!(done(&["help", in_turkish]), done(&["help", name]));
+        assert!(text.contains('ı'), "{text}");
+    }
+    assert!(turkish(&["help", "sahne"]).contains("\n`name`"));
+    assert!(turkish(&["help", "SUTUNLAR"]).starts_with("Büyüklükler ve adları\n"));
+    // What is nearly one of them is told so.
+    let near = krank_in(&UTF8, &["help", "sahna", "--language", "tr"]);
+    assert!(
+        near.code == 2 && near.err.contains("`sahne`"),
+        "{}",
+        near.err
+    );
 }
 
 #[cfg(feature = "tui")]
@@ -190,14 +234,15 @@ fn every_view_is_turkish() {
         "motion", "tables", "plots", "forces", "scene", "working", "motor", "lengths",
     ] {
         for size in ["80x24", "120x40", "40x12"] {
-            is_turkish(&turkish(&[
-                "four-bar-load",
-                "--view",
-                view,
-                "--print",
-                "--size",
-                size,
-            ]));
+            let args = ["four-bar-load", "--view", view, "--print", "--size", size];
+            let screen = turkish(&args);
+            is_turkish(&screen);
+            // The tab that is looked at is whole, and the last one too.
+            let tabs = screen.lines().next().unwrap();
+            assert!(
+                tabs.matches('[').count() == tabs.matches(']').count(),
+                "{tabs}"
+            );
         }
     }
 }

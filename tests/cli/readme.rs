@@ -1,13 +1,18 @@
 //! What the README shows is what krank does.
 
+use super::language::spoken;
 use super::{command, done, folder, run};
 
 const README: &str = include_str!("../../README.md");
-const SCENE: &str = include_str!("../../src/manual/scene.md");
-const FAULTS: &str = include_str!("../../src/manual/faults.md");
+const SCENE: &str = include_str!("../../src/manual/english/scene.md");
+const FAULTS: &str = include_str!("../../src/manual/english/faults.md");
+
+/// The same chapters in Turkish.
+const SAHNE: &str = include_str!("../../src/manual/turkish/scene.md");
+const YANLISLAR: &str = include_str!("../../src/manual/turkish/faults.md");
 
 /// The blocks of a text in this language.
-fn blocks(text: &'static str, language: &str) -> Vec<&'static str> {
+pub(super) fn blocks(text: &'static str, language: &str) -> Vec<&'static str> {
     let opening = format!("```{language}\n");
     let behind = text.split(opening.as_str()).skip(1);
     behind
@@ -43,6 +48,15 @@ fn what_is_shown_is_what_is_printed() {
     std::fs::write(here.join("my.toml"), broken).unwrap();
     let mut command = command(&["check", "my.toml"]);
     assert_eq!(run(command.current_dir(&here)).err, *fault);
+
+    // In Turkish there are the scene and its fault, in the chapters of the manual.
+    let texts = [SAHNE, YANLISLAR].map(|text| blocks(text, "text"));
+    let [[check], [fault]] = texts.each_ref().map(Vec::as_slice) else {
+        panic!("there are other blocks of output than this test knows");
+    };
+    let printed = spoken("tr", &here, &["check", "stephenson-six-bar"]);
+    assert_eq!((printed.code, printed.out.as_str()), (0, *check));
+    assert_eq!(spoken("tr", &here, &["check", "my.toml"]).err, *fault);
 }
 
 /// Whoever reads it sees what krank draws today. The links work in a checkout, and so they lead into it.

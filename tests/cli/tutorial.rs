@@ -1,76 +1,97 @@
 //! The tutorial: every step is a scene that does what is said of it.
 
-use super::{command, done, folder, run};
+use super::language::spoken;
+use super::readme::blocks;
+use super::{Run, folder};
 
-const TUTORIAL: &str = include_str!("../../src/manual/tutorial.md");
+/// In each language, and what is said in it of the scenes.
+const TUTORIALS: [(&str, &str, [&str; 8]); 2] = [
+    (
+        "en",
+        include_str!("../../src/manual/english/tutorial.md"),
+        [
+            "1 link and the ground",
+            "turns fully",
+            "four-bar, crank-rocker: Grashof",
+            "5 links and the ground, 7 pin joints",
+            "dyad RRR at C",
+            "dyad RRR at F",
+            "transmission angle at F",
+            "turns fully",
+        ],
+    ),
+    (
+        "tr",
+        include_str!("../../src/manual/turkish/tutorial.md"),
+        [
+            "1 uzuv ve şase",
+            "tam döner",
+            "dört çubuk, krank-sarkaç: Grashof",
+            "5 uzuv ve şase, 7 döner mafsal",
+            "diad RRR, C noktasında",
+            "diad RRR, F noktasında",
+            "bağlama açısı, F",
+            "tam döner",
+        ],
+    ),
+];
 const FILE: &str = "six-bar.toml";
-
-/// Its blocks in this language.
-pub(super) fn blocks(language: &str) -> Vec<&'static str> {
-    let opening = format!("```{language}\n");
-    let behind = TUTORIAL.split(opening.as_str()).skip(1);
-    behind
-        .map(|text| text.split("```").next().unwrap())
-        .collect()
-}
 
 #[test]
 fn every_step_is_a_scene() {
-    let here = folder("tutorial");
-    let check = |scene: &str| {
-        std::fs::write(here.join(FILE), scene).unwrap();
-        run(command(&["check", FILE]).current_dir(&here))
-    };
-    let [crank, ambiguous, four_bar, six_bar] = blocks("toml")[..] else {
-        panic!("the tutorial has other steps than this test knows");
-    };
-    let heard = check(crank);
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    assert!(heard.out.contains("1 link and the ground"), "{}", heard.out);
-    let heard = check(ambiguous);
-    assert_eq!((heard.code, heard.err.as_str()), (2, blocks("text")[0]));
-    let heard = check(four_bar);
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    for said in ["turns fully", "four-bar, crank-rocker: Grashof"] {
-        assert!(
-            heard.out.contains(said) && TUTORIAL.contains(said),
-            "{}",
-            heard.out
+    for (language, tutorial, said) in TUTORIALS {
+        let here = folder(&format!("tutorial-{language}"));
+        let run = |args: &[&str]| spoken(language, &here, args);
+        let check = |scene: &str| -> Run {
+            std::fs::write(here.join(FILE), scene).unwrap();
+            run(&["check", FILE])
+        };
+        let [crank, ambiguous, four_bar, six_bar] = blocks(tutorial, "toml")[..] else {
+            panic!("the tutorial has other steps than this test knows");
+        };
+        let [of_crank, of_four_bar @ .., _, _, _, _, _] = said;
+        let heard = check(crank);
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        assert!(heard.out.contains(of_crank), "{}", heard.out);
+        let heard = check(ambiguous);
+        let told = blocks(tutorial, "text")[0];
+        assert_eq!((heard.code, heard.err.as_str()), (2, told));
+        let heard = check(four_bar);
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        for said in of_four_bar {
+            let is_true = heard.out.contains(said) && tutorial.contains(said);
+            assert!(is_true, "{said}: {}", heard.out);
+        }
+        // The step in between is this one with a third point on the coupler.
+        let curve = four_bar.replace(
+            "length = 120 }",
+            "length = 120, points = { E = [60, 50] } }",
         );
-    }
-    // The step in between is this one with a third point on the coupler.
-    let curve = four_bar.replace(
-        "length = 120 }",
-        "length = 120, points = { E = [60, 50] } }",
-    );
-    assert_ne!(curve, four_bar);
-    assert_eq!(check(&curve).code, 0);
-    let drawn = run(command(&["draw", FILE, "--traces", "E"]).current_dir(&here));
-    assert_eq!(drawn.code, 0, "{}", drawn.err);
-    let heard = check(six_bar);
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    for said in [
-        "5 links and the ground, 7 pin joints",
-        "dyad RRR at C",
-        "dyad RRR at F",
-        "transmission angle at F",
-        "turns fully",
-    ] {
-        assert!(heard.out.contains(said), "{said}: {}", heard.out);
+        assert_ne!(curve, four_bar);
+        assert_eq!(check(&curve).code, 0);
+        let drawn = run(&["draw", FILE, "--traces", "E"]);
+        assert_eq!(drawn.code, 0, "{}", drawn.err);
+        let heard = check(six_bar);
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        for said in &said[3..] {
+            assert!(heard.out.contains(said), "{said}: {}", heard.out);
+        }
     }
 }
 
+/// In Turkish they are the same, which its own test tells.
 #[test]
 fn its_commands_run() {
     let here = folder("tutorial-commands");
-    std::fs::write(here.join(FILE), blocks("toml").last().unwrap()).unwrap();
-    let shown = TUTORIAL
+    let (language, tutorial, _) = TUTORIALS[0];
+    std::fs::write(here.join(FILE), blocks(tutorial, "toml").last().unwrap()).unwrap();
+    let shown = tutorial
         .lines()
         .filter_map(|line| line.strip_prefix("    krank "));
     let mut ran = 0;
     for line in shown {
         let args: Vec<&str> = line.split(' ').collect();
-        let heard = run(command(&args).current_dir(&here));
+        let heard = spoken(language, &here, &args);
         assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
         ran += 1;
     }
@@ -80,10 +101,13 @@ fn its_commands_run() {
 /// What stands in the text is what is shown, scene by scene.
 #[test]
 fn its_scenes_are_shown_as_they_are() {
-    let shown = done(&["help", "tutorial"]);
-    for block in blocks("toml") {
-        let lines = block.lines().map(|line| format!("    {line}"));
-        let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
-        assert!(shown.contains(&lines.join("\n")), "{shown}");
+    for (language, tutorial, _) in TUTORIALS {
+        let here = folder("tutorial-shown");
+        let shown = spoken(language, &here, &["help", "tutorial"]).out;
+        for block in blocks(tutorial, "toml") {
+            let lines = block.lines().map(|line| format!("    {line}"));
+            let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
+            assert!(shown.contains(&lines.join("\n")), "{shown}");
+        }
     }
 }

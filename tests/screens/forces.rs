@@ -80,7 +80,7 @@ fn a_rod_that_pushes_has_a_force_of_its_own() {
 /// The screen in the manual is the one that is seen.
 #[test]
 fn the_screen_of_the_manual_is_real() {
-    let views = include_str!("../../src/manual/views.md");
+    let views = include_str!("../../src/manual/english/views.md");
     let mut workbench = Workbench::new(
         preset("four-bar-load"),
         Glyphs::Ascii,

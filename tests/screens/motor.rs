@@ -184,7 +184,7 @@ fn no_preset_leaves_the_screen_empty_or_broken() {
 /// The screen in the manual is the one that is seen.
 #[test]
 fn the_screen_of_the_manual_is_real() {
-    let views = include_str!("../../src/manual/views.md");
+    let views = include_str!("../../src/manual/english/views.md");
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
     let screen = session.press("8").look();
     let block = format!("```txt\n{}\n```", screen.trim_end());

@@ -289,12 +289,16 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
 /// The configuration in the manual is one.
 #[test]
 fn the_configuration_of_the_manual_is_read() {
-    let keys = include_str!("../../src/manual/keys.md");
-    let block = keys
-        .split("```toml\n")
-        .find(|block| block.starts_with("glyphs"));
-    let text = block.unwrap().split("```").next().unwrap();
-    let config = Config::parse(text, "config.toml").unwrap();
-    assert_eq!(config.glyphs, Some(Glyphs::Ascii));
-    assert!(!config.tour);
+    for keys in [
+        include_str!("../../src/manual/english/keys.md"),
+        include_str!("../../src/manual/turkish/keys.md"),
+    ] {
+        let block = keys
+            .split("```toml\n")
+            .find(|block| block.starts_with("glyphs"));
+        let text = block.unwrap().split("```").next().unwrap();
+        let config = Config::parse(text, "config.toml").unwrap();
+        assert_eq!(config.glyphs, Some(Glyphs::Ascii));
+        assert!(!config.tour);
+    }
 }

@@ -1,6 +1,6 @@
 //! A line that is typed.
 
-use crate::scene::is_harmful;
+use crate::document::{ascii_letter, is_harmful};
 use crate::tui::commands::key::Key;
 
 /// Longer than any number that means something.
@@ -27,6 +27,8 @@ pub(crate) struct EditLine {
 enum Takes {
     /// Characters of seven bits.
     Plain,
+    /// The same, and for letters of Turkish those that they look like: what is searched is compared so.
+    Words,
     /// Whatever can be seen: names of files have it.
     Any,
 }
@@ -46,7 +48,7 @@ impl EditLine {
         EditLine {
             text: String::new(),
             longest: LONGEST_WORDS,
-            takes: Takes::Plain,
+            takes: Takes::Words,
         }
     }
 
@@ -83,8 +85,12 @@ impl EditLine {
 
     /// Appends a character; what is not printable or no longer fits is left out.
     pub(crate) fn push(&mut self, c: char) {
+        let c = match self.takes {
+            Takes::Words => ascii_letter(c).unwrap_or(c),
+            Takes::Plain | Takes::Any => c,
+        };
         let is_seen = match self.takes {
-            Takes::Plain => c == ' ' || c.is_ascii_graphic(),
+            Takes::Plain | Takes::Words => c == ' ' || c.is_ascii_graphic(),
             Takes::Any => !is_harmful(c),
         };
         if is_seen && self.text.len() + c.len_utf8() <= self.longest {

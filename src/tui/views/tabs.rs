@@ -93,7 +93,8 @@ fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
         (brief().collect(), 0),
         (keys().collect(), 0),
     ];
-    let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) <= width;
+    // The last one has room for the bracket behind it too.
+    let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) < width;
     let mut fitting = candidates.into_iter().skip_while(|tabs| !fits(tabs));
     fitting.next().unwrap_or_else(|| (keys().collect(), 0))
 }

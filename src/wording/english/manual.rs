@@ -5,6 +5,7 @@ use super::English;
 catalogue! {
     /// In a line, what each topic tells.
     trait ManualWords for English {
+        topic_told(about: &str, turkish: &str) = "{about}";
         about_tutorial = "from an empty file to a six-bar";
         about_scene = "the scene file: an example, and every key";
         about_views = "what the workbench shows, view by view";

@@ -149,7 +149,7 @@ tuşlar.";
         examples_of_help = "\
 Örnekler:
   krank help                     konular
-  krank help scene               sahne dosyasının her anahtarı
+  krank help scene               sahne dosyasının her anahtarı; krank help sahne de olur
   krank help sweep               krank sweep --help gibi
 
 Terminalde $PAGER ile, yoksa less ya da more ile gösterilir.";

@@ -31,6 +31,7 @@ mod plots;
 mod reactions;
 mod reading;
 mod reporting;
+mod scene_keys;
 mod terminals;
 mod tour;
 mod views;

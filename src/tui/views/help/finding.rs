@@ -35,6 +35,8 @@ fn begins(wanted: &str, lines: &[ManualLine]) -> bool {
 mod tests {
     use super::*;
     use crate::manual::{folded, lines};
+    use crate::tui::commands::line::EditLine;
+    use crate::wording::Language;
 
     /// Every line where a passage with the words begins.
     fn found(wanted: &str, text: &str, width: usize) -> Vec<usize> {
@@ -63,6 +65,23 @@ mod tests {
         let blank = format!("```\n{} needle\n```\n", "a".repeat(27));
         assert_eq!(found("needle", &blank, 30), [1]);
         assert!(found("aneedle", &blank, 30).is_empty());
+    }
+
+    /// Typed with letters of Turkish or without, what is sought in its chapters is found: a line used to drop the first.
+    #[test]
+    fn letters_of_turkish_are_found_by_those_that_they_look_like() {
+        Language::Turkish.speak();
+        let keymap = Keymap::default();
+        for typed in ["ölü konum", "olu konum", "Ölü KONUM"] {
+            let mut line = EditLine::for_words();
+            typed.chars().for_each(|c| line.push(c));
+            let sought = line.text().to_ascii_lowercase();
+            assert_eq!(sought, "olu konum");
+            assert!(next(&sought, (1, 0), 80, &keymap).is_some(), "{typed}");
+        }
+        assert_eq!(next("pipe ends quietly", (1, 0), 80, &keymap), None);
+        Language::English.speak();
+        assert!(next("pipe ends quietly", (1, 0), 80, &keymap).is_some());
     }
 
     /// Whatever stands in a paragraph is found at every width, in the same topic.

@@ -40,7 +40,7 @@ pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer
 }
 
 fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
-    let text = words().help_topic(topic.name, help.page(), TOPICS.len());
+    let text = words().help_topic(topic.called(), help.page(), TOPICS.len());
     let text = format!(" {text} ");
     let style = theme::part(ScreenPart::Title);
     let end = print(buffer, area.x, area.y, area.width, &text, style);

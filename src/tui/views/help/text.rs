@@ -3,12 +3,13 @@
 
 use super::keys::groups;
 use super::{finding, page};
+use crate::document::with_ascii_letters;
 use crate::manual::{self, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::EditLine;
-use crate::wording::words;
+use crate::wording::{Language, words};
 
 /// The help overlay.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,9 +23,9 @@ pub(crate) struct Help {
     found: Option<(u16, usize)>,
     /// Whether no topic has the words that are typed.
     nowhere: bool,
-    /// The topic in lines, and of which page and how many columns they are.
+    /// The topic in lines, and of which page, how many columns and which language they are.
     reading: Vec<manual::ManualLine>,
-    laid_out: (usize, u16),
+    laid_out: (usize, u16, Language),
 }
 
 /// What is searched for.
@@ -76,10 +77,11 @@ impl Help {
 
     /// Lays out the topic on a screen of so many columns, unless that is done.
     pub(crate) fn lay_out(&mut self, columns: u16, keymap: &Keymap) {
-        if self.laid_out != (self.page, columns) {
+        let wanted = (self.page, columns, Language::spoken());
+        if self.laid_out != wanted {
             let lines = |topic| page::lines_of(topic, columns, keymap);
             self.reading = self.topic().map(lines).unwrap_or_default();
-            self.laid_out = (self.page, columns);
+            self.laid_out = wanted;
         }
     }
 
@@ -203,9 +205,11 @@ impl Help {
     }
 }
 
-/// Whether each of the words is in one of the texts.
+/// Whether each of the words, typed in letters of ASCII, is in one of the texts: letters of Turkish are found by those
+/// that they look like.
 pub(super) fn finds(words: &str, texts: &[&str]) -> bool {
-    let texts: Vec<String> = texts.iter().map(|text| text.to_ascii_lowercase()).collect();
+    let spelled = |text: &&str| with_ascii_letters(text).to_ascii_lowercase();
+    let texts: Vec<String> = texts.iter().map(spelled).collect();
     let mut words = words.split_whitespace();
     words.all(|word| texts.iter().any(|text| text.contains(word)))
 }
@@ -243,6 +247,21 @@ mod tests {
         assert_eq!(keys(searched("f2")), ["I F2"]);
         assert!(keys(searched("scene")).len() > 3, "the group counts too");
         assert_eq!(searched("coffee"), []);
+    }
+
+    /// A key changes the language while one reads.
+    #[test]
+    fn a_topic_is_laid_out_again_in_another_language() {
+        let (mut help, keymap) = (Help::default(), Keymap::default());
+        help.turn(false);
+        let mut first = |language: Language| {
+            language.speak();
+            help.lay_out(80, &keymap);
+            help.reading()[0].text.clone()
+        };
+        let english = first(Language::English);
+        assert_ne!(first(Language::Turkish), english);
+        assert_eq!(first(Language::English), english);
     }
 
     #[test]

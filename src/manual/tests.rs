@@ -1,0 +1,90 @@
+//! Every topic is plain, whole and the same in every language.
+
+mod languages;
+
+use super::*;
+
+/// The narrowest screen of the workbench, a terminal, and a wide one.
+const WIDTHS: [usize; 3] = [40, 80, 100];
+
+/// Every topic, as it is read in each language.
+fn texts() -> Vec<(String, String)> {
+    let texts = Language::ALL.into_iter().flat_map(|language| {
+        language.speak();
+        let named = |topic: &Topic| format!("{} in {language:?}", topic.name);
+        let texts = TOPICS
+            .iter()
+            .map(|topic| (named(topic), topic.text(String::new)));
+        texts.collect::<Vec<_>>()
+    });
+    texts.collect()
+}
+
+/// Topics are read where the locale has nothing else, and their Markdown is what is understood here.
+#[test]
+fn topics_are_plain() {
+    for (name, text) in texts() {
+        assert!(with_ascii_letters(&text).is_ascii(), "{name}");
+        assert!(text.starts_with("# "), "{name}");
+        let is_filled = !text.contains(KEYS) && !text.contains(SCENE_KEYS);
+        assert!(is_filled, "{name}");
+        for foreign in ["](", "<br", "\t", "\n1. "] {
+            assert!(!text.contains(foreign), "{name}: {foreign}");
+        }
+    }
+}
+
+/// The words of a text, sorted: tables change the order of theirs. Rules of tables, fences and marks of
+/// headings are none.
+fn words(text: &str) -> Vec<String> {
+    let pieces = text.split(|c: char| c.is_whitespace() || c == '|');
+    let bare = pieces.map(|word| word.replace("**", "").trim_matches(['#', ':']).to_owned());
+    let is_word = |word: &String| !word.chars().all(|c| c == '-') && !word.starts_with("```");
+    let mut words: Vec<String> = bare.filter(is_word).collect();
+    words.sort();
+    words
+}
+
+/// The words in the heads of tables.
+fn heads(text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let heads = lines.windows(2).filter(|pair| pair[1].starts_with("|---"));
+    heads.flat_map(|pair| words(pair[0])).collect()
+}
+
+/// Every word of a topic is shown at every width.
+#[test]
+fn no_word_is_lost() {
+    for (name, text) in texts() {
+        for width in WIDTHS {
+            let shown: Vec<String> = lines(&text, width).into_iter().map(|l| l.text).collect();
+            let mut shown = words(&shown.join("\n"));
+            // The head of a column may be told at each of its cells, or not at all.
+            let heads = heads(&text);
+            let mut lost = words(&text);
+            lost.retain(|word| match shown.binary_search(word) {
+                Ok(i) => {
+                    shown.remove(i);
+                    false
+                }
+                Err(_) => true,
+            });
+            lost.retain(|word| !heads.contains(word));
+            assert!(lost.is_empty(), "{name} at {width}: {lost:?}");
+        }
+    }
+}
+
+/// Only what is written as it stands, a screen or a file, may be wider than the terminal.
+#[test]
+fn lines_keep_to_the_width() {
+    for (name, text) in texts() {
+        for width in WIDTHS {
+            for line in lines(&text, width) {
+                let length = line.text.chars().count();
+                let fits = length <= width || line.kind == LineKind::Code;
+                assert!(fits, "{name} at {width}: {}", line.text);
+            }
+        }
+    }
+}

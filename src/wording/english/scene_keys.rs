@@ -1,0 +1,72 @@
+//! The reference of a scene's keys: what each is, and what holds where it is left out.
+
+use super::English;
+
+catalogue! {
+    /// What the keys of a scene are, and what holds where one is left out.
+    trait SceneKeysWords for English {
+        heads_of_keys = "key | what it is | default";
+        // What each is.
+        the_title = "the title";
+        where_it_comes_from = "where the mechanism comes from";
+        what_there_is_to_see = "what there is to see";
+        unit_of_every_length = "of every length: `\"mm\"`, `\"cm\"`, `\"m\"` or `\"in\"`";
+        points_fixed_in_frame = "points fixed in the frame: `A = [x, y]`";
+        the_input = "the input: a link that is turned or a slide that is pushed";
+        rigid_links = "rigid links, each a table: `r2 = { ... }`";
+        guides_and_sliders = "guides and what moves along them, each a table: `r4 = { ... }`";
+        rough_positions = "rough positions of moving points where the scene opens: `C = [x, y]`";
+        further_vectors = "more vectors for the tables, tail and head: `r1 = [\"D\", \"A\"]`";
+        any_number_of_loads = "any number of loads, each a force, a torque or a press";
+        any_number_of_springs = "any number of springs and dampers between points";
+        acceleration_of_fall = "acceleration of free fall `[x, y]` in m/s^2";
+        figures_by_formulas = "figures made of others, by formulas: `swing = \"r4.angle - r3.angle\"`";
+        what_is_to_drive = "what is to drive the scene; it changes no motion";
+        constraints_that_repeat = "what is asked of constraints that repeat others";
+        the_turning_link = "the link that turns about its ground point";
+        the_pushed_slide = "or: the slide that is pushed";
+        opening_angle = "direction of the driven link's x axis where the scene opens, in deg";
+        opening_position = "of a driven slide where the scene opens: along the guide from `through`";
+        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; of a slide `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
+        acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; of a slide `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
+        ends_and_their_distance = "the two ends of a link and their distance: its vector in the loop equation";
+        points_in_link_frame = "further points in the link's frame: `{ P = [150, 80] }`; alone for a link without two natural ends";
+        centre_in_link_frame = "centre of mass `[x, y]` in the link's frame";
+        mass_of_link = "in kg; needs `com`";
+        inertia_of_link = "about the centre of mass in kg m^2; needs `com`";
+        pin_in_the_slot = "the pin that moves in the slot, free to turn";
+        link_without_turning = "or: the link that slides without turning, its origin on the guide";
+        what_carries_the_guide = "what carries the guide: `\"ground\"` or a link";
+        point_of_the_guide = "a point of the guide: a point of `on` by its name, or `[x, y]` in the frame of `on`";
+        angle_of_guide = "of the guide against the x axis of `on`, in deg";
+        turn_of_slider = "of a sliding link's x axis against the guide, in deg";
+        force_at_a_point = "a force `[x, y]` in N at a point";
+        frame_of_a_force = "the link in whose frame a force is given: it turns with it";
+        torque_on_a_link = "or: a torque in N m on a link, counter-clockwise";
+        factor_over_driver = "the part of a force or a torque that acts, over the driver's coordinate: knots \
+             `[[0, 0.2], [15, 1], [360, 0.2]]` in deg, or in the unit of a driven slide";
+        press_of_a_slide = "or: a force in N against a slide that closes, over the distance before the end of its stroke: knots \
+             `[[12, 0], [4, 200e3], [0, 350e3]]`";
+        end_of_a_press = "where a press works: the `\"least\"` or the `\"greatest\"` position along the guide; must be given \
+             where that is horizontal";
+        ends_of_a_spring = "the two points, on different bodies";
+        stiffness_of_spring = "in N/m";
+        free_length = "without a force, in the scene's `unit`";
+        damping_of_spring = "in N s/m, of the rate of the distance";
+        rated_torque = "rated torque in N m";
+        rated_force = "of a driven slide instead: rated force in N";
+        peak_of_motor = "what the motor gives for a short while, in N m or N";
+        rated_speed = "its rated speed, written as the driver's";
+        flywheel_of_motor = "moment of inertia on the driver's shaft in kg m^2";
+        fluctuation_wished = "wished of the driver's speed, (greatest - least) / mean";
+        rest_of_ram = "how far from the end of its stroke a ram still counts as at rest";
+        misfit_accepted = "by how much they may disagree over the motion, in the scene's `unit`: for drawings of few digits";
+        // What holds where one is left out.
+        name_of_the_file = "the file's name";
+        no_default = "none";
+        unit_speed = "1 rad/s, or 1 unit/s";
+        no_vector_by_default = "no vector";
+        the_lower_end = "the lower end";
+        unknown_by_default = "unknown";
+    }
+}

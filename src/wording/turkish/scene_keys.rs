@@ -1,0 +1,72 @@
+//! The reference of a scene's keys: what each is, and what holds where it is left out.
+
+use super::Turkish;
+use crate::wording::english::SceneKeysWords;
+
+catalogue! {
+    impl SceneKeysWords for Turkish {
+        heads_of_keys = "anahtar | ne olduğu | verilmezse";
+        // What each is.
+        the_title = "başlık";
+        where_it_comes_from = "mekanizmanın nereden geldiği";
+        what_there_is_to_see = "görülecek olan";
+        unit_of_every_length = "bütün boyların birimi: `\"mm\"`, `\"cm\"`, `\"m\"` ya da `\"in\"`";
+        points_fixed_in_frame = "şasede sabit noktalar: `A = [x, y]`";
+        the_input = "tahrik: döndürülen bir uzuv ya da itilen bir kızak";
+        rigid_links = "rijit uzuvlar, her biri bir tablo: `r2 = { ... }`";
+        guides_and_sliders = "kılavuzlar ve üzerlerinde hareket edenler, her biri bir tablo: `r4 = { ... }`";
+        rough_positions = "hareketli noktaların sahnenin açıldığı yerdeki kaba konumları: `C = [x, y]`";
+        further_vectors = "tablolara başka vektörler, kuyruk ve uç: `r1 = [\"D\", \"A\"]`";
+        any_number_of_loads = "istendiği kadar yük, her biri bir kuvvet, bir tork ya da bir pres";
+        any_number_of_springs = "noktalar arasında istendiği kadar yay ve sönümleyici";
+        acceleration_of_fall = "serbest düşmenin ivmesi `[x, y]`, m/s^2 olarak";
+        figures_by_formulas = "başkalarından formülle yapılan büyüklükler: `swing = \"r4.angle - r3.angle\"`";
+        what_is_to_drive = "sahneyi ne sürecek; hiçbir hareketi değiştirmez";
+        constraints_that_repeat = "başkalarını yineleyen kısıtlardan istenen";
+        the_turning_link = "sabit noktası çevresinde dönen uzuv";
+        the_pushed_slide = "ya da: itilen kızak";
+        opening_angle = "sahnenin açıldığı yerde tahrik uzvunun x ekseninin yönü, deg olarak";
+        opening_position = "itilen kızağın açılıştaki konumu: kılavuz boyunca `through` noktasından";
+        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; kızakta `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
+        acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; kızakta `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
+        ends_and_their_distance = "bir uzvun iki ucu ve aralarındaki uzaklık: vektörel konum denklemindeki vektörü";
+        points_in_link_frame = "uzvun eksenindeki öteki noktalar: `{ P = [150, 80] }`; doğal iki ucu olmayan bir uzuvda yalnız bunlar";
+        centre_in_link_frame = "uzvun ekseninde ağırlık merkezi `[x, y]`";
+        mass_of_link = "kg olarak; `com` gerekir";
+        inertia_of_link = "ağırlık merkezine göre, kg m^2 olarak; `com` gerekir";
+        pin_in_the_slot = "yarıkta hareket eden pim, dönmekte serbest";
+        link_without_turning = "ya da: dönmeden kayan uzuv, başlangıcı kılavuzun üstünde";
+        what_carries_the_guide = "kılavuzu taşıyan: `\"ground\"` ya da bir uzuv";
+        point_of_the_guide = "kılavuzun bir noktası: `on` cisminin bir noktası, adıyla, ya da onun ekseninde `[x, y]`";
+        angle_of_guide = "kılavuzun `on` cisminin x eksenine açısı, deg olarak";
+        turn_of_slider = "kayan uzvun x ekseninin kılavuza açısı, deg olarak";
+        force_at_a_point = "bir noktada `[x, y]` kuvveti, N olarak";
+        frame_of_a_force = "kuvvetin ekseninde verildiği uzuv: kuvvet onunla döner";
+        torque_on_a_link = "ya da: bir uzva N m olarak tork, saat yönünün tersine";
+        factor_over_driver = "bir kuvvetin ya da torkun, tahrikin koordinatına göre etki eden payı: düğümler \
+                 `[[0, 0.2], [15, 1], [360, 0.2]]`, deg ya da itilen bir kızağın biriminde";
+        press_of_a_slide = "ya da: kapanan bir kızağa karşı, strokunun sonundan önceki uzaklığa göre N olarak kuvvet: düğümler \
+                 `[[12, 0], [4, 200e3], [0, 350e3]]`";
+        end_of_a_press = "presin çalıştığı yer: kılavuz boyunca en küçük `\"least\"` ya da en büyük `\"greatest\"` konum; \
+                 kılavuz yataysa verilmelidir";
+        ends_of_a_spring = "iki nokta, ayrı cisimlerde";
+        stiffness_of_spring = "N/m olarak";
+        free_length = "kuvvetsiz boyu, sahnenin `unit` biriminde";
+        damping_of_spring = "N s/m olarak, uzaklığın hızına";
+        rated_torque = "anma torku, N m olarak";
+        rated_force = "itilen bir kızakta onun yerine: anma kuvveti, N olarak";
+        peak_of_motor = "motorun kısa süre verdiği, N m ya da N olarak";
+        rated_speed = "anma hızı, tahrikinki gibi yazılır";
+        flywheel_of_motor = "tahrik milindeki atalet momenti, kg m^2 olarak";
+        fluctuation_wished = "tahrikin hızında istenen, (en büyük - en küçük) / ortalama";
+        rest_of_ram = "bir koçun strokunun sonundan ne kadar uzakta hâlâ duruyor sayıldığı";
+        misfit_accepted = "hareket boyunca ne kadar uyuşmayabilecekleri, sahnenin `unit` biriminde: az haneli çizimler için";
+        // What holds where one is left out.
+        name_of_the_file = "dosyanın adı";
+        no_default = "yok";
+        unit_speed = "1 rad/s ya da 1 birim/s";
+        no_vector_by_default = "vektör yok";
+        the_lower_end = "alttaki uç";
+        unknown_by_default = "bilinmiyor";
+    }
+}
