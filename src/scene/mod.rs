@@ -84,6 +84,7 @@ pub use unit::Unit;
 pub use values::{Value, ValueOwner};
 
 use crate::document;
+use crate::wording::words;
 use crate::{ElementId, LinkId, Mechanism, PointId, SlideId};
 use std::ops::Range;
 use std::path::Path;
@@ -258,9 +259,7 @@ impl Scene {
 
 /// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
 fn too_large(origin: &str) -> Diagnostics {
-    let fault = Diagnostic::new(format!(
-        "the file is too large: a scene may have at most {LARGEST_FILE} bytes (1 MiB)"
-    ));
+    let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
     Diagnostics {
         origin: origin.to_owned(),
         text: "".into(),

@@ -271,3 +271,76 @@ fn a_speed_may_have_a_comma() {
     assert_eq!(ambiguous.code, 2);
     assert!(ambiguous.err.contains("1234,5"), "{}", ambiguous.err);
 }
+
+/// Words of English in faults of a scene; none is a word of Turkish, a key of a scene or a name in the files.
+const OF_FAULTS: [&str; 27] = [
+    "the", "of", "and", "with", "is", "are", "has", "have", "must", "cannot", "neither", "both",
+    "only", "which", "this", "that", "these", "give", "write", "take", "name", "found", "known",
+    "unknown", "reserved", "negative", "expected",
+];
+
+/// What a report says beside what is quoted: no lines of the file, no place, no example of TOML.
+fn said(report: &str) -> Vec<String> {
+    let mut said = Vec::new();
+    for line in report.lines() {
+        let (number, rest) = line.split_once(" |").unwrap_or(("x", line));
+        let is_source = number.trim().parse::<u32>().is_ok();
+        let is_place = line.trim_start().starts_with("-->");
+        let text = rest.trim_start_matches(|c: char| " |=".contains(c));
+        let marks = text.trim_start_matches(|c: char| " ^-|_".contains(c));
+        let key = marks.split_once(" = ").map(|(key, _)| key);
+        let is_code = marks.starts_with('[') || key.is_some_and(|key| !key.contains(' '));
+        let levels = ["error: ", "hata: ", "help: ", "yardim: ", "note: ", "not: "];
+        let level = levels.iter().find_map(|level| marks.strip_prefix(level));
+        let marks = level.unwrap_or(marks);
+        if !is_source && !is_place && !is_code {
+            let plain = marks.split('`').step_by(2).collect::<Vec<_>>().join(" ");
+            said.push(plain.split('"').step_by(2).collect::<Vec<_>>().join(" "));
+        }
+    }
+    said
+}
+
+/// Letters alone, as many as make a word.
+fn words_of(text: &str) -> Vec<&str> {
+    let words = text.split(|c: char| !c.is_alphabetic());
+    words.filter(|word| word.len() > 1).collect()
+}
+
+#[test]
+fn every_fault_of_a_scene_is_told_in_turkish() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/broken");
+    let mut faults = Vec::new();
+    let mut files = 0;
+    for file in std::fs::read_dir(&folder).unwrap() {
+        let path = file.unwrap().path();
+        let name = path.to_str().unwrap();
+        let english = refused(2, &["check", name]);
+        let turkish = refused(2, &["check", name, "--language", "tr"]);
+        files += 1;
+        // The same places and the same lines of the file.
+        let kept = |report: &str| -> Vec<String> {
+            let lines = report.lines().filter(|line| line.contains("-->"));
+            lines.map(|line| line.trim().to_owned()).collect()
+        };
+        assert_eq!(kept(&english), kept(&turkish));
+        let english = said(&english);
+        for line in said(&turkish) {
+            let words = words_of(&line);
+            let word = words.iter().find(|word| OF_FAULTS.contains(word));
+            let shared = words.len() > 1 && english.contains(&line);
+            if shared || word.is_some() {
+                faults.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    assert!(files > 150, "{files}");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_comparison_finds_english() {
+    let report = "hata: kotu\n --> a.toml:3:1\n  |\n3 | the = 1\n  |  ^^ is bad `the`\n  = yardim: the rule\n";
+    assert_eq!(said(report), ["kotu", "", "is bad  ", "the rule"]);
+    assert_eq!(words_of("is bad, 3 `x"), ["is", "bad"]);
+}

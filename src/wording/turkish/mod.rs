@@ -3,6 +3,7 @@
 //! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`; what is typed
 //! (options, keys, names of columns and of actions) stays as it is. No ending is put behind a name that comes in.
 
+mod acting;
 mod actions;
 mod checking;
 mod commands;
@@ -31,6 +32,7 @@ mod reactions;
 mod reading;
 mod reporting;
 mod terminals;
+mod toml;
 mod tour;
 mod views;
 mod working;
