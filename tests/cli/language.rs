@@ -344,3 +344,46 @@ fn the_comparison_finds_english() {
     assert_eq!(said(report), ["kotu", "", "is bad  ", "the rule"]);
     assert_eq!(words_of("is bad, 3 `x"), ["is", "bad"]);
 }
+
+/// As people of half the world write it; in the workbench and in scenes too.
+#[test]
+fn a_place_may_have_a_comma() {
+    let alike = |args: &[&str]| {
+        let typed: Vec<String> = args.iter().map(|it| (*it).to_owned()).collect();
+        let point: Vec<String> = args.iter().map(|it| it.replace(',', ".")).collect();
+        let told = |args: &[String]| done(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(told(&typed), told(&point), "{args:?}");
+    };
+    alike(&["table", "four-bar", "--at", "15,5"]);
+    alike(&["draw", "four-bar", "--at", "-0,5"]);
+    alike(&["explain", "four-bar", "--at", "1,25e1"]);
+    alike(&[
+        "sweep", "four-bar", "--from", "0,5", "--to", "2,5", "--step", "0,1",
+    ]);
+    alike(&[
+        "plot",
+        "four-bar",
+        "--columns",
+        "C.x",
+        "--from",
+        "0,5",
+        "--to",
+        "90,5",
+    ]);
+    alike(&["motor", "excavator-boom", "--from", "1,8", "--to", "2,8"]);
+    alike(&["motor", "press-ram", "--height", "6,5"]);
+    #[cfg(feature = "tui")]
+    alike(&["four-bar", "--at", "15,5", "--print"]);
+    for (args, option) in [
+        (&["table", "four-bar", "--at", "1,500"][..], "--at"),
+        (&["sweep", "four-bar", "--step", "1.234,5"], "--step"),
+        (&["motor", "press-ram", "--height", "1,000"], "--height"),
+    ] {
+        let message = refused(2, args);
+        let groups = "write digits without groups: 1234.5 or 1234,5";
+        assert!(
+            message.contains(option) && message.contains(groups),
+            "{message}"
+        );
+    }
+}

@@ -25,6 +25,7 @@ mod motion;
 mod motors;
 mod offering;
 mod options;
+mod parser;
 mod parts;
 mod picking;
 mod plots;

@@ -16,6 +16,9 @@ pub(super) fn said(message: &str) -> String {
         ("invalid literal string", Some("`'`")) => return "kapanmamış metin: `'` eksik".to_owned(),
         // Quotes of either kind would do.
         ("string values must be quoted", _) => expected = None,
+        (fault, _) if OF_DATES.iter().any(|of| fault.starts_with(of)) => {
+            return "geçersiz tarih ya da saat".to_owned();
+        }
         _ => {}
     }
     let Some(fault) = wrong(fault) else {
@@ -45,7 +48,15 @@ fn wanted(expected: &str) -> String {
     items.collect::<Vec<_>>().join(OR)
 }
 
-const FAULTS: [(&str, &str); 68] = [
+/// Of the many ways in which a date is none nobody asks: a scene has no dates.
+const OF_DATES: [&str; 4] = [
+    "invalid date",
+    "invalid time",
+    "invalid offset",
+    "invalid local",
+];
+
+const FAULTS: [(&str, &str); 67] = [
     (
         "`_` may only go between digits",
         "`_` yalnız rakamların arasında olur",
@@ -78,7 +89,6 @@ const FAULTS: [(&str, &str); 68] = [
         "invalid comment character",
         "açıklamada olamayacak bir karakter",
     ),
-    ("invalid date-time", "geçersiz tarih"),
     ("invalid exponent", "sayının geçersiz üssü"),
     ("invalid float", "geçersiz sayı"),
     ("invalid fraction", "sayının geçersiz kesri"),
