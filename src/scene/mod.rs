@@ -252,6 +252,12 @@ impl Scene {
         &self.link_names[link.index()]
     }
 
+    /// The title as a person reads it: that of a scene that is built in, in the language that is spoken.
+    #[must_use]
+    pub fn title(&self) -> String {
+        words().told_of_scene(&self.name)
+    }
+
     /// A slide's name.
     #[must_use]
     pub fn slide_name(&self, slide: SlideId) -> &str {

@@ -19,7 +19,7 @@ impl ReportedState<'_> {
     pub(super) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
-        let caption = words().drawing_of(&self.scene.name, &self.state.at(), unit);
+        let caption = words().drawing_of(&self.scene.title(), &self.state.at(), unit);
         self.show(&Wanted::default(), caption, page);
     }
 

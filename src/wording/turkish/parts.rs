@@ -1,6 +1,6 @@
 //! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
 
-use super::Turkish;
+use super::{Turkish, presets};
 use crate::wording::english::PartsWords;
 use std::fmt::LowerExp;
 
@@ -17,6 +17,23 @@ catalogue! {
         tail_of(what: &str) = "başı ({what})";
         head_of(what: &str) = "ucu ({what})";
         the_scene_itself = "sahne";
+        body_called(name: &str) = {
+            // No link may have this name.
+            match name {
+                "ground" => "şase".to_owned(),
+                name => name.to_owned(),
+            }
+        };
+        condition_called(word: &str) = {
+            match word {
+                "ok" => "tamam".to_owned(),
+                "dead-point" => "ölü konum".to_owned(),
+                "change-point" => "değişim konumu".to_owned(),
+                "no-assembly" => "kurulamaz".to_owned(),
+                word => word.to_owned(),
+            }
+        };
+        told_of_scene(text: &str) = { presets::said(text).to_owned() };
         add_for_example(text: &str) = "örneğin şunu ekle:\n{text}";
 
         // The scene.

@@ -1,6 +1,6 @@
 //! Reading a scene or a configuration: what is wrong with its keys, values and names, and what would mend it.
 
-use super::{Turkish, toml};
+use super::{Turkish, syntax};
 use crate::wording::english::ReadingWords;
 
 catalogue! {
@@ -10,7 +10,7 @@ catalogue! {
         not_a_character = "UTF-8'de bir karakter değil";
         save_as_utf8 = "dosyayı UTF-8 olarak kaydet";
         not_valid_toml(message: &str) = {
-            format!("geçerli TOML değil: {}", toml::said(message))
+            format!("geçerli TOML değil: {}", syntax::said(message))
         };
         more_faults(count: usize) = "{count} hata daha var, gösterilmiyor";
         given_twice(key: &str) = "{key} iki kez verilmiş";
