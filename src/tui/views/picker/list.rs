@@ -339,3 +339,18 @@ fn whole(folder: &Path) -> PathBuf {
     let whole = folder.canonicalize();
     whole.unwrap_or_else(|_| std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_is_found_without_its_letters() {
+        let place = PickerTarget::Original;
+        let item = PickerItem::new(place, "hoecken", "Hoecken'in do\u{11f}ru \u{e7}izen");
+        for typed in ["dogru", "do\u{11f}ru", "cizen", "hoecken"] {
+            assert!(item.key.contains(typed), "{typed}: {}", item.key);
+        }
+        assert!(!item.key.contains("kite"));
+    }
+}
