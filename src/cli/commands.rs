@@ -21,7 +21,7 @@ pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
     let mut text = String::new();
     for preset in presets {
         let scene = Scene::parse(preset.text, preset.name).map_err(Failure::Scene)?;
-        let title = sanitized(&scene.name, screen.ascii);
+        let title = sanitized(&scene.title(), screen.ascii);
         text.push_str(&format!("{:width$}  {title}\n", preset.name));
     }
     write_text(None, &text)

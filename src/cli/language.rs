@@ -1,23 +1,29 @@
 //! Which language the program speaks. It must be known before anything is said: the help that is built from the
 //! command line's own description is said too, so that the option is looked for before that is read.
 
-use super::args::LanguageChoice;
+use super::args::{Cli, LanguageChoice};
 use crate::wording::Language;
-use clap::ValueEnum;
+use clap::{Command, CommandFactory, ValueEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 /// Speaks the language that is asked for, configured, or that of the locale. The arguments come back with the
-/// option behind all others, where every command takes it.
+/// option behind the command, where every one takes it.
 pub(super) fn settle(arguments: Vec<OsString>) -> Vec<OsString> {
     let configured = configured(value_of(&arguments, "--config").map(PathBuf::from));
-    let (arguments, asked) = with_language_last(arguments);
+    let asked = value_of(&arguments, OPTION);
     let asked = asked.and_then(|name| LanguageChoice::from_str(name.to_str()?, false).ok());
     let asked = asked.and_then(LanguageChoice::asked);
     let env = |name: &str| Some(std::env::var_os(name)?.to_string_lossy().into_owned());
     let language = asked.or(configured);
     language.unwrap_or_else(|| Language::of_locale(env)).speak();
-    arguments
+    with_language_moved(arguments, |word| {
+        let krank = Cli::command();
+        krank
+            .get_subcommands()
+            .map(Command::get_name)
+            .any(|name| word == name)
+    })
 }
 
 #[cfg(feature = "tui")]
@@ -53,10 +59,13 @@ fn value_within<'a>(argument: &'a OsStr, option: &str) -> Option<&'a str> {
     argument.to_str()?.strip_prefix(option)?.strip_prefix('=')
 }
 
-/// The arguments with each `--language` behind the others, and what it is given: before a command the option
-/// would make a scene of the command's name.
-fn with_language_last(arguments: Vec<OsString>) -> (Vec<OsString>, Option<OsString>) {
-    let asked = value_of(&arguments, OPTION);
+/// The arguments with each `--language`, and what it is given, behind the others: before a command the option would
+/// make a scene of its name. Where an option comes last it would be taken for what that is given: it stands behind
+/// the command then, or where there is none behind a first word, which is a scene, or in front.
+fn with_language_moved(
+    arguments: Vec<OsString>,
+    is_command: impl Fn(&OsStr) -> bool,
+) -> Vec<OsString> {
     let end = arguments.iter().position(|it| it == NAMES);
     let mut all = arguments;
     let names = all.split_off(end.unwrap_or(all.len()));
@@ -72,43 +81,74 @@ fn with_language_last(arguments: Vec<OsString>) -> (Vec<OsString>, Option<OsStri
             others.push(argument);
         }
     }
+    let last = others.last().filter(|_| others.len() > 1);
+    let behind = match last.is_some_and(|last| is_option(last)) {
+        true => place_of_command(&others, is_command),
+        false => others.len(),
+    };
+    let rest = others.split_off(behind);
     others.extend(moved);
+    others.extend(rest);
     others.extend(names);
-    (others, asked)
+    others
+}
+
+/// Behind the first word that is a command, or a first word, or in front.
+fn place_of_command(arguments: &[OsString], is_command: impl Fn(&OsStr) -> bool) -> usize {
+    let mut words = arguments.iter().skip(1);
+    let begins_with_word = words.clone().next().is_some_and(|first| !is_option(first));
+    let command = words.position(|word| is_command(word));
+    1 + command.map_or(usize::from(begins_with_word), |at| at + 1)
+}
+
+fn is_option(argument: &OsStr) -> bool {
+    let text = argument.to_string_lossy();
+    text.starts_with('-') && text != "-"
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn ordered(line: &str) -> (String, Option<String>) {
+    fn ordered(line: &str) -> String {
         let words = line.split(' ').map(OsString::from).collect();
-        let (arguments, asked) = with_language_last(words);
+        let arguments = with_language_moved(words, |word| word == "table");
         let text = |word: OsString| word.into_string().unwrap();
         let arguments: Vec<String> = arguments.into_iter().map(text).collect();
-        (arguments.join(" "), asked.map(text))
+        arguments.join(" ")
     }
 
     #[test]
     fn the_language_may_stand_anywhere() {
-        let told = |line: &str, asked: &str| (line.to_owned(), Some(asked.to_owned()));
-        assert_eq!(
-            ordered("krank --language tr table x --at 6"),
-            told("krank table x --at 6 --language tr", "tr")
-        );
-        assert_eq!(
-            ordered("krank --language=en x"),
-            told("krank x --language=en", "en")
-        );
-        assert_eq!(
-            ordered("krank x --language"),
-            ("krank x --language".into(), None)
-        );
-        let names = "krank -- --language tr";
-        assert_eq!(ordered(names), (names.into(), None));
-        assert_eq!(
-            ordered("krank --language tr -- x"),
-            told("krank --language tr -- x", "tr")
-        );
+        for (typed, read) in [
+            (
+                "krank --language tr table x --at 6",
+                "krank table x --at 6 --language tr",
+            ),
+            (
+                "krank --language tr table x --at",
+                "krank table --language tr x --at",
+            ),
+            (
+                "krank table --language=tr x -",
+                "krank table x - --language=tr",
+            ),
+            ("krank --language=en x", "krank x --language=en"),
+            (
+                "krank --language en --print x",
+                "krank --print x --language en",
+            ),
+            (
+                "krank --language en x --print",
+                "krank x --language en --print",
+            ),
+            ("krank --print --language en", "krank --language en --print"),
+            ("krank x --language", "krank x --language"),
+            ("krank --language", "krank --language"),
+            ("krank -- --language tr", "krank -- --language tr"),
+            ("krank --language tr -- x", "krank --language tr -- x"),
+        ] {
+            assert_eq!(ordered(typed), read, "{typed}");
+        }
     }
 }

@@ -40,7 +40,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
         if reader.is_full() {
             return false;
         }
-        let twice = error.message() == "duplicate key";
+        let twice = error.message().starts_with("duplicate key");
         // A section that stands twice has lost what its second half names.
         whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
         let too_deep = error.message().starts_with("cannot recurse");

@@ -5,7 +5,7 @@ use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
 use crate::document::{Diagnostic, Diagnostics};
 use crate::expression::{self, ExpressionTree, Malformed, compile};
 use crate::nearest::did_you_mean;
-use crate::scene::{NamedFormula, Scene, is_figure_name};
+use crate::scene::{NamedFormula, Scene, is_figure_name, reserved_for_figures};
 use crate::wording::words;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -36,6 +36,10 @@ impl Catalogue {
         let (name, text) = (name.trim(), text.trim());
         if name.is_empty() {
             return Err(words().name_of_figure_missing().into());
+        }
+        if let Some(reserved) = reserved_for_figures(name) {
+            let of_its_own = words().columns_use(&reserved);
+            return Err(words().name_is_reserved(&format!("`{name}`")) + "; " + &of_its_own);
         }
         if !is_figure_name(name) {
             return Err(words().name_of_figure_bad(name));

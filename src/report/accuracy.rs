@@ -122,7 +122,7 @@ impl Accuracy<'_> {
         let longest = concise(*longest, LENGTH_DIGITS);
         let unit = self.scene.unit.symbol();
         let mut page = Page::default();
-        page.title(&self.scene.name);
+        page.title(&self.scene.title());
         page.text_below(words().positions_over_cycle(positions, &longest, unit));
         let mut table = self.table(&StudyMeasure::ALL);
         // All columns have room in 80, and the letters stand apart from the names.

@@ -37,8 +37,9 @@ impl Check {
             hanging: FURTHER,
             list: Vec::new(),
         };
-        facts.tell(words().fact_source(), self.source.clone());
-        facts.tell(words().fact_note(), self.note.clone());
+        let told = |text: &Option<String>| text.as_deref().map(|it| words().told_of_scene(it));
+        facts.tell(words().fact_source(), told(&self.source));
+        facts.tell(words().fact_note(), told(&self.note));
         facts.tell(words().fact_unit(), [self.unit.to_owned()]);
         facts.tell(words().fact_parts(), [self.counts()]);
         facts.tell(words().fact_driver(), [self.driver_text()]);
@@ -76,7 +77,7 @@ impl Check {
             facts.tell(words().fact_open(), [self.open_text()]);
         }
         let mut page = Page::default();
-        page.title(&self.scene);
+        page.title(&words().told_of_scene(&self.scene));
         page.add_below(Content::Facts(facts));
         page
     }
@@ -239,7 +240,9 @@ impl Check {
 }
 
 fn joint_text(joint: &JointFacts) -> String {
-    format!("{}: {}", joint.point, joint.bodies.join(", "))
+    let bodies = joint.bodies.iter().map(|body| words().body_called(body));
+    let bodies: Vec<String> = bodies.collect();
+    format!("{}: {}", joint.point, bodies.join(", "))
 }
 
 fn slide_text(slide: &SlideFacts) -> String {
@@ -249,6 +252,7 @@ fn slide_text(slide: &SlideFacts) -> String {
         slider,
         on,
     } = slide;
+    let on = &words().body_called(on);
     match kind {
         SliderKind::Pin => words().pin_in_slot(name, slider, on),
         SliderKind::Link => words().link_along(name, slider, on),

@@ -240,6 +240,14 @@ pub(super) fn sentence(text: &str) -> String {
     Language::spoken().capitalised(text) + "."
 }
 
+/// What the driver must do, as a person calls it.
+pub(crate) fn effort_word(effort: Aspect) -> &'static str {
+    match effort {
+        Aspect::Torque => words().torque(),
+        _ => words().force(),
+    }
+}
+
 /// The parts of what the driver must do, and what the checks miss, as columns name them.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 const RESIDUAL: &str = "residual";

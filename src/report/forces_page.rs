@@ -1,6 +1,6 @@
 //! The forces, to be read and for other programs.
 
-use super::forces::{Existence, Forces, GuideRow, JointRow};
+use super::forces::{Existence, Forces, GuideRow, JointRow, effort_word};
 use super::number::significant;
 use super::tables::{Entry, PlaneVector};
 use super::tables_data::number;
@@ -61,7 +61,7 @@ impl TablesWriter<'_> {
         let setting = set(VECTOR_LABELS, self.style.digits + 3);
         let mut table = Table::new(title, heads.map(|head| format!("{head} "))).set(setting);
         let entries = || std::iter::once(drive.total).chain(drive.parts);
-        let label = self.label(drive.aspect.name(), drive.aspect);
+        let label = self.label(effort_word(drive.aspect), drive.aspect);
         self.entries(&mut table, label, entries(), drive.aspect, " ");
         let label = self.label(words().power(), Aspect::Power);
         self.entries(&mut table, label, [drive.power], Aspect::Power, " ");
@@ -75,7 +75,10 @@ impl TablesWriter<'_> {
         let mut table = Table::new(title, heads).set(set(point_labels(), self.style.digits + 2));
         for joint in joints.iter().filter(|joint| !joint.repeats) {
             let name = match &joint.by {
-                Some(by) => words().link_at_point_by(&joint.link, &joint.point, by),
+                Some(by) => {
+                    let by = words().body_called(by);
+                    words().link_at_point_by(&joint.link, &joint.point, &by)
+                }
                 None => words().link_at_point(&joint.link, &joint.point),
             };
             self.plane(&mut table, name, joint.force, []);
@@ -127,7 +130,7 @@ impl TablesWriter<'_> {
     fn check_table(&self, forces: &Forces) -> Table {
         let drive = forces.drive.aspect;
         let heads = [
-            (drive.name(), drive),
+            (effort_word(drive), drive),
             ("fx", Aspect::Fx),
             ("fy", Aspect::Fy),
             (words().moment(), Aspect::Moment),

@@ -70,4 +70,4 @@ pub use working::{
     VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
-pub(crate) use {forces_page::missed, number::shortest, number::upwards};
+pub(crate) use {forces::effort_word, forces_page::missed, number::shortest, number::upwards};

@@ -32,7 +32,7 @@ impl MotorReport {
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
-        page.title(&self.scene);
+        page.title(&words().told_of_scene(&self.scene));
         match &self.duty {
             Ok(duty) => self.add_duty(duty, &mut page),
             Err(why) => page.text_below(self.nothing(why)),

@@ -4,6 +4,7 @@
 //! the tenth row of a sweep by 0.1 is 1 and not 0.9999999999999999. The ends and the step are
 //! therefore kept as the decimals that were written.
 
+use crate::scene::with_point;
 use crate::wording::words;
 use std::fmt::Write;
 use std::str::FromStr;
@@ -17,7 +18,7 @@ const EXACT_INTEGER: i128 = 1 << 53;
 /// The largest power of ten that is exactly a double.
 const EXACT_TEN: u32 = 22;
 
-/// A finite decimal number as it was written.
+/// A finite decimal number as it was written, with a point or a comma.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrittenDecimal {
     value: f64,
@@ -32,6 +33,9 @@ pub enum DecimalError {
     /// No number at all.
     #[error("{}", words().not_a_decimal())]
     Syntax,
+    /// Nobody knows which mark is the decimal one, as in `1,500`.
+    #[error("{}", words().digits_without_groups())]
+    TwoMarks,
     /// NaN, infinity, or too large for a double.
     #[error("{}", words().decimal_not_finite())]
     NotFinite,
@@ -65,11 +69,12 @@ impl FromStr for WrittenDecimal {
     type Err = DecimalError;
 
     fn from_str(text: &str) -> Result<Self, DecimalError> {
+        let text = with_point(text).ok_or(DecimalError::TwoMarks)?;
         let value: f64 = text.parse().map_err(|_| DecimalError::Syntax)?;
         if !value.is_finite() {
             return Err(DecimalError::NotFinite);
         }
-        let exact = exact(text);
+        let exact = exact(&text);
         Ok(WrittenDecimal { value, exact })
     }
 }
@@ -342,13 +347,17 @@ mod tests {
 
     #[test]
     fn what_is_no_finite_decimal_is_refused() {
-        for text in ["", "x", "60deg", "1,5", "--1", "0x10"] {
+        for text in ["", "x", "60deg", "--1", "0x10"] {
             assert_eq!(
                 text.parse::<WrittenDecimal>(),
                 Err(DecimalError::Syntax),
                 "{text}"
             );
         }
+        for text in ["1,500", "1,5,5", "1.5,5"] {
+            assert_eq!(text.parse::<WrittenDecimal>(), Err(DecimalError::TwoMarks));
+        }
+        assert_eq!("1,5".parse::<WrittenDecimal>(), "1.50".parse());
         for text in ["nan", "inf", "-Infinity", "1e400"] {
             assert_eq!(text.parse::<WrittenDecimal>(), Err(DecimalError::NotFinite));
         }

@@ -99,9 +99,11 @@ impl TablesWriter<'_> {
             let value = concise(driver.values[i], digits[i]);
             format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
-        page.title(&self.tables.scene);
+        page.title(&words().told_of_scene(&self.tables.scene));
         page.text_below(words().driver_at(&driver.name, &at, &speed, &acceleration));
-        page.text_below(words().state_is(state_word(self.tables.condition)));
+        page.text_below(
+            words().state_is(&words().condition_called(state_word(self.tables.condition))),
+        );
     }
 
     /// `name [unit]`.

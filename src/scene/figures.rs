@@ -3,6 +3,7 @@
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient};
 use crate::expression::{self, ExpressionTree, Malformed};
+use crate::wording::words;
 use std::ops::Range;
 
 const FIGURE: &str = r#"swing = "r4.angle - r3.angle""#;
@@ -46,7 +47,7 @@ impl FormulaPlace {
             }
             false => self.text.clone(),
         };
-        let message = format!("figure {}: {}", quoted(figure), fault.message);
+        let message = words().figure_called(&quoted(figure)) + ": " + &fault.message;
         let diagnostic = Diagnostic::new(message).at(span, "");
         diagnostic.maybe_help(fault.help.clone())
     }
@@ -80,7 +81,7 @@ fn formula(
     name: &Name<'_>,
     value: &Lenient<String>,
 ) -> Option<NamedFormula> {
-    let written = reader.string(&format!("figure {name}"), value)?;
+    let written = reader.string(&words().figure_called(&name.to_string()), value)?;
     let place = FormulaPlace::of(reader, &written);
     match expression::parse(written.text) {
         Ok(tree) => Some(NamedFormula {

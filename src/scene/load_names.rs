@@ -7,6 +7,7 @@ use super::reader::Name;
 use super::resolve::Resolver;
 use super::slide::DraftSlide;
 use crate::document::Diagnostic;
+use crate::wording::words;
 use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, angle};
 
 impl<'t> Resolver<'_, '_, 't> {
@@ -30,7 +31,7 @@ impl<'t> Resolver<'_, '_, 't> {
                 frame,
                 over,
             } => {
-                let point = self.point("`point` of the load", point);
+                let point = self.point(&of_load("point"), point);
                 let frame = match frame {
                     Some(name) => self.frame(name),
                     None => Some(Body::Ground),
@@ -43,8 +44,8 @@ impl<'t> Resolver<'_, '_, 't> {
                 })
             }
             DraftLoad::Torque { link, torque, over } => {
-                let what = "`link` of the load";
-                let link = self.names.find(self.reader, what, link, Sort::Link)?;
+                let what = of_load("link");
+                let link = self.names.find(self.reader, &what, link, Sort::Link)?;
                 Some(Load::Torque {
                     link: LinkId::new(link),
                     torque: *torque,
@@ -60,18 +61,17 @@ impl<'t> Resolver<'_, '_, 't> {
         if name.text == "ground" {
             return Some(Body::Ground);
         }
-        let what = "`frame` of the load";
-        let link = self.names.find(self.reader, what, name, Sort::Link);
+        let what = of_load("frame");
+        let link = self.names.find(self.reader, &what, name, Sort::Link);
         if link.is_none() {
-            self.reader
-                .help("a force that keeps its direction needs no `frame`");
+            self.reader.help(words().keeps_direction_without_frame());
         }
         link.map(|link| Body::Link(LinkId::new(link)))
     }
 
     fn press(&mut self, name: &Name<'t>, curve: &Profile, end: Option<StrokeEnd>) -> Option<Load> {
-        let what = "`slide` of the load";
-        let index = self.names.find(self.reader, what, name, Sort::Slide)?;
+        let what = of_load("slide");
+        let index = self.names.find(self.reader, &what, name, Sort::Slide)?;
         let slide = &self.draft.slides[index];
         self.on_ground(name, slide)?;
         let end = match end {
@@ -97,13 +97,11 @@ impl<'t> Resolver<'_, '_, 't> {
             return Some(());
         }
         self.reader.report(
-            Diagnostic::new(format!(
-                "the press on slide {name}: its guide is on the moving link {on}"
-            ))
-            .at(name.span.clone(), "the press acts on this")
-            .and(on.span.clone(), "the guide is fixed to this")
-            .help("a press works against the frame: name a slide with on = \"ground\"")
-            .help("what acts between two links is a spring: [[springs]]"),
+            Diagnostic::new(words().press_on_moving_guide(&name.to_string(), &on.to_string()))
+                .at(name.span.clone(), words().press_acts_on_this())
+                .and(on.span.clone(), words().guide_is_fixed_to())
+                .help(words().press_needs_the_frame())
+                .help(words().springs_act_between()),
         );
         None
     }
@@ -118,13 +116,11 @@ impl<'t> Resolver<'_, '_, 't> {
             return Some(StrokeEnd::Greatest);
         }
         self.reader.report(
-            Diagnostic::new(format!(
-                "the press on slide {name} has no `end`, and the guide is horizontal"
-            ))
-            .at(name.span.clone(), "at which end does it work?")
-            .and(slide.name.span.clone(), "neither end of this guide is the lower one")
-            .help("end = \"least\" is where the position along the guide is least, counted from `through`")
-            .help("end = \"greatest\" is where it is greatest"),
+            Diagnostic::new(words().press_without_end(&name.to_string()))
+                .at(name.span.clone(), words().at_which_end())
+                .and(slide.name.span.clone(), words().no_lower_end())
+                .help(words().least_is_where())
+                .help(words().greatest_is_where()),
         );
         None
     }
@@ -133,8 +129,9 @@ impl<'t> Resolver<'_, '_, 't> {
     pub(super) fn springs(&mut self) {
         let draft = self.draft;
         for spring in &draft.springs {
-            let from = self.point("`from` of the spring", &spring.from);
-            let to = self.point("`to` of the spring", &spring.to);
+            let of = words().the_spring();
+            let from = self.point(&words().key_of("from", of), &spring.from);
+            let to = self.point(&words().key_of("to", of), &spring.to);
             let (Some(from), Some(to)) = (from, to) else {
                 continue;
             };
@@ -157,27 +154,32 @@ impl<'t> Resolver<'_, '_, 't> {
         let DraftSpring { from, to, .. } = spring;
         if from.text == to.text {
             return Some(
-                Diagnostic::new(format!("the spring runs from {from} to itself"))
-                    .at(to.span.clone(), "its end is its beginning")
-                    .and(from.span.clone(), "begins here")
-                    .help("name two different points"),
+                Diagnostic::new(words().spring_to_itself(&from.to_string()))
+                    .at(to.span.clone(), words().end_is_beginning())
+                    .and(from.span.clone(), words().begins_here())
+                    .help(words().name_two_points()),
             );
         }
         let grounded = |name: &Name<'_>| self.ground.contains_key(name.text);
         let carried = |link: &&DraftLink<'_>| [from, to].iter().all(|name| carries(link, name));
         let body = if grounded(from) && grounded(to) {
-            "the ground".to_owned()
+            words().the_ground_as_body().to_owned()
         } else {
             let link = self.draft.links.iter().find(carried)?;
-            format!("link {}", link.name)
+            words().link_called(&link.name.to_string())
         };
         Some(
-            Diagnostic::new(format!("the spring has both its ends on {body}"))
-                .at(to.span.clone(), "its length never changes")
-                .and(from.span.clone(), "begins here")
-                .help("a spring acts between points of two bodies that move against each other"),
+            Diagnostic::new(words().spring_on_one_body(&body))
+                .at(to.span.clone(), words().length_never_changes())
+                .and(from.span.clone(), words().begins_here())
+                .help(words().springs_join_bodies()),
         )
     }
+}
+
+/// A key of a load, as a message calls it.
+fn of_load(key: &str) -> String {
+    words().key_of(key, words().the_load())
 }
 
 /// Whether a point, or a centre of mass, is one of the link's.

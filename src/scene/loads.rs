@@ -5,13 +5,19 @@ use super::profile::{self, Knots};
 use super::reader::{CoordinatePair, Name, Reader};
 use crate::document::{Diagnostic, Lenient, WrittenKey};
 use crate::nearest::did_you_mean;
+use crate::wording::words;
 use crate::{Profile, StrokeEnd, Vec2};
 use serde::Deserialize;
 
-const LOAD: &str = r#"[[loads]] with point = "C" and force = [0, -500]"#;
-/// Whose keys they are.
-const OF: &str = "the load";
-const SPRING: &str = r#"[[springs]] with from = "A", to = "E" and stiffness = 1200"#;
+const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
+const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
+
+/// A list, and keys of a table in it.
+type ListExample = [&'static str; 3];
+
+fn said([list, one, other]: ListExample) -> String {
+    words().example_of_list(list, one, other)
+}
 
 /// The list `[[loads]]` as it is written.
 pub(super) type Loads = Lenient<Vec<Lenient<LoadTable>>>;
@@ -126,30 +132,32 @@ pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<Dr
 fn list<'v, T>(
     reader: &mut Reader<'_>,
     key: &str,
-    example: &str,
+    example: ListExample,
     value: &'v Lenient<Vec<T>>,
 ) -> &'v [T] {
     if let Some(items) = value.get() {
         return items;
     }
     reader.report(
-        Diagnostic::new(format!("`{key}` must be a list of tables"))
-            .at(value.span.clone(), "expected a list")
-            .help(format!("for example: {example}")),
+        Diagnostic::new(words().must_be_list_of_tables(key))
+            .at(value.span.clone(), words().expected(words().a_list()))
+            .help(words().for_example(&said(example))),
     );
     &[]
 }
 
 fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<DraftLoad<'v>> {
-    let table = reader.table("a load", LOAD, value)?;
-    reader.only("the load", value);
+    let of = words().the_load();
+    let table = reader.table(words().a_load(), &said(LOAD), value)?;
+    reader.only(of, value);
     let kind = kind(reader, table, value)?;
     foreign(reader, &value.keys, kind);
-    let on = reader.text_of(kind.on(), OF, table.on(kind));
+    let on = reader.text_of(kind.on(), of, table.on(kind));
     match kind {
         LoadKind::Force => {
-            let force = reader.pair("`force` of the load (N)", table.force.as_ref()?);
-            let frame = reader.text_of("frame", OF, table.frame.as_ref());
+            let what = words().key_of("force", of) + " (N)";
+            let force = reader.pair(&what, table.force.as_ref()?);
+            let frame = reader.text_of("frame", of, table.frame.as_ref());
             let over = profile::over(reader, table.over.as_ref());
             if frame.is_none() && table.frame.is_some() {
                 return None;
@@ -162,7 +170,8 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
             })
         }
         LoadKind::Torque => {
-            let torque = reader.number("`torque` of the load (N m)", table.torque.as_ref()?);
+            let what = words().key_of("torque", of) + " (N m)";
+            let torque = reader.number(&what, table.torque.as_ref()?);
             let over = profile::over(reader, table.over.as_ref());
             Some(DraftLoad::Torque {
                 link: on?,
@@ -208,15 +217,10 @@ fn kind(
         (Some((kind, _)), None) if table.on(kind).is_some() => return Some(kind),
         (Some((kind, _)), None) => without(value, kind)?,
         (Some((one, first)), Some((other, second))) => {
-            let message = format!(
-                "the load has both a `{}` and a `{}`",
-                one.size(),
-                other.size()
-            );
-            Diagnostic::new(message)
-                .at(second, "a second load")
-                .and(first, "one load")
-                .help("give each a [[loads]] of its own")
+            Diagnostic::new(words().load_has_both(one.size(), other.size()))
+                .at(second, words().a_second_load())
+                .and(first, words().one_load())
+                .help(words().each_a_load_of_its_own())
         }
         (None, _) => nothing(value)?,
     };
@@ -231,10 +235,10 @@ fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
     if load.meant(on) {
         return None;
     }
-    let fault = Diagnostic::new(format!("the load has a `{size}` but no `{on}`"))
-        .at(load.span.clone(), format!("what does the {size} act on?"))
-        .help("a load is a force at a point, a torque on a link, or a press on a slide");
-    Some(fault.help(format!("for example: {}", kind.example())))
+    let fault = Diagnostic::new(words().load_has_no_target(size, on))
+        .at(load.span.clone(), words().acts_on_what(size))
+        .help(words().kinds_of_loads());
+    Some(fault.help(words().for_example(kind.example())))
 }
 
 /// The fault of a load without a size.
@@ -244,13 +248,13 @@ fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
         return None;
     }
     Some(match load.key("over") {
-        Some(key) => Diagnostic::new("the load has an `over` but neither a `force` nor a `torque`")
-            .at(key.span(), "factors of what?")
-            .help("`over` scales a force or a torque: give its size, and 1 where it acts in full"),
-        None => Diagnostic::new("the load has neither a `force`, nor a `torque`, nor a `press`")
-            .at(load.span.clone(), "nothing acts here")
-            .help("a load is a force at a point, a torque on a link, or a press on a slide")
-            .help(format!("for example: {LOAD}")),
+        Some(key) => Diagnostic::new(words().over_without_size())
+            .at(key.span(), words().factors_of_what())
+            .help(words().over_scales()),
+        None => Diagnostic::new(words().load_has_no_size())
+            .at(load.span.clone(), words().no_load_here())
+            .help(words().kinds_of_loads())
+            .help(words().for_example(&said(LOAD))),
     })
 }
 
@@ -263,47 +267,45 @@ fn foreign(reader: &mut Reader<'_>, given: &[WrittenKey], kind: LoadKind) {
             continue;
         }
         let why = match text {
-            "frame" => "a torque and a press have no direction that could turn with a link",
-            "over" => "what a press does is given over its way: press = [[12, 0], [0, 350e3]]",
-            "end" => "only a press works at an end of a stroke",
-            _ => "one load acts on one thing: give each a [[loads]] of its own",
+            "frame" => words().no_frame_to_turn_with(),
+            "over" => words().press_is_given_over_way(),
+            "end" => words().only_press_has_end(),
+            _ => words().one_load_acts_on_one(),
         };
         let kind = kind.size();
         reader.report(
-            Diagnostic::new(format!("the load: a {kind} has no `{text}`"))
-                .at(key.span(), format!("not for a {kind}"))
+            Diagnostic::new(words().kind_has_no_key(kind, text))
+                .at(key.span(), words().not_for_kind(kind))
                 .help(why),
         );
     }
 }
 
 fn stroke_end(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<StrokeEnd> {
-    let name = reader.string("`end` of the load", value)?;
+    let name = reader.string(&words().key_of("end", words().the_load()), value)?;
     let end = match name.text {
         "least" => return Some(StrokeEnd::Least),
         "greatest" => return Some(StrokeEnd::Greatest),
-        _ => Diagnostic::new(format!(
-            "`end` of the load must be `least` or `greatest`, not {name}"
-        )),
+        _ => Diagnostic::new(words().least_or_greatest(&name.to_string())),
     };
     reader.report(
-        end.at(name.span.clone(), "no end of a stroke")
+        end.at(name.span.clone(), words().is_no_end_of_stroke())
             .maybe_help(did_you_mean(name.text, ["least", "greatest"]))
-            .help("the press works where the position along the guide is least, or greatest"),
+            .help(words().which_ends_there_are()),
     );
     None
 }
 
 fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<DraftSpring<'v>> {
-    let of = "the spring";
-    let table = reader.table("a spring", SPRING, value)?;
+    let of = words().the_spring();
+    let table = reader.table(words().a_spring(), &said(SPRING), value)?;
     reader.only(of, value);
     let mut end = |key: &str, given: &'v Option<Lenient<String>>| {
         if given.is_none() && !value.meant(key) {
             reader.report(
-                Diagnostic::new(format!("the spring has no `{key}`"))
-                    .at(value.span.clone(), "a spring acts between two points")
-                    .help(format!("for example: {SPRING}")),
+                Diagnostic::new(words().spring_lacks_end(key))
+                    .at(value.span.clone(), words().springs_have_two_ends())
+                    .help(words().for_example(&said(SPRING))),
             );
         }
         reader.text_of(key, of, given.as_ref())
@@ -318,9 +320,9 @@ fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Optio
     let works = table.stiffness.is_some() || table.damping.is_some();
     if !works && !value.meant("stiffness") && !value.meant("damping") {
         reader.report(
-            Diagnostic::new("the spring has neither a `stiffness` nor a `damping`")
-                .at(value.span.clone(), "it does nothing")
-                .help("give it one: stiffness = 1200 is in N/m, damping = 5 in N s/m"),
+            Diagnostic::new(words().spring_has_no_size())
+                .at(value.span.clone(), words().does_nothing())
+                .help(words().give_spring_a_size()),
         );
     }
     Some(DraftSpring {

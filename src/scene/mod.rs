@@ -56,6 +56,7 @@ mod loads;
 mod measure;
 mod motor;
 mod names;
+mod numeral;
 mod points;
 pub mod presets;
 mod profile;
@@ -77,7 +78,8 @@ pub(crate) use input::coordinate_key;
 pub use keys::reference;
 pub use measure::Measure;
 pub use motor::Motor;
-pub(crate) use names::is_figure_name;
+pub(crate) use names::{is_figure_name, reserved_for_figures};
+pub(crate) use numeral::with_point;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
@@ -85,6 +87,7 @@ pub use unit::Unit;
 pub use values::{Value, ValueOwner};
 
 use crate::document;
+use crate::wording::words;
 use crate::{ElementId, LinkId, Mechanism, PointId, SlideId};
 use std::ops::Range;
 use std::path::Path;
@@ -250,6 +253,12 @@ impl Scene {
         &self.link_names[link.index()]
     }
 
+    /// The title as a person reads it: that of a scene that is built in, in the language that is spoken.
+    #[must_use]
+    pub fn title(&self) -> String {
+        words().told_of_scene(&self.name)
+    }
+
     /// A slide's name.
     #[must_use]
     pub fn slide_name(&self, slide: SlideId) -> &str {
@@ -259,9 +268,7 @@ impl Scene {
 
 /// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
 fn too_large(origin: &str) -> Diagnostics {
-    let fault = Diagnostic::new(format!(
-        "the file is too large: a scene may have at most {LARGEST_FILE} bytes (1 MiB)"
-    ));
+    let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
     Diagnostics {
         origin: origin.to_owned(),
         text: "".into(),

@@ -69,7 +69,7 @@ pub(super) fn read(
     value: &Lenient<MotorTable>,
 ) -> Option<Motor> {
     let table = reader.table("[motor]", EXAMPLE, value)?;
-    reader.only("the motor", value);
+    reader.only(words().the_motor(), value);
     // Without a driver nothing can be said about its motor.
     let pushes = matches!(driven?, DraftInput::Slide(_));
     misfits(reader, &value.keys, pushes);
@@ -88,7 +88,14 @@ pub(super) fn read(
         fluctuation: positive("fluctuation", "", &table.fluctuation),
         tolerance: positive("tolerance", "", &table.tolerance),
         speed: table.speed.as_ref().and_then(|speed| {
-            let rate = input::rate(reader, "the motor", "speed", kind, Degree::Speed, speed);
+            let rate = input::rate(
+                reader,
+                words().the_motor(),
+                "speed",
+                kind,
+                Degree::Speed,
+                speed,
+            );
             rate.map(|rate| rate.value)
         }),
     };
@@ -105,32 +112,39 @@ fn misfits(reader: &mut Reader<'_>, given: &[WrittenKey], pushes: bool) {
         if fitting.contains(&text) || keys::find(keys::MOTOR, text).is_none() {
             continue;
         }
-        let (what, help) = match text {
-            "torque" => ("a slide is driven", "by a force: force = 2000 (N)"),
-            "force" => ("a link is driven", "by a torque: torque = 20 (N m)"),
-            _ => ("a slide is driven", "without a shaft: leave it out"),
+        let (message, help) = match text {
+            "torque" => (
+                words().motor_of_slide_has_no(text),
+                words().slide_has_force(),
+            ),
+            "force" => (
+                words().motor_of_link_has_no(text),
+                words().link_has_torque(),
+            ),
+            _ => (
+                words().motor_of_slide_has_no(text),
+                words().slide_has_no_shaft(),
+            ),
         };
         reader.report(
-            Diagnostic::new(format!("the motor has no `{text}` where {what}"))
-                .at(key.span(), "does not fit the driver")
-                .help(format!("{what} {help}")),
+            Diagnostic::new(message)
+                .at(key.span(), words().does_not_fit_driver())
+                .help(help),
         );
     }
 }
 
 fn positive(reader: &mut Reader<'_>, key: &str, unit: &str, value: &Lenient<f64>) -> Option<f64> {
-    let what = format!("`{key}` of the motor{unit}");
+    let what = words().key_of(key, words().the_motor()) + unit;
     let number = reader.number(&what, value)?;
     if number > 0.0 {
         return Some(number);
     }
     let literal = reader.literal(&value.span);
     reader.report(
-        Diagnostic::new(format!("{what} must be positive, not {literal}"))
-            .at(value.span.clone(), "not positive")
-            .help(format!(
-                "leave `{key}` out where it is not known; what the motor gives has no sign"
-            )),
+        Diagnostic::new(words().must_be(&what, words().positive(), &literal))
+            .at(value.span.clone(), words().is_not_positive())
+            .help(words().leave_unknown_out(key)),
     );
     None
 }
@@ -143,19 +157,29 @@ fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor
     if let (Some(continuous), Some(peak)) = (motor.rated, motor.peak)
         && peak < continuous
     {
-        let message = format!("`peak` of the motor is less than its `{rated}`");
-        let help = "the peak is what it gives for a short while, at least as much as without end";
-        fault(place(&table.peak), message, "too small", help);
+        let message = words().peak_of_motor_too_small(rated);
+        let help = words().peak_is_for_short();
+        fault(place(&table.peak), message, words().is_too_small(), help);
     }
     if motor.fluctuation.is_some_and(|share| share > 1.0) {
-        let message = "`fluctuation` of the motor must be at most 1".to_owned();
-        let help = "it is (greatest - least) / mean of the speed: 0.02 is 2 %";
-        fault(place(&table.fluctuation), message, "too large", help);
+        let message = words().fluctuation_of_motor_too_large().to_owned();
+        let help = words().what_fluctuation_is();
+        fault(
+            place(&table.fluctuation),
+            message,
+            words().is_too_large(),
+            help,
+        );
     }
     if motor.speed.is_some_and(|speed| speed <= 0.0) {
-        let message = "`speed` of the motor must be positive".to_owned();
-        let help = "leave `speed` out where it is not known; what the motor gives has no sign";
-        fault(place(&table.speed), message, "not positive", help);
+        let message = words().speed_of_motor_not_positive().to_owned();
+        let help = words().leave_unknown_out("speed");
+        fault(
+            place(&table.speed),
+            message,
+            words().is_not_positive(),
+            &help,
+        );
     }
 }
 

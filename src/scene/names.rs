@@ -221,18 +221,29 @@ pub(crate) fn is_figure_name(text: &str) -> bool {
     bad(&name, Sort::Figure).is_none()
 }
 
+/// All names that a figure may not have, if this is one of them.
+pub(crate) fn reserved_for_figures(text: &str) -> Option<String> {
+    reserved(text, Sort::Figure)
+}
+
+/// The names that a sort may not have, if this is one of them.
+fn reserved(text: &str, sort: Sort) -> Option<String> {
+    let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
+        Sort::Figure => RESERVED_IN_FORMULAS.len(),
+        _ => 0,
+    }];
+    let all = [&RESERVED, of_formulas].concat();
+    let list = || format!("`{}`", all.join("`, `"));
+    all.contains(&text).then(list)
+}
+
 /// What is wrong with a name by itself.
 fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
         |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
-    let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
-        Sort::Figure => RESERVED_IN_FORMULAS.len(),
-        _ => 0,
-    }];
-    if RESERVED.contains(&text) || of_formulas.contains(&text) {
-        let list = format!("`{}`", [&RESERVED, of_formulas].concat().join("`, `"));
+    if let Some(list) = reserved(text, sort) {
         let fault = fault(
             words().name_is_reserved(&name.to_string()),
             words().is_reserved(),

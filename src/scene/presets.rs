@@ -57,3 +57,52 @@ pub fn all() -> &'static [Preset] {
 pub fn find(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::wording::Language;
+
+    /// A word that is changed in a preset makes its sentence one that nobody translated.
+    #[test]
+    fn what_presets_say_is_said_in_turkish_too() {
+        Language::Turkish.speak();
+        for preset in all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let texts = [
+                Some(&scene.name),
+                scene.source.as_ref(),
+                scene.note.as_ref(),
+            ];
+            for text in texts.into_iter().flatten() {
+                let said = crate::wording::words().told_of_scene(text);
+                assert_ne!(&said, text, "{}", preset.name);
+                let figures = |text: &str| -> Vec<String> {
+                    let figures = text.split(|c: char| !c.is_ascii_digit() && c != '.');
+                    let figures = figures.map(|it| it.trim_matches('.').to_owned());
+                    let mut figures: Vec<String> = figures.filter(|it| !it.is_empty()).collect();
+                    figures.sort();
+                    figures
+                };
+                // What is a figure in the one is a figure in the other, words apart: three legs, 3. week.
+                let (one, other) = (figures(text), figures(&said));
+                let lost = one.iter().find(|it| !other.contains(it));
+                assert_eq!(lost, None, "{said}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_title_is_that_of_the_language() {
+        let scene = Scene::parse(find("kite").unwrap().text, "kite").unwrap();
+        assert_eq!(scene.title(), "Kite");
+        Language::Turkish.speak();
+        assert_eq!(scene.title(), "U\u{e7}urtma");
+        let own = Scene {
+            name: "Mine".into(),
+            ..scene
+        };
+        assert_eq!((own.title().as_str(), own.name.as_str()), ("Mine", "Mine"));
+    }
+}

@@ -3,6 +3,7 @@
 use super::reader::{ByteSpan, CoordinatePair, Reader};
 use crate::Profile;
 use crate::document::{Diagnostic, Lenient};
+use crate::wording::words;
 
 /// A list of knots as it is written.
 pub(super) type Knots = Lenient<Vec<CoordinatePair>>;
@@ -23,13 +24,13 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Pro
     let Some(value) = value else {
         return Some(Profile::default());
     };
-    let what = "`over` of the load";
-    let knots = knots(reader, what, "[coordinate, factor]", OVER, value)?;
+    let what = &words().key_of("over", words().the_load());
+    let knots = knots(reader, what, words().coordinate_and_factor(), OVER, value)?;
     if knots.len() < 2 {
         reader.report(
-            Diagnostic::new(format!("{what} has one knot: the factor never changes"))
-                .at(value.span.clone(), "at least two knots are needed")
-                .help("put a constant factor into the force or the torque itself"),
+            Diagnostic::new(words().factor_never_changes(what))
+                .at(value.span.clone(), words().two_knots_are_needed())
+                .help(words().put_factor_into_size()),
         );
         return None;
     }
@@ -40,26 +41,10 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Pro
 /// The force of a press over the distance before the end of its stroke, in the order in which the
 /// file has it: towards the end, or away from it.
 pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
-    let what = "`press` of the load";
-    let mut knots = knots(reader, what, "[distance, force]", PRESS, value)?;
-    for knot in &knots {
-        let (fault, place, help) = if knot.at < 0.0 {
-            let help = "distances are counted from the end of the stroke: 0 is the end itself";
-            ("a distance", &knot.at_place, help)
-        } else if knot.value < 0.0 {
-            let help = "the force of a press is against its motion; what helps it is a `force`";
-            ("a force", &knot.value_place, help)
-        } else {
-            continue;
-        };
-        let literal = reader.literal(place);
-        reader.report(
-            Diagnostic::new(format!(
-                "{what}: {fault} must not be negative, but is {literal}"
-            ))
-            .at(place.clone(), "negative")
-            .help(help),
-        );
+    let what = &words().key_of("press", words().the_load());
+    let mut knots = knots(reader, what, words().distance_and_force(), PRESS, value)?;
+    if let Some(fault) = knots.iter().find_map(|knot| pulling(reader, what, knot)) {
+        reader.report(fault);
         return None;
     }
     let grows = matches!(&knots[..], [first, second, ..] if first.at < second.at);
@@ -70,6 +55,27 @@ pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     profile(knots)
 }
 
+/// What is wrong with a knot that lies beyond the end, or whose force is not against the motion.
+fn pulling(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
+    let (message, place, help) = if knot.at < 0.0 {
+        let literal = reader.literal(&knot.at_place);
+        let message = words().negative_distance(what, &literal);
+        (message, &knot.at_place, words().distances_from_end())
+    } else if knot.value < 0.0 {
+        let literal = reader.literal(&knot.value_place);
+        let message = words().negative_press(what, &literal);
+        (
+            message,
+            &knot.value_place,
+            words().press_is_against_motion(),
+        )
+    } else {
+        return None;
+    };
+    let fault = Diagnostic::new(message).at(place.clone(), words().is_negative());
+    Some(fault.help(help))
+}
+
 /// A list of at least one knot.
 fn knots(
     reader: &mut Reader<'_>,
@@ -78,16 +84,16 @@ fn knots(
     example: &str,
     value: &Knots,
 ) -> Option<Vec<Knot>> {
-    let wanted = format!("a list of knots {form}");
+    let wanted = words().a_list_of_knots(form);
     let fault = match &value.read {
         Ok(items) if items.is_empty() => {
-            let message = format!("{what} must be {wanted}, but is empty");
-            Diagnostic::new(message).at(value.span.clone(), "no knots")
+            Diagnostic::new(words().must_be_but_is_empty(what, &wanted))
+                .at(value.span.clone(), words().no_knots())
         }
         Ok(items) => return each(reader, what, form, example, items),
         Err(found) => reader.wrong_type(what, &wanted, found, &value.span),
     };
-    reader.report(fault.help(format!("for example: {example}")));
+    reader.report(fault.help(words().for_example(example)));
     None
 }
 
@@ -100,7 +106,7 @@ fn each(
 ) -> Option<Vec<Knot>> {
     let mut knots = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {
-        let what = format!("knot {} in {what}", i + 1);
+        let what = words().knot_in(i + 1, what);
         let [at, value] = reader.two(&what, form, example, item)?;
         knots.push(Knot {
             at: reader.number(&what, at)?,
@@ -126,20 +132,26 @@ fn ordered(reader: &mut Reader<'_>, what: &str, knots: &[Knot], grows: bool) -> 
         return Some(());
     };
     let [first, second] = [before, after].map(|knot| reader.literal(&knot.at_place));
-    let (verb, steep) = if grows {
-        ("grow", "further on")
+    let (message, label, help) = if grows {
+        let message = words().knots_must_grow(what, &first, &second);
+        (
+            message,
+            words().does_not_grow(),
+            words().order_growing_knots(),
+        )
     } else {
-        ("fall", "nearer")
+        let message = words().knots_must_fall(what, &first, &second);
+        (
+            message,
+            words().does_not_fall(),
+            words().order_falling_knots(),
+        )
     };
     reader.report(
-        Diagnostic::new(format!(
-            "{what}: the coordinates must {verb} from knot to knot, but {second} follows {first}"
-        ))
-        .at(after.at_place.clone(), format!("does not {verb}"))
-        .and(before.at_place.clone(), "the knot before")
-        .help(format!(
-            "put the knots in order; for a jump let the second knot lie a little {steep}"
-        )),
+        Diagnostic::new(message)
+            .at(after.at_place.clone(), label)
+            .and(before.at_place.clone(), words().the_knot_before())
+            .help(help),
     );
     None
 }

@@ -1,6 +1,7 @@
 //! Speeds and accelerations with their units, as the driver gives them.
 
 use super::Unit;
+use super::numeral::{are_thousands, number_length};
 use crate::angle;
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -109,16 +110,6 @@ impl WrittenRate<'_> {
     }
 }
 
-/// Whether the comma of a number may stand between thousands and hundreds.
-fn are_thousands(number: &str) -> bool {
-    let digits = number.trim_start_matches(['+', '-']);
-    let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    digits.split_once(',').is_some_and(|(thousands, hundreds)| {
-        let is_led = (1..=3).contains(&thousands.len()) && !thousands.starts_with('0');
-        is_led && whole(thousands) && hundreds.len() == 3 && whole(hundreds)
-    })
-}
-
 /// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
 fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
     let base = unit.split('/').next().unwrap_or(unit);
@@ -134,30 +125,6 @@ fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
             Some(number * from.tenths_of_mm() / scene.tenths_of_mm())
         }
     }
-}
-
-/// The bytes of a decimal number at the beginning of a text.
-pub(super) fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let digits = |mut at: usize| {
-        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
-            at += 1;
-        }
-        at
-    };
-    let sign = |at: usize| at + usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
-    let mut end = digits(sign(0));
-    if bytes.get(end) == Some(&b'.') {
-        end = digits(end + 1);
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let first = sign(end + 1);
-        let last = digits(first);
-        if last > first {
-            end = last;
-        }
-    }
-    end
 }
 
 #[cfg(test)]

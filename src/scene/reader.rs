@@ -1,6 +1,6 @@
 //! Numbers and pairs of a scene; what does not fit becomes a diagnostic.
 
-use super::rate;
+use super::numeral::number_length;
 use crate::Vec2;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
@@ -130,7 +130,7 @@ impl Reader<'_> {
 /// The mend for a number that was written as a text.
 fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
-    let (number, rest) = text.split_at(rate::number_length(text));
+    let (number, rest) = text.split_at(number_length(text));
     let help = match (number.is_empty(), rest.is_empty()) {
         (true, _) => return None,
         (false, true) => words().write_without_quotes(number),

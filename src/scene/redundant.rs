@@ -6,6 +6,7 @@ use super::points::PlacedPoint;
 use super::reader::{ByteSpan, Reader};
 use crate::Vec2;
 use crate::document::{Diagnostic, Lenient};
+use crate::wording::words;
 use serde::Deserialize;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
@@ -52,12 +53,9 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
         let literal = reader.literal(place);
         let unit = draft.unit.symbol();
         reader.report(
-            Diagnostic::new(format!(
-                "`misfit` of [redundant] ({unit}) must be at most a hundredth of the longest length, \
-                 {most} here, not {literal}"
-            ))
-            .at(place.clone(), "too large")
-            .help("it is for the digits that a drawing leaves out, not for parts that do not fit"),
+            Diagnostic::new(words().misfit_too_large(unit, most, &literal))
+                .at(place.clone(), words().is_too_large())
+                .help(words().misfit_is_for_digits()),
         );
     }
 }

@@ -1,6 +1,6 @@
 //! What people mostly meant where a scene is not valid TOML.
 
-use super::rate::number_length;
+use super::numeral::number_length;
 use crate::document::ByteSpan;
 use crate::wording::words;
 

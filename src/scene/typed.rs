@@ -6,7 +6,8 @@
 
 use super::Unit;
 use super::measure::MeasureUnits;
-use super::rate::{self, number_length};
+use super::numeral::{number_length, with_point};
+use super::rate;
 use super::values::Value;
 use crate::wording::words;
 use std::fmt;
@@ -20,6 +21,11 @@ pub enum Mistyped {
         typed: String,
         /// What could have been.
         units: Vec<&'static str>,
+    },
+    /// A point and a comma, or a comma that may stand between thousands and hundreds: which mark is the decimal one?
+    TwoMarks {
+        /// What was typed.
+        typed: String,
     },
     /// The unit measures something else, or nothing.
     Unit {
@@ -41,6 +47,7 @@ impl fmt::Display for Mistyped {
             Mistyped::NoNumber { typed, units } => {
                 f.write_str(&words().no_number_typed(typed, &units.join(", ")))
             }
+            Mistyped::TwoMarks { typed } => f.write_str(&words().typed_two_marks(typed)),
             Mistyped::Unit { unit, units } => {
                 f.write_str(&words().unit_does_not_fit(unit, &units.join(", ")))
             }
@@ -53,13 +60,16 @@ impl std::error::Error for Mistyped {}
 
 impl Value {
     /// What stands in the file for what was typed: a number in the value's own unit, or one with a unit
-    /// behind it. A comma is taken for the point.
+    /// behind it. A comma is taken for the point where it can be nothing else.
     ///
     /// # Errors
     /// What is no number, or has a unit that measures something else.
     pub fn typed(&self, typed: &str) -> Result<String, Mistyped> {
         let typed = typed.trim();
-        let text = typed.replace(',', ".");
+        let Some(text) = with_point(typed) else {
+            let typed = typed.to_owned();
+            return Err(Mistyped::TwoMarks { typed });
+        };
         let (number, unit) = text.split_at(number_length(&text));
         let unit = unit.trim();
         let Ok(plain) = number.parse::<f64>() else {
@@ -336,8 +346,12 @@ mod tests {
             refused("C force knot 1 factor", "2 N"),
             "N does not fit here: %"
         );
+        assert_eq!(
+            refused("r2 length", "1,500"),
+            "1,500: write digits without groups: 1234.5 or 1234,5"
+        );
         for wrong in [
-            "", "nan", "inf", "1,2,3", "1 2", "1,000.5", "--1", "1e400", "-",
+            "", "nan", "inf", "1,2,3", "1 2", "1,000.5", "1,000", "--1", "1e400", "-",
         ] {
             assert!(value_in(TEXT, "r2 length").typed(wrong).is_err(), "{wrong}");
         }

@@ -21,7 +21,8 @@ use turkish::Turkish;
 
 /// Every sentence, in one language.
 pub(crate) trait Words:
-    ActionsWords
+    ActingWords
+    + ActionsWords
     + CheckingWords
     + CommandsWords
     + ConfigurationWords

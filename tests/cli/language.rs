@@ -54,6 +54,30 @@ fn the_tables_have_the_words_of_the_notes() {
         assert!(table.contains(said), "{said}\n{table}");
     }
     is_turkish(&table);
+    // What a scene and a column call so is a word here.
+    for (args, gone) in [
+        (
+            &["table", "four-bar-load"][..],
+            &["torque", "ground", "ok"][..],
+        ),
+        (&["check", "engine"], &["ground", "stroke"]),
+        (&["explain", "four-bar"], &["ok"]),
+        (&["list"], &["load", "press", "leg", "Kite"]),
+    ] {
+        let told = turkish(args);
+        // Names of presets are typed.
+        let told = told.lines().map(|line| match args {
+            ["list"] => line.split_once("  ").map_or(line, |(_, title)| title),
+            _ => line,
+        });
+        let told: Vec<&str> = told.collect();
+        for word in gone {
+            let mut words = told
+                .iter()
+                .flat_map(|it| it.split(|c: char| !c.is_alphanumeric()));
+            assert!(!words.any(|it| it == *word), "{args:?}: {word}");
+        }
+    }
     // The figures are the same.
     let figures = |text: &str| -> Vec<String> {
         let words = text
@@ -315,4 +339,120 @@ fn a_speed_may_have_a_comma() {
     let ambiguous = table("1,234.5 rad/s");
     assert_eq!(ambiguous.code, 2);
     assert!(ambiguous.err.contains("1234,5"), "{}", ambiguous.err);
+}
+
+/// Words of English in faults of a scene; none is a word of Turkish, a key of a scene or a name in the files.
+const OF_FAULTS: [&str; 27] = [
+    "the", "of", "and", "with", "is", "are", "has", "have", "must", "cannot", "neither", "both",
+    "only", "which", "this", "that", "these", "give", "write", "take", "name", "found", "known",
+    "unknown", "reserved", "negative", "expected",
+];
+
+/// What a report says beside what is quoted: no lines of the file, no place, no example of TOML.
+fn said(report: &str) -> Vec<String> {
+    let mut said = Vec::new();
+    for line in report.lines() {
+        let (number, rest) = line.split_once(" |").unwrap_or(("x", line));
+        let is_source = number.trim().parse::<u32>().is_ok();
+        let is_place = line.trim_start().starts_with("-->");
+        let text = rest.trim_start_matches(|c: char| " |=".contains(c));
+        let marks = text.trim_start_matches(|c: char| " ^-|_".contains(c));
+        let key = marks.split_once(" = ").map(|(key, _)| key);
+        let is_code = marks.starts_with('[') || key.is_some_and(|key| !key.contains(' '));
+        let levels = ["error: ", "hata: ", "help: ", "yardim: ", "note: ", "not: "];
+        let level = levels.iter().find_map(|level| marks.strip_prefix(level));
+        let marks = level.unwrap_or(marks);
+        if !is_source && !is_place && !is_code {
+            let plain = marks.split('`').step_by(2).collect::<Vec<_>>().join(" ");
+            said.push(plain.split('"').step_by(2).collect::<Vec<_>>().join(" "));
+        }
+    }
+    said
+}
+
+/// Letters alone, as many as make a word.
+fn words_of(text: &str) -> Vec<&str> {
+    let words = text.split(|c: char| !c.is_alphabetic());
+    words.filter(|word| word.len() > 1).collect()
+}
+
+#[test]
+fn every_fault_of_a_scene_is_told_in_turkish() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/broken");
+    let mut faults = Vec::new();
+    let mut files = 0;
+    for file in std::fs::read_dir(&folder).unwrap() {
+        let path = file.unwrap().path();
+        let name = path.to_str().unwrap();
+        let english = refused(2, &["check", name]);
+        let turkish = refused(2, &["check", name, "--language", "tr"]);
+        files += 1;
+        // The same places and the same lines of the file.
+        let kept = |report: &str| -> Vec<String> {
+            let lines = report.lines().filter(|line| line.contains("-->"));
+            lines.map(|line| line.trim().to_owned()).collect()
+        };
+        assert_eq!(kept(&english), kept(&turkish));
+        let english = said(&english);
+        for line in said(&turkish) {
+            let words = words_of(&line);
+            let word = words.iter().find(|word| OF_FAULTS.contains(word));
+            let shared = words.len() > 1 && english.contains(&line);
+            if shared || word.is_some() {
+                faults.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    assert!(files > 150, "{files}");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_comparison_finds_english() {
+    let report = "hata: kotu\n --> a.toml:3:1\n  |\n3 | the = 1\n  |  ^^ is bad `the`\n  = yardim: the rule\n";
+    assert_eq!(said(report), ["kotu", "", "is bad  ", "the rule"]);
+    assert_eq!(words_of("is bad, 3 `x"), ["is", "bad"]);
+}
+
+/// As people of half the world write it; in the workbench and in scenes too.
+#[test]
+fn a_place_may_have_a_comma() {
+    let alike = |args: &[&str]| {
+        let typed: Vec<String> = args.iter().map(|it| (*it).to_owned()).collect();
+        let point: Vec<String> = args.iter().map(|it| it.replace(',', ".")).collect();
+        let told = |args: &[String]| done(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(told(&typed), told(&point), "{args:?}");
+    };
+    alike(&["table", "four-bar", "--at", "15,5"]);
+    alike(&["draw", "four-bar", "--at", "-0,5"]);
+    alike(&["explain", "four-bar", "--at", "1,25e1"]);
+    alike(&[
+        "sweep", "four-bar", "--from", "0,5", "--to", "2,5", "--step", "0,1",
+    ]);
+    alike(&[
+        "plot",
+        "four-bar",
+        "--columns",
+        "C.x",
+        "--from",
+        "0,5",
+        "--to",
+        "90,5",
+    ]);
+    alike(&["motor", "excavator-boom", "--from", "1,8", "--to", "2,8"]);
+    alike(&["motor", "press-ram", "--height", "6,5"]);
+    #[cfg(feature = "tui")]
+    alike(&["four-bar", "--at", "15,5", "--print"]);
+    for (args, option) in [
+        (&["table", "four-bar", "--at", "1,500"][..], "--at"),
+        (&["sweep", "four-bar", "--step", "1.234,5"], "--step"),
+        (&["motor", "press-ram", "--height", "1,000"], "--height"),
+    ] {
+        let message = refused(2, args);
+        let groups = "write digits without groups: 1234.5 or 1234,5";
+        assert!(
+            message.contains(option) && message.contains(groups),
+            "{message}"
+        );
+    }
 }

@@ -542,7 +542,11 @@ fn formulas_that_are_wrong_say_why() {
         ("C = C.x", "names something else already"),
         ("x = C.ax,x.rate", "no rate of C.ax is known"),
         ("= C.x", "behind a name and `=`"),
-        ("pi = C.x", "is no name for a figure"),
+        (
+            "pi = C.x",
+            "the name `pi` is reserved; columns use `driver`,",
+        ),
+        ("time = C.x", "`time`, `pi` with a meaning of their own"),
     ] {
         let told = sweep(columns);
         assert!(

@@ -1,6 +1,7 @@
 //! The motor over a cycle.
 
 use super::{CsvArgs, OutputArgs, OutputFormat, SceneArgs};
+use crate::scene::with_point;
 use crate::wording::words;
 use clap::Args;
 
@@ -40,6 +41,7 @@ pub(in crate::cli) struct MotorArgs {
         long,
         value_name = "COORDINATE",
         requires = "to",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     pub(in crate::cli) from: Option<f64>,
@@ -48,6 +50,7 @@ pub(in crate::cli) struct MotorArgs {
         long,
         value_name = "COORDINATE",
         requires = "from",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     pub(in crate::cli) to: Option<f64>,
@@ -67,11 +70,16 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 fn not_negative(text: &str) -> Result<f64, String> {
-    let value: f64 = text
-        .parse()
-        .map_err(|_| words().must_be_a_number().to_owned())?;
+    let value = number(text)?;
     let wrong = || words().must_not_be_negative().to_owned();
     (value.is_finite() && value >= 0.0)
         .then_some(value)
         .ok_or_else(wrong)
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    let unclear = || words().digits_without_groups().to_owned();
+    let text = with_point(text).ok_or_else(unclear)?;
+    text.parse()
+        .map_err(|_| words().must_be_a_number().to_owned())
 }

@@ -160,7 +160,7 @@ impl<'a> DrawnScene<'a> {
     fn title(&self) -> String {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
-        words().drawing_of(&self.scene.name, &self.state.at(), unit)
+        words().drawing_of(&self.scene.title(), &self.state.at(), unit)
     }
 }
 

@@ -24,7 +24,7 @@ impl ReportedState<'_> {
     pub(in crate::report) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
-        let caption = words().drawing_of(&self.scene.name, &self.state.at(), unit);
+        let caption = words().drawing_of(&self.scene.title(), &self.state.at(), unit);
         self.show(&Wanted::default(), caption, page);
     }
 

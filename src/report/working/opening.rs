@@ -20,7 +20,7 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
         figures,
         ..
     } = context;
-    draft.page.title(&scene.name);
+    draft.page.title(&scene.title());
     let (is_turning, name, units) = match scene.mechanism.driver().input {
         Input::Turn(link) => (
             true,
@@ -32,7 +32,7 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
             (false, scene.slide_name(slide), units)
         }
     };
-    let condition = state_word(state.condition());
+    let condition = &words().condition_called(state_word(state.condition()));
     let [at, speed, acceleration] = units;
     let at = format!("{} {at}", concise(state.at(), usize::MAX));
     let speed = format!("{} {speed}", figures.given(state.driver_speed()));

@@ -1,6 +1,7 @@
 //! Moving the driver: to a coordinate, or by steps.
 
 use super::{App, Mode};
+use crate::scene::with_point;
 use crate::tui::commands::line::EditLine;
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::OutOfRange;
@@ -17,6 +18,9 @@ impl App {
                 }
             }
             None if line.text().trim().is_empty() => self.shell.mode = Mode::Normal,
+            None if with_point(line.text()).is_none() => {
+                self.shell.say(words().typed_two_marks(line.text().trim()));
+            }
             None => {
                 let unit = self.player.open_scene.unit();
                 self.shell.say(words().no_number_of(unit, line.text()));

@@ -1,6 +1,7 @@
 //! A line that is typed.
 
 use crate::document::{ascii_letter, is_harmful};
+use crate::scene::with_point;
 use crate::tui::commands::key::Key;
 
 /// Longer than any number that means something.
@@ -115,11 +116,12 @@ impl EditLine {
         self.text.clear();
     }
 
-    /// The number that was typed, its unit allowed behind it, a comma taken for the point.
+    /// The number that was typed, its unit allowed behind it, a comma taken for the point where it can be
+    /// nothing else.
     pub(crate) fn number(&self, unit: &str) -> Option<f64> {
         let text = self.text.trim();
         let text = text.strip_suffix(unit).unwrap_or(text).trim_end();
-        let number: f64 = text.replace(',', ".").parse().ok()?;
+        let number: f64 = with_point(text)?.parse().ok()?;
         number.is_finite().then_some(number)
     }
 }
@@ -139,7 +141,7 @@ mod tests {
         assert_eq!(number("60"), Some(60.0));
         assert_eq!(number(" -12,5 deg"), Some(-12.5));
         assert_eq!(number("1e2deg"), Some(100.0));
-        for wrong in ["", "deg", "1 2", "nan", "inf", "1,2,3", "60 mm"] {
+        for wrong in ["", "deg", "1 2", "nan", "inf", "1,2,3", "1,500", "60 mm"] {
             assert_eq!(number(wrong), None, "{wrong:?}");
         }
     }

@@ -15,7 +15,9 @@ use super::page;
 use super::pane::{Copied, Need, Pane};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
-use crate::report::{Entry, Existence, Forces, GuideRow, Least, PlaneVector, missed, upwards};
+use crate::report::{
+    Entry, Existence, Forces, GuideRow, Least, PlaneVector, effort_word, missed, upwards,
+};
 use crate::tui::app::{App, View};
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
@@ -79,8 +81,12 @@ impl Pane for ForcesView {
         drive.total.value?;
         let unit = drive.aspect.unit(app.open_scene().scene().unit.symbol());
         Some(match drive.total.bound {
-            Some(bound) => format!("{} +-{} {unit}", drive.aspect.name(), upwards(bound, 1)),
-            None => words().effort_without_bound(drive.aspect.name()),
+            Some(bound) => format!(
+                "{} +-{} {unit}",
+                effort_word(drive.aspect),
+                upwards(bound, 1)
+            ),
+            None => words().effort_without_bound(effort_word(drive.aspect)),
         })
     }
 
@@ -192,7 +198,7 @@ fn driver(forces: &Forces, formats: &Formats) -> Table {
     let mut table = table(
         words().driver(),
         [
-            (drive.aspect.name(), &unit),
+            (effort_word(drive.aspect), &unit),
             (words().loads(), &unit),
             (words().gravity(), &unit),
             (words().inertia(), &unit),
@@ -213,7 +219,7 @@ fn reactions(forces: &Forces, formats: &Formats) -> Table {
     let joints = joints.map(|joint| {
         let name = words().link_at_point(&joint.link, &joint.point);
         let by = joint.by.as_ref();
-        let more = by.map(|by| words().pin_by(&joint.link, &joint.point, by));
+        let more = by.map(|by| words().pin_by(&joint.link, &joint.point, &words().body_called(by)));
         row(name, more, plane(joint.force, formats.force, None))
     });
     let frame = &forces.frame;
@@ -296,7 +302,7 @@ fn checks(forces: &Forces) -> Table {
     let mut table = table(
         words().table_of_checks(),
         [
-            (drive.name(), &drive.unit(forces.unit)),
+            (effort_word(drive), &drive.unit(forces.unit)),
             ("fx", &Aspect::Fx.unit(forces.unit)),
             ("fy", &Aspect::Fy.unit(forces.unit)),
             (words().moment(), &Aspect::Moment.unit(forces.unit)),

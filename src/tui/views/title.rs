@@ -38,7 +38,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// The scene with what it is held against, and as much of how it is stepped and played as there is room for.
 pub(super) fn heading(app: &App, room: u16) -> (String, String) {
-    let title = shown(&app.open_scene().scene().name, app.glyphs());
+    let title = app.open_scene().scene().title();
+    let title = shown(&title, app.glyphs());
     let title = if app.is_changed() {
         title + " *"
     } else {

@@ -50,6 +50,7 @@ catalogue! {
         // Values that are typed.
         no_number_typed(typed: &str, units: &str) = "no number: {typed}; type one, alone or in {units}";
         unit_does_not_fit(unit: &str, units: &str) = "{unit} does not fit here: {units}";
+        typed_two_marks(typed: &str) = "{typed}: write digits without groups: 1234.5 or 1234,5";
         typed_too_large(typed: &str) = "too large: {typed}";
         no_speed_of_driver(typed: &str, units: &str) =
             "`{typed}` is no speed of this driver: a number with one of {units}";

@@ -1,5 +1,6 @@
 //! English: the sentences by what they are about.
 
+mod acting;
 mod actions;
 mod checking;
 mod commands;
@@ -34,6 +35,7 @@ mod tour;
 mod views;
 mod working;
 
+pub(super) use acting::ActingWords;
 pub(super) use actions::ActionsWords;
 pub(super) use checking::CheckingWords;
 pub(super) use commands::CommandsWords;

@@ -17,6 +17,9 @@ catalogue! {
         tail_of(what: &str) = "the tail of {what}";
         head_of(what: &str) = "the head of {what}";
         the_scene_itself = "the scene";
+        body_called(name: &str) = "{name}";
+        condition_called(word: &str) = "{word}";
+        told_of_scene(text: &str) = "{text}";
         add_for_example(text: &str) = "add, for example:\n{text}";
 
         // The scene.

@@ -1,6 +1,6 @@
 //! Commands on the command line: what they cannot do, and what a reader of their results should know.
 
-use super::Turkish;
+use super::{Turkish, parser};
 use crate::wording::english::CommandsWords;
 use std::fmt::Display;
 
@@ -10,19 +10,19 @@ catalogue! {
         note(message: &str) = "not: {message}";
         of_option(option: &str, what: &dyn Display) = "{option}: {what}";
 
-        of_parser(text: &str) = {
-            let mut text = text.to_owned();
-            for (english, turkish) in OF_PARSER {
-                text = text.replace(english, turkish);
-            }
-            text
-        };
+        of_parser(text: &str) = { parser::said(text) };
 
         // Files and results.
-        cannot_read(name: &str, why: &dyn Display) = "{name} okunamıyor: {why}";
+        cannot_read(name: &str, why: &dyn Display) = {
+            format!("{name} okunamıyor: {}", parser::of_system(why))
+        };
         standard_input = "standart girdi";
-        cannot_write_results(why: &dyn Display) = "sonuçlar yazılamıyor: {why}";
-        cannot_write(name: &dyn Display, why: &dyn Display) = "`{name}` yazılamıyor: {why}";
+        cannot_write_results(why: &dyn Display) = {
+            format!("sonuçlar yazılamıyor: {}", parser::of_system(why))
+        };
+        cannot_write(name: &dyn Display, why: &dyn Display) = {
+            format!("`{name}` yazılamıyor: {}", parser::of_system(why))
+        };
         file_was_mended(name: &dyn Display) =
             "`{name}` yazılırken yarım kalmıştı, şimdi yine tam";
         output_is_the_scene =
@@ -154,45 +154,3 @@ catalogue! {
         help_of_workbench = "`krank --help` tezgâhı ve seçeneklerini anlatır.";
     }
 }
-
-/// What the parser of the command line says by itself, part by part.
-const OF_PARSER: [(&str, &str); 26] = [
-    ("Usage: ", "Kullanım: "),
-    ("Commands:\n", "Komutlar:\n"),
-    ("Arguments:\n", "Argümanlar:\n"),
-    ("Options:\n", "Seçenekler:\n"),
-    ("Possible values:", "Değerler:"),
-    ("[possible values: ", "[değerler: "),
-    ("[default: ", "[yoksa: "),
-    ("[aliases: ", "[öteki adı: "),
-    (
-        "Print help (see a summary with '-h')",
-        "Yardımı yaz (özeti: '-h')",
-    ),
-    (
-        "Print help (see more with '--help')",
-        "Yardımı yaz (fazlası: '--help')",
-    ),
-    ("Print help", "Yardımı yaz"),
-    ("Print version", "Sürümü yaz"),
-    ("error: ", "hata: "),
-    ("  tip: ", "  ipucu: "),
-    ("For more information, try '--help'.", "Fazlası: '--help'."),
-    (
-        "the following required arguments were not provided:",
-        "şu zorunlu argümanlar verilmemiş:",
-    ),
-    ("unexpected argument '", "beklenmeyen argüman '"),
-    ("invalid value '", "geçersiz değer '"),
-    ("unrecognized subcommand '", "bilinmeyen komut '"),
-    ("a value is required for '", "değeri verilmemiş: '"),
-    ("' but none was supplied", "'"),
-    ("' for '", "', yeri '"),
-    (
-        "' cannot be used multiple times",
-        "' bir kereden çok verilemez",
-    ),
-    ("the argument '", "argüman '"),
-    ("a similar argument exists: ", "benzer bir argüman var: "),
-    ("a similar value exists: ", "benzer bir değer var: "),
-];

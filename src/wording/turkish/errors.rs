@@ -1,6 +1,6 @@
 //! Errors of the library that a person is told as they are.
 
-use super::Turkish;
+use super::{Turkish, parser};
 use crate::wording::english::ErrorsWords;
 use std::fmt::Display;
 
@@ -15,7 +15,9 @@ catalogue! {
              tabloları yazar";
         terminal_is_dumb =
             "TERM=dumb tezgâhı gösteremez; `krank table SCENE` tabloları yazar";
-        terminal_failed(why: &dyn Display) = "terminal hata verdi: {why}";
+        terminal_failed(why: &dyn Display) = {
+            format!("terminal hata verdi: {}", parser::of_system(why))
+        };
         krank_is_broken(what: &str) = "krank bozuldu: {what}";
 
         // Figures and their rows.
@@ -50,6 +52,7 @@ catalogue! {
         // Values that are typed.
         no_number_typed(typed: &str, units: &str) = "sayı değil: {typed}; bir sayı yaz, yalın ya da birimle: {units}";
         unit_does_not_fit(unit: &str, units: &str) = "{unit} buraya uymaz: {units}";
+        typed_two_marks(typed: &str) = "{typed}: haneleri gruplamadan yaz: 1234.5 ya da 1234,5";
         typed_too_large(typed: &str) = "çok büyük: {typed}";
         no_speed_of_driver(typed: &str, units: &str) =
             "`{typed}` bu tahrikin hızı olamaz: sayı ve şunlardan bir birim: {units}";

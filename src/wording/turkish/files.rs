@@ -1,6 +1,6 @@
 //! Files: read, written, changed by others; edits that a session has left.
 
-use super::Turkish;
+use super::{Turkish, parser};
 use crate::wording::english::FilesWords;
 use std::fmt::Display;
 
@@ -28,8 +28,12 @@ catalogue! {
         disk_read_only = "disk salt okunur";
         no_such_folder = "böyle bir klasör yok";
         add_a_name = "o bir klasör: bir ad ekle";
-        not_written(why: &str) = "yazılmadı: {why}";
-        not_written_to(name: &str, why: &str) = "yazılmadı, {why}: {name}";
+        not_written(why: &str) = {
+            format!("yazılmadı: {}", parser::of_system(&why))
+        };
+        not_written_to(name: &str, why: &str) = {
+            format!("yazılmadı, {}: {name}", parser::of_system(&why))
+        };
         not_written_without_start =
             "yazılmadı: hiçbir başlangıç konumu bu montaj biçimini ötekilerden ayırmıyor";
 
@@ -50,8 +54,12 @@ catalogue! {
 
         // Reading.
         reading(name: &str) = "okunuyor: {name}";
-        cannot_be_read(why: &dyn Display) = "okunamıyor: {why}";
-        name_cannot_be_read(name: &str, why: &dyn Display) = "{name} okunamıyor: {why}";
+        cannot_be_read(why: &dyn Display) = {
+            format!("okunamıyor: {}", parser::of_system(why))
+        };
+        name_cannot_be_read(name: &str, why: &dyn Display) = {
+            format!("{name} okunamıyor: {}", parser::of_system(why))
+        };
         is_folder(name: &dyn Display) = "{name} bir klasör";
         no_presets = "hazır sahne yok";
         no_preset(name: &str) = "{name} adında hazır sahne yok";

@@ -3,6 +3,7 @@
 //! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`; what is typed
 //! (options, keys, names of columns and of actions) stays as it is. No ending is put behind a name that comes in.
 
+mod acting;
 mod actions;
 mod checking;
 mod commands;
@@ -25,13 +26,16 @@ mod motion;
 mod motors;
 mod offering;
 mod options;
+mod parser;
 mod parts;
 mod picking;
 mod plots;
+mod presets;
 mod reactions;
 mod reading;
 mod reporting;
 mod scene_keys;
+mod syntax;
 mod terminals;
 mod tour;
 mod views;

@@ -1,13 +1,15 @@
 //! Edits that sessions have left: offered, taken up, dropped.
 
-use super::Turkish;
+use super::{Turkish, parser};
 use crate::wording::english::OfferingWords;
 use std::fmt::Display;
 
 catalogue! {
     impl OfferingWords for Turkish {
-        edits_not_kept(folder: &dyn Display, why: &dyn Display) =
-            "değişiklikler kurtarma için saklanmıyor: {folder}: {why}";
+        edits_not_kept(folder: &dyn Display, why: &dyn Display) = {
+            let why = parser::of_system(why);
+            format!("değişiklikler kurtarma için saklanmıyor: {folder}: {why}")
+        };
         others_have_edits = "bu sahnenin başkalarında değişiklikleri var: görmek için yeniden aç";
         edits_by_others = "bu sahnenin başka oturumlardaki değişiklikleri";
         older_edits_are_back(key: &str) =

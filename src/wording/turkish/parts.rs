@@ -1,6 +1,6 @@
 //! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
 
-use super::Turkish;
+use super::{Turkish, presets};
 use crate::wording::english::PartsWords;
 use std::fmt::LowerExp;
 
@@ -17,6 +17,23 @@ catalogue! {
         tail_of(what: &str) = "başı ({what})";
         head_of(what: &str) = "ucu ({what})";
         the_scene_itself = "sahne";
+        body_called(name: &str) = {
+            // No link may have this name.
+            match name {
+                "ground" => "şase".to_owned(),
+                name => name.to_owned(),
+            }
+        };
+        condition_called(word: &str) = {
+            match word {
+                "ok" => "tamam".to_owned(),
+                "dead-point" => "ölü konum".to_owned(),
+                "change-point" => "değişim konumu".to_owned(),
+                "no-assembly" => "kurulamaz".to_owned(),
+                word => word.to_owned(),
+            }
+        };
+        told_of_scene(text: &str) = { presets::said(text).to_owned() };
         add_for_example(text: &str) = "örneğin şunu ekle:\n{text}";
 
         // The scene.
@@ -66,8 +83,8 @@ catalogue! {
         inertia_without_centre(link: &str) = "{link} uzvunun ataleti var, ağırlık merkezi yok";
         about_which_point = "hangi noktaya göre?";
         give_centre_at_middle(x: f64) =
-            "merkezi uzvun kendi ekseninde ver; boyun ortası: com = [{x}, 0]";
-        give_centre = "merkezi uzvun kendi ekseninde ver: örneğin com = [20, 10]";
+            "merkezi uzvun kendi eksen takımında ver; boyun ortası: com = [{x}, 0]";
+        give_centre = "merkezi uzvun kendi eksen takımında ver: örneğin com = [20, 10]";
 
         // Slides.
         of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
@@ -84,10 +101,10 @@ catalogue! {
         nothing_slides_here = "burada kayan yok";
         guide_in_the_frame = "şasedeki kılavuz için on = \"ground\"";
         must_be_point_of(what: &str, body: &str, name: &str) =
-            "{what} bir noktası olmalı ({body}); {name} değil";
-        no_point_of(body: &str) = "noktası değil ({body})";
+            "{what}: {body} üzerinde bir nokta olmalı, {name} değil";
+        no_point_of(body: &str) = "{body} üzerinde bir nokta değil";
         name_point_of(body: &str) =
-            "bir noktasını adlandır ({body}) ya da onun ekseninde koordinat ver: through = [0, 0]";
+            "{body} üzerinde bir nokta adlandır ya da onun eksen takımında koordinat ver: through = [0, 0]";
         cannot_slide_on_itself(body: &str) = "{body} kendi üzerinde kayamaz";
         origin_is_fixed(link: &str, body: &str) =
             "uzuv {link}, {body} üzerinde kayamaz: başlangıç noktası orada sabit";
@@ -120,11 +137,11 @@ catalogue! {
         runs_to_itself(what: &str, from: &str) = "{what}: {from} noktasından yine kendine gidiyor";
         head_is_tail = "başı ve ucu aynı";
         name_tail_and_head = "iki ayrı nokta adlandır: [tail, head]";
-        a_pair_of_points = "[tail, head], noktalardan";
+        a_pair_of_points = "nokta [tail, head]";
         has_no_centre(what: &str, link: &str) = "{what}: {link} uzvunun ağırlık merkezi yok";
         no_such_point = "böyle bir nokta yok";
         has_no_com = "`com` yok";
-        give_the_link_one = "uzva kendi ekseninde bir tane ver: com = [50, 0]";
+        give_the_link_one = "uzva kendi eksen takımında bir tane ver: com = [50, 0]";
         was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} orada mı denmek istendi?";
         take_out_or_use = "çıkar ya da bir uzuv orada başlasın veya bitsin";
         belongs_to_nothing(name: &str) = "sabit nokta {name} hiçbir şeye ait değil";

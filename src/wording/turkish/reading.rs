@@ -1,6 +1,6 @@
 //! Reading a scene or a configuration: what is wrong with its keys, values and names, and what would mend it.
 
-use super::Turkish;
+use super::{Turkish, syntax};
 use crate::wording::english::ReadingWords;
 
 catalogue! {
@@ -9,7 +9,9 @@ catalogue! {
         not_utf8(byte: u8, at: usize) = "dosya UTF-8 değil: {at} konumunda bayt 0x{byte:02x}";
         not_a_character = "UTF-8'de bir karakter değil";
         save_as_utf8 = "dosyayı UTF-8 olarak kaydet";
-        not_valid_toml(message: &str) = "geçerli TOML değil: {message}";
+        not_valid_toml(message: &str) = {
+            format!("geçerli TOML değil: {}", syntax::said(message))
+        };
         more_faults(count: usize) = "{count} hata daha var, gösterilmiyor";
         given_twice(key: &str) = "{key} iki kez verilmiş";
         the_first_time = "ilki";
@@ -33,7 +35,7 @@ catalogue! {
         a_list = "bir liste";
         a_table = "bir tablo";
         key_of(key: &str, of: &str) = "`{key}` ({of})";
-        part_of(part: &str, of: &str) = "{part} ({of})";
+        part_of(part: &str, of: &str) = "{of}: {part}";
 
         // Numbers.
         a_finite_number = "sonlu bir sayı";
@@ -103,7 +105,7 @@ catalogue! {
         names_are_shared =
             "noktalar, uzuvlar, kızaklar, vektörler ve büyüklükler adları paylaşır: birinin adını değiştir";
         is_another(what: &str, name: &str, other: &str, noun: &str) =
-            "{what}: {name} {noun} değil {other}";
+            "{what}: {name} {noun} değil, {other}";
         expected_name_of(noun: &str) = "bir {noun} adı beklenir";
         that_one(noun: &str) = "o {noun}";
         there_is_no(what: &str, noun: &str, name: &str) = "{what}: {name} adında {noun} yok";

@@ -12,7 +12,19 @@ catalogue! {
         short_accuracy = "hata";
         means_nothing_here(key: &dyn Display, help: &str) = "{key} burada bir şey yapmaz; tuşlar: {help}";
         nothing_acts_in_short = "burada bir şey etki etmiyor: yük, yay, kütle yok";
-        layout_is(name: &str) = "düzen: {name}";
+        layout_is(name: &str) = {
+            // The configuration's word stands behind it: that is what is written there.
+            let said = match name {
+                "auto" => "yere göre",
+                "one" => "tek",
+                "two" => "iki",
+                "three" => "üç",
+                "lecture" => "ders",
+                "design" => "tasarım",
+                _ => return format!("düzen: {name}"),
+            };
+            format!("düzen: {said} ({name})")
+        };
         no_other_pane = "başka bölme yok";
         no_split_here = "burada kaydırılacak bölme çizgisi yok";
         more_is_shown(width: u16, height: u16) = "{width} x {height} daha çok gösterir";

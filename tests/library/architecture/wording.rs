@@ -4,9 +4,10 @@ use super::{files, is_test, module_path, source_folder, tokens, without_tests};
 use std::fs;
 
 /// The rooms whose sentences stand in the catalogue.
-const SAID: [&[&str]; 13] = [
+const SAID: [&[&str]; 15] = [
     &["capability"],
     &["cli"],
+    &["document"],
     &["drawing", "legend"],
     &["explain"],
     &["expression"],
@@ -16,14 +17,17 @@ const SAID: [&[&str]; 13] = [
     &["page"],
     &["quantity"],
     &["report"],
+    &["scene"],
     &["study"],
     &["tui"],
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 7] = [
+const OTHERS: [&[&str]; 12] = [
     // What a shell is told.
     &["cli", "pager"],
+    // What a derived type is told, and nobody else.
+    &["document", "lenient"],
     // Markup, and what it looks like.
     &["page", "html"],
     &["page", "latex"],
@@ -32,6 +36,13 @@ const OTHERS: [&[&str]; 7] = [
     &["page", "tikz"],
     // An error of the library has its own text.
     &["quantity", "catalogue"],
+    // The manual's table of keys, and units of two words.
+    &["scene", "keys"],
+    &["scene", "measure"],
+    // A number is called by the keys of the file.
+    &["scene", "values"],
+    // Tests of how a message looks.
+    &["scene", "refusals"],
 ];
 
 /// Whose texts nobody is told: they speak to whoever reads the code, or are compared with what others say.

@@ -7,7 +7,7 @@ use super::super::stages::LoopUnknown;
 use super::PositionMethod;
 use super::problem::{kind, longest, name};
 use crate::nearest::did_you_mean;
-use crate::scene::Unit;
+use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::SoughtKind;
 use crate::wording::words;
@@ -76,8 +76,8 @@ impl FromStr for Guess {
                 Some(GuessUnit::Length(unit.ok_or(GuessError)?))
             }
         };
-        let read = |text: &str| match text.trim().parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(value),
+        let read = |text: &str| match with_point(text).map(|text| text.parse::<f64>()) {
+            Some(Ok(value)) if value.is_finite() => Ok(value),
             _ => Err(GuessError),
         };
         let between = match number.split_once("..") {

@@ -280,7 +280,7 @@ impl Viewport {
         let of_rows = |rows| self.view(open_scene, reach, (cols, rows), PICTURE_ASPECT);
         let view = WorldView::snug(most, of_rows);
         let at = open_scene.driver_range().on_grid(open_scene.at());
-        let title = words().drawing_of(&open_scene.scene().name, &at, open_scene.unit());
+        let title = words().drawing_of(&open_scene.scene().title(), &at, open_scene.unit());
         drawing::svg(
             &self.figure(open_scene, None),
             &view,

@@ -100,7 +100,7 @@ impl MotorStudy {
         let here = self.here(open_scene.at());
         Some(
             self.plot()?
-                .svg(&open_scene.scene().name, PAPER, true, here.as_ref()),
+                .svg(&open_scene.scene().title(), PAPER, true, here.as_ref()),
         )
     }
 

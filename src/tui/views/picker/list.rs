@@ -1,7 +1,7 @@
 //! Choosing a scene: the files of a folder and the presets as one list, which narrows as one types.
 
 use crate::scene::presets::{self, Preset};
-use crate::scene::{Scene, is_harmful};
+use crate::scene::{Scene, is_harmful, sanitized};
 use crate::tui::Origin;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::wording::words;
@@ -53,7 +53,7 @@ pub(crate) struct PickerItem {
     /// As it is listed: the name of a file with its ending, of a folder with a stroke behind it.
     pub(crate) name: String,
     /// The title of a preset; of a file nothing is known until it is looked at.
-    pub(crate) title: &'static str,
+    pub(crate) title: String,
     /// Name and title in small letters, for the search.
     key: String,
 }
@@ -178,9 +178,10 @@ impl Picker {
             Err(why) => Some(why),
         };
         let presets = presets::all().iter().zip(TITLES.iter());
-        self.items.extend(
-            presets.map(|(p, title)| PickerItem::new(PickerTarget::Preset(p.name), p.name, title)),
-        );
+        self.items.extend(presets.map(|(p, title)| {
+            let title = words().told_of_scene(title);
+            PickerItem::new(PickerTarget::Preset(p.name), p.name, &title)
+        }));
         self.items
             .retain(|item| Some(&item.place) != self.here.as_ref());
         self.narrow();
@@ -309,17 +310,19 @@ impl Picker {
 }
 
 impl PickerItem {
-    fn new(place: PickerTarget, name: &str, title: &'static str) -> PickerItem {
+    fn new(place: PickerTarget, name: &str, title: &str) -> PickerItem {
+        let plain = sanitized(title, true);
         PickerItem {
             place,
             name: name.to_owned(),
-            title,
-            key: format!("{name} {title}").to_lowercase(),
+            title: title.to_owned(),
+            // Who has no Turkish letters types those that stand for them.
+            key: format!("{name} {title} {plain}").to_lowercase(),
         }
     }
 }
 
-/// The titles of the presets, in their order.
+/// The titles of the presets as their files have them, in their order.
 static TITLES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let title = |preset: &Preset| Scene::parse(preset.text, preset.name).map(|scene| scene.name);
     let titles = presets::all().iter().map(title);
@@ -335,4 +338,19 @@ fn whole(folder: &Path) -> PathBuf {
     };
     let whole = folder.canonicalize();
     whole.unwrap_or_else(|_| std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_is_found_without_its_letters() {
+        let place = PickerTarget::Original;
+        let item = PickerItem::new(place, "hoecken", "Hoecken'in do\u{11f}ru \u{e7}izen");
+        for typed in ["dogru", "do\u{11f}ru", "cizen", "hoecken"] {
+            assert!(item.key.contains(typed), "{typed}: {}", item.key);
+        }
+        assert!(!item.key.contains("kite"));
+    }
 }

@@ -171,7 +171,7 @@ fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &
     let x = x + NAMES;
     if area.right() >= x + SHORTEST_TITLE && columns(&name) < NAMES {
         let title = cut(
-            &shown(item.title, app.glyphs()),
+            &shown(&item.title, app.glyphs()),
             usize::from(area.right() - x),
         );
         print(
@@ -191,7 +191,7 @@ fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     };
     let (title, below) = split(area, 1);
     let name = match app.preview() {
-        Some(Preview::Scene(sample)) => &sample.scene.name,
+        Some(Preview::Scene(sample)) => &sample.scene.title(),
         Some(Preview::Fault(_) | Preview::Folder(_) | Preview::Unseen(_)) | None => &item.name,
     };
     let name = cut(&shown(name, app.glyphs()), area.width.into());
@@ -261,18 +261,12 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
         lines.into_iter().map(move |line| (line, part))
     };
     let own = format!("{}; {}", sample.parts, sample.range);
+    let told = |text: &Option<String>| words().told_of_scene(text.as_deref().unwrap_or_default());
+    let (source, note) = (told(&scene.source), told(&scene.note));
     let said = [
         (own.as_str(), MOST_FACTS, ScreenPart::Text),
-        (
-            scene.source.as_deref().unwrap_or(""),
-            MOST_SOURCE,
-            ScreenPart::Quiet,
-        ),
-        (
-            scene.note.as_deref().unwrap_or(""),
-            MOST_NOTE,
-            ScreenPart::Text,
-        ),
+        (source.as_str(), MOST_SOURCE, ScreenPart::Quiet),
+        (note.as_str(), MOST_NOTE, ScreenPart::Text),
     ];
     let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
     said.flat_map(|(text, most, part)| lines(text, most, part))

@@ -223,7 +223,7 @@ impl Plots {
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
         let plot = self.plot().ok()?;
         let here = self.here(open_scene.state());
-        let title = &open_scene.scene().name;
+        let title = &open_scene.scene().title();
         Some(plot.svg(title, PAPER, self.extrema, here.as_ref()))
     }
 

@@ -138,9 +138,13 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         true => 0,
         false => keys.iter().flatten().map(needed).sum(),
     };
+    let title = match app.preview() {
+        Some(Preview::Scene(sample)) => sample.scene.title(),
+        _ => String::new(),
+    };
     let (words, part) = match app.preview() {
         _ if let Some(message) = app.message() => (message, ScreenPart::Warning),
-        Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), ScreenPart::Text),
+        Some(Preview::Scene(_)) => (title.as_str(), ScreenPart::Text),
         Some(Preview::Fault(fault)) => (fault.what.as_str(), ScreenPart::Warning),
         Some(Preview::Unseen(why)) => (why.as_str(), ScreenPart::Quiet),
         Some(Preview::Folder(names)) if names.is_empty() => {
