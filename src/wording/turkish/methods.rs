@@ -63,7 +63,7 @@ catalogue! {
         iterations = "yin";
         iterations_are =
             "bir konumun aldığı Newton adımı ya da ikiye bölme, bütün gruplarla: ortanca ve en çok";
-        closed_form_is = "her ikili grup kendi formülüyle, yineleme yok: krank'ın yaptığı";
+        closed_form_is = "her diad kendi formülüyle, yineleme yok: krank'ın yaptığı";
         anchors = "dayanaklar";
         newton_from_anchors_is =
             "saklanan birçok durumun en yakınından Newton yöntemi: krank'ın bağlı gruplarda yaptığı";

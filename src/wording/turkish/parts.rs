@@ -14,7 +14,7 @@ catalogue! {
         point_in(of: &str) = "{of}: nokta";
         ground_point = "sabit nokta";
         start_of = "başlangıç";
-        tail_of(what: &str) = "başı ({what})";
+        tail_of(what: &str) = "kuyruğu ({what})";
         head_of(what: &str) = "ucu ({what})";
         the_scene_itself = "sahne";
         body_called(name: &str) = {

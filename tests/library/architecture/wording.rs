@@ -23,7 +23,7 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 12] = [
+const OTHERS: [&[&str]; 11] = [
     // What a shell is told.
     &["cli", "pager"],
     // What a derived type is told, and nobody else.
@@ -36,8 +36,7 @@ const OTHERS: [&[&str]; 12] = [
     &["page", "tikz"],
     // An error of the library has its own text.
     &["quantity", "catalogue"],
-    // The manual's table of keys, and units of two words.
-    &["scene", "keys"],
+    // Units of two words.
     &["scene", "measure"],
     // A number is called by the keys of the file.
     &["scene", "values"],
