@@ -30,6 +30,9 @@ pub(super) enum KeyKind {
     Rate(Degree),
     /// Named pairs.
     Points(NumberMeasure),
+    /// `[x, y]` on a link, or a length and an angle; and named ones.
+    Place,
+    Places,
     /// Pairs of where and how much; what the latter is called.
     Knots([NumberMeasure; 2], &'static str),
     /// A table, one of each name, or a list of them.
@@ -78,7 +81,9 @@ macro_rules! keys {
     };
 }
 
-use KeyKind::{Each, Formulas, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
+use KeyKind::{
+    Each, Formulas, Knots, List, Number, Pair, Place, Places, Points, Rate, Table, Text, Vectors,
+};
 use NumberMeasure::{Driver, Effort, Of};
 
 keys! {
@@ -119,12 +124,18 @@ LINK =
     "to": Text, [], "", "";
     "length": Number(Of(Measure::Length)), [],
         "the two ends of a link and their distance: its vector in the loop equation", "no vector";
-    "points": Points(Of(Measure::Coordinate)), [],
-        "further points in the link's frame: `{ P = [150, 80] }`; alone for a link without two natural ends",
+    "points": Places, [],
+        "further points in the link's frame: `{ P = [150, 80] }`, or by length and angle `{ P = { from = \"D\", \
+         length = 170, angle = 28 } }`; alone for a link without two natural ends",
         "none";
-    "com": Pair(Of(Measure::Coordinate)), [], "centre of mass `[x, y]` in the link's frame", "none";
+    "com": Place, [], "centre of mass in the link's frame, `[x, y]` or by length and angle", "none";
     "mass": Number(Of(Measure::Mass)), [], "in kg; needs `com`", "0";
     "inertia": Number(Of(Measure::Inertia)), [], "about the centre of mass in kg m^2; needs `com`", "0";
+
+PLACE =
+    "from": Text, [], "the point of the link from which a place is seen", "the origin of the link's frame";
+    "length": Number(Of(Measure::Length)), [], "how far it is", "";
+    "angle": Number(Of(Measure::Angle)), [], "in which direction, in deg from the link's x axis", "";
 
 SLIDE =
     "point": Text, ["point"], "the pin that moves in the slot, free to turn", "";
@@ -207,7 +218,7 @@ impl SceneKey {
     fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {
-            Text | Number(_) | Pair(_) | Rate(_) | Knots(..) => None,
+            Text | Number(_) | Pair(_) | Rate(_) | Knots(..) | Place | Places => None,
             Points(_) | Vectors | Formulas => Some((format!("[{name}]"), &[])),
             Table(keys) | Each(keys) => Some((format!("[{name}]"), keys)),
             List(keys) => Some((format!("[[{name}]]"), keys)),

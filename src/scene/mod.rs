@@ -64,6 +64,7 @@ mod reader;
 mod redundant;
 mod resolve;
 mod rewrite;
+mod sighted;
 mod slide;
 mod syntax;
 mod typed;
