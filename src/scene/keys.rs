@@ -249,7 +249,7 @@ fn row(table: &mut String, name: &str, key: &SceneKey) {
 mod tests {
     use super::*;
     use crate::document::Lenient;
-    use crate::scene::{draft, input, link, loads, motor, redundant, slide};
+    use crate::scene::{draft, input, link, loads, motor, redundant, sighted, slide};
     use serde::Deserialize;
     use serde::de::DeserializeOwned;
     use toml::de::ValueDeserializer;
@@ -275,6 +275,13 @@ mod tests {
             let rows: Vec<_> = table.iter().map(|key| key.name).collect();
             assert_eq!(rows, read);
         }
+    }
+
+    /// A place by length and angle is read by hand.
+    #[test]
+    fn places_by_length_and_angle_have_their_keys() {
+        let rows = PLACE.iter().map(|key| key.name);
+        assert!(rows.eq(sighted::KEYS));
     }
 
     /// Every key is told in the reference, none without words.

@@ -16,7 +16,7 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use std::fmt;
 
 /// The keys of a place by length and angle.
-const KEYS: [&str; 3] = ["from", "length", "angle"];
+pub(super) const KEYS: [&str; 3] = ["from", "length", "angle"];
 const SIGHTED: &str = r#"{ from = "D", length = 180, angle = 72 }"#;
 
 /// A place on a link as it is written.

@@ -307,6 +307,36 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
     parts.fold(0.0, f64::max)
 }
 
+/// Lengths and angles of points are asked about like coordinates, and what is seen from them goes with them.
+#[test]
+fn places_by_length_and_angle_follow_what_was_typed() {
+    let scene = Scene::parse(crate::polar::SIGHTED, "sighted").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let worst = against_secants(&scene, &solver, 60.0);
+    assert!(worst <= 2e-8, "{worst:e}");
+    let mut probe = Probe::of(crate::polar::SIGHTED);
+    let names = [
+        "F.length",
+        "F.across",
+        "E.length",
+        "E.across",
+        "com.length",
+        "com.across",
+    ];
+    for name in names.map(|name| format!("r3.{name}")) {
+        assert!(probe.sensitivity.lengths().contains(&name), "{name}");
+    }
+    let found = probe.sensitivity.at(60.0).unwrap();
+    // E goes 1 mm out along 72.3 deg of a link at theta3, and takes F along.
+    let theta = 29.379_380_f64 + 72.3;
+    for name in ["E.x", "F.x", "r3.com.x"] {
+        let d = probe.derivative(&found, name, "r3.E.length");
+        assert!((d - theta.to_radians().cos()).abs() < 1e-5, "{name}: {d}");
+        let d = probe.derivative(&found, name, "r3.E.across");
+        assert!((d + theta.to_radians().sin()).abs() < 1e-5, "{name}: {d}");
+    }
+}
+
 /// A press works over the last of its stroke, and where that ends moves with the lengths, too.
 #[test]
 fn what_a_press_asks_follows_the_end_of_its_stroke() {

@@ -88,8 +88,7 @@ impl TypedPlace {
                     .as_ref()
                     .map_or(name.clone(), |l| format!("{l} {name}"));
                 let axes = [("x", CoordinateAxis::X), ("y", CoordinateAxis::Y)];
-                let value =
-                    |(axis, along)| (format!("{of} {axis}"), TypedCoordinate::Along(along));
+                let value = |(axis, along)| (format!("{of} {axis}"), TypedCoordinate::Along(along));
                 axes.map(value).to_vec()
             }
         };
