@@ -107,3 +107,69 @@ impl Link {
         moved
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Double;
+
+    /// A link with a point at its end, and one that is seen from there.
+    fn seen_at(length: f64, angle: f64) -> Member {
+        let mut link = Link {
+            members: Vec::new(),
+            ends: None,
+            com: None,
+            mass: 0.0,
+            inertia: 0.0,
+        };
+        let [end, point] = [0, 1].map(PointId::new);
+        link.members.push(Member {
+            point: end,
+            local: Vec2::new(300.0, 0.0),
+            polar: None,
+        });
+        link.members.push(Member {
+            point,
+            local: Vec2::ZERO,
+            polar: Some(PolarPlace::new(Some(end), length, angle)),
+        });
+        let moved = link.lay(true);
+        assert_eq!(moved.len(), 1);
+        link.members[1]
+    }
+
+    /// What a double holds is known exactly; half an ulp of 90.1 deg at the end of 180 mm is 2.2e-14 mm.
+    #[test]
+    fn a_place_is_known_as_well_as_its_length_and_its_angle() {
+        let exact = seen_at(180.0, 90.0);
+        assert_eq!(exact.local, Vec2::new(300.0, 180.0));
+        assert_eq!(exact.given().map(Constant::off).x, 1e-31 * 300.0);
+        let turned = seen_at(180.0, 90.1).given();
+        assert!((2.2e-14..2.3e-14).contains(&turned.x.radius), "{turned:?}");
+        assert!(turned.y.radius < 1e-16, "{turned:?}");
+        let long = seen_at(180.1, 90.0).given();
+        assert!(long.x.radius < 1e-27, "{long:?}");
+        assert!((1.4e-14..1.5e-14).contains(&long.y.radius), "{long:?}");
+    }
+
+    /// What is stored is not what is meant, and lies within what is said of it.
+    #[test]
+    fn what_is_meant_lies_within_what_is_known() {
+        for (length, angle) in [(180.1, 72.3), (0.7, -40.1), (12.3, 33.0), (1e-3, 359.9)] {
+            let seen = seen_at(length, angle);
+            let (given, meant) = (seen.given(), seen.meant(true));
+            for (given, meant) in [(given.x, meant.x), (given.y, meant.y)] {
+                let apart = (given.value() - meant.value()).abs();
+                assert!(apart.hi <= given.radius, "{length} {angle}: {apart:?}");
+                assert!(meant.radius < 1e-26, "{meant:?}");
+            }
+            assert!(seen.rounding(true) == 0.0, "few digits are no rounding");
+        }
+        assert!(seen_at(180.123_456_789_012_34, 72.0).rounding(true) > 0.0);
+        let (x, y) = (
+            seen_at(2.0, 45.0).meant(true).x,
+            Double::exactly(2.0).sqrt(),
+        );
+        assert!(((x.value() - Double::exactly(300.0)) - y).abs().hi < 1e-29);
+    }
+}

@@ -25,6 +25,7 @@ mod motor_page;
 mod number;
 mod paper;
 mod rows;
+mod slide_facts;
 mod steps;
 mod sweep;
 mod tables;
@@ -40,7 +41,7 @@ pub use accuracy::{
 pub use answers::{Answer, Answers};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
-    SlideFacts, SliderKind, TransmissionFacts, limits_text, near_misses, range_text,
+    TransmissionFacts, limits_text, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
@@ -52,6 +53,7 @@ pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
+pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
