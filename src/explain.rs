@@ -1,7 +1,7 @@
 //! Joins what the solver found wrong, by ids, to names and lines of the scene file.
 
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
-use crate::solver::Fault;
+use crate::solver::{Fault, OpenChoice};
 use crate::wording::words;
 use crate::{Body, ElementId, LinkId, PointId, SlideId, Slider, Vec2};
 
@@ -21,7 +21,11 @@ impl Scene {
                 at,
             } => over_constrained(self, *element, others, *misfit, *at),
             Fault::Open { point, links, gap } => open(self, *point, links, *gap),
-            Fault::Vague { point, choices } => vague(self, *point, choices),
+            Fault::Vague {
+                point,
+                choices,
+                behind,
+            } => vague(self, *point, choices, behind),
             Fault::ChangePoint { group } => change_point(self, *group),
             Fault::NoChoice { group, found } => no_choice(self, *group, *found),
             Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
@@ -226,26 +230,51 @@ fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic
         .help(words().change_a_length())
 }
 
-fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
+fn vague(scene: &Scene, point: PointId, choices: &[Vec2], behind: &[OpenChoice]) -> Diagnostic {
     let name = point_name(scene, point);
     let places: Vec<String> = choices.iter().map(|&c| pair(c, "(", ")")).collect();
     let places = words().either(&places);
-    let item = Diagnostic::new(words().start_is_vague(&name, &places, scene.unit.symbol())).at(
+    let mut says = words().start_is_vague(&name, &places, scene.unit.symbol());
+    if !behind.is_empty() {
+        let shown = behind.iter().take(4 * POINTED_AT);
+        let mut names: Vec<String> = shown.map(|open| point_name(scene, open.point)).collect();
+        if behind.len() > names.len() {
+            names.push(words().and_more(behind.len() - names.len()));
+        }
+        says.push_str(&words().open_as_well(&names));
+    }
+    let mut item = Diagnostic::new(says).at(
         scene.place(ElementId::Point(point)),
         words().where_is(&name),
     );
+    for open in behind.iter().take(POINTED_AT - 1) {
+        let place = scene.place(ElementId::Point(open.point));
+        item = item.and(place, words().where_is(&point_name(scene, open.point)));
+    }
     let given = scene.mechanism.start().iter().find(|(p, _)| *p == point);
     let item = match given {
         Some(&(_, near)) => item.note(words().start_is_between(&name, &pair(near, "(", ")"))),
         None => item,
     };
+    if behind.is_empty() {
+        return item.help(words().give_one_position(&start_lines(scene, point, choices)));
+    }
+    let own = start_lines(scene, point, choices);
+    let others = behind.iter().take(4 * POINTED_AT);
+    let others = others.map(|open| start_lines(scene, open.point, &open.choices));
+    let all: Vec<String> = std::iter::once(own)
+        .chain(others)
+        .map(|lines| words().one_of_lines(&lines))
+        .collect();
+    item.help(words().give_a_position_each(&all.join("\n")))
+}
+
+/// The lines of `[start]` that put a point to one of its places.
+fn start_lines(scene: &Scene, point: PointId, choices: &[Vec2]) -> Vec<String> {
     let bare = bare_name(scene, point);
     let key = key(&bare);
-    let lines: Vec<String> = choices
-        .iter()
-        .map(|&c| format!("{key} = {}", pair(c, "[", "]")))
-        .collect();
-    item.help(words().give_one_position(&lines))
+    let line = |&c: &Vec2| format!("{key} = {}", pair(c, "[", "]"));
+    choices.iter().map(line).collect()
 }
 
 fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {

@@ -117,5 +117,6 @@ mod wording;
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Body, Builder, CoordinateAxis, Defect, Defects, Driver, ElementId, Input, Length, Link, LinkId,
-    Load, Mechanism, Member, Point, PointId, Profile, Slide, SlideId, Slider, StrokeEnd,
+    Load, Mechanism, Member, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider,
+    StrokeEnd,
 };

@@ -11,6 +11,8 @@ const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// roundings, and what underflows.
 pub(crate) const INFLATION: f64 = 1.0 + 1e-9;
 const TINY: f64 = 1e-290;
+/// Squares above this keep all their digits, with what they lose.
+const LEAST_SQUARE: f64 = 1e-280;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
@@ -213,8 +215,10 @@ impl Number for Ball {
         } else if x == Ball::default() {
             y.abs()
         } else {
-            let root = vector.norm2().sqrt();
-            if root.radius.is_finite() {
+            let square = vector.norm2();
+            let root = square.sqrt();
+            // What a square loses that doubles hardly hold is in no radius.
+            if root.radius.is_finite() && square.mid > LEAST_SQUARE {
                 return root;
             }
             let mid = x.mid.hypot(y.mid);

@@ -147,6 +147,27 @@ impl Constant {
         Vec2::new(with(unit.x, across.y), with(unit.y, across.x))
     }
 
+    /// The way at a length and an angle in degrees that were given.
+    pub(crate) fn given_arm(length: f64, degrees: f64) -> Vec2<Constant> {
+        Constant::given_unit(degrees).map(|v| Constant::given(length) * v.lost_in_unit())
+    }
+
+    /// The same as it is meant, see [`Constant::meant`].
+    pub(crate) fn meant_arm(length: f64, degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: length, .. } = Constant::meant(Vec2::new(length, 0.0), is_decimal);
+        Constant::meant_unit(degrees, is_decimal).map(|v| length * v)
+    }
+
+    /// A sine or cosine with what its series loses.
+    fn lost_in_unit(self) -> Constant {
+        let is_exact = self.is_double() && (self.hi == 0.0 || self.hi.abs() == 1.0);
+        let lost = if is_exact { 0.0 } else { LOST_IN_UNIT };
+        Constant {
+            radius: self.radius + lost,
+            ..self
+        }
+    }
+
     /// The result of an operation that carries what its operands are off by; it rounds, unless it is exact.
     fn rounded(value: Double, carried: f64, is_exact: bool) -> Constant {
         let lost = if is_exact { 0.0 } else { LOST };

@@ -24,6 +24,9 @@ impl Dual {
     }
 }
 
+/// By what part of them two slopes may differ that were found in different ways.
+const SAME: f64 = 1e-12;
+
 impl Add for Dual {
     type Output = Dual;
     #[inline]
@@ -118,6 +121,16 @@ impl Number for Dual {
     #[inline]
     fn exceeds(self, o: Dual) -> bool {
         self.value > o.value
+    }
+
+    /// Slopes that differ by rounding alone are one.
+    fn at_kink(self, other: Dual) -> Dual {
+        let apart = (self.slope - other.slope).abs();
+        let most = self.slope.abs().max(other.slope.abs());
+        match apart <= SAME * most {
+            true => self,
+            false => Dual::new(self.value, f64::NAN),
+        }
     }
 
     #[inline]

@@ -67,6 +67,12 @@ pub trait Number:
         self
     }
 
+    /// This one, where two ways to come to the same figure meet: no derivative where theirs differ.
+    #[must_use]
+    fn at_kink(self, _other: Self) -> Self {
+        self
+    }
+
     /// The unit vector at an angle in degrees, exactly reduced.
     fn unit(degrees: Self) -> Vec2<Self>;
 

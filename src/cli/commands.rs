@@ -5,9 +5,12 @@ use super::failure::{Failure, note};
 use super::output::{write_scene, write_text, write_to};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
+use super::sweep::figures;
 use crate::Input;
-use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
-use crate::report::{Answers, Check, Forces, TableStyle, Tables, limits_text, near_misses};
+use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Quantity, Sensitivity};
+use crate::report::{
+    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses,
+};
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
@@ -52,19 +55,26 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     solver.enclose(&mut state, Order::Force, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
     tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
-    if args.figures.bounds {
-        let (figures, unproved) = tables.unproved();
-        note_unproved(unproved, figures, screen);
-    }
+    let mut catalogue = Catalogue::new(&scene);
+    let named = match args.columns.is_empty() {
+        true => None,
+        false => Some(figures(&mut catalogue, &args.columns)?),
+    };
     if args.figures.sensitivity {
-        let figures = Catalogue::new(&scene).figures();
-        few_enough(&scene, figures.len())?;
-        let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
+        let asked = named.clone().unwrap_or_else(|| catalogue.figures());
+        few_enough(&scene, asked.len())?;
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &asked);
         let answers = Answers::at(&mut sensitivity, tables.unit, at);
         if answers.list.is_none() {
             note(words().no_derivatives_by_lengths(), screen);
         }
         tables.answers = Some(answers);
+    }
+    let list = named.map(|named| FigureList::new(&tables, &named, &state, &enclosure));
+    if args.figures.bounds {
+        let unproved = list.as_ref().map(FigureList::unproved);
+        let (figures, unproved) = unproved.unwrap_or_else(|| tables.unproved());
+        note_unproved(unproved, figures, screen);
     }
     let style = TableStyle {
         digits: usize::from(args.figures.digits),
@@ -72,18 +82,34 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
         bounds: args.figures.bounds,
         ascii: screen.ascii,
     };
-    write_to(args.output.output.as_deref(), |out| match args.format {
-        OutputFormat::Text => out.write_all(tables.to_text(style).as_bytes()),
-        OutputFormat::Csv => tables.write_csv(style, dialect, out),
-        OutputFormat::Json => writeln!(out, "{:#}", tables.to_json(style)),
+    write_to(args.output.output.as_deref(), |out| {
+        match (args.format, &list) {
+            (OutputFormat::Text, None) => out.write_all(tables.to_text(style).as_bytes()),
+            (OutputFormat::Text, Some(list)) => out.write_all(list.to_text(style).as_bytes()),
+            (OutputFormat::Csv, None) => tables.write_csv(style, dialect, out),
+            (OutputFormat::Csv, Some(list)) => list.write_csv(style, dialect, out),
+            (OutputFormat::Json, None) => writeln!(out, "{:#}", tables.to_json(style)),
+            (OutputFormat::Json, Some(list)) => writeln!(out, "{:#}", list.to_json(style)),
+        }
     })?;
-    nothing_hidden(&scene, &state)
+    match &list {
+        None => nothing_hidden(&scene, &state),
+        Some(list) => none_hidden(list.quantities(), &catalogue, &state),
+    }
 }
 
 /// What exists in a state and is not shown makes the command fail, once all else has been written.
 pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
     let catalogue = Catalogue::new(scene);
-    match Hidden::of(catalogue.all(), state) {
+    none_hidden(catalogue.all(), &catalogue, state)
+}
+
+fn none_hidden<'q>(
+    figures: impl IntoIterator<Item = &'q Quantity>,
+    catalogue: &Catalogue,
+    state: &State,
+) -> Result<(), Failure> {
+    match Hidden::of(figures, state) {
         None => Ok(()),
         Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
     }

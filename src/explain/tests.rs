@@ -87,6 +87,7 @@ fn a_vague_start_lists_the_choices_as_lines_to_copy() {
     let fault = Fault::Vague {
         point: point(&scene, "C'"),
         choices: vec![Vec2::new(311.416_95, 233.78), Vec2::new(-1e-7, 2.0 / 3.0)],
+        behind: Vec::new(),
     };
     let phrases = [
         "`C'` can be at (311.417, 233.78) or (-1e-7, 0.666667) mm",
@@ -105,6 +106,7 @@ fn a_start_between_two_assemblies_is_quoted() {
     let fault = Fault::Vague {
         point: point(&scene, "C"),
         choices: vec![Vec2::ZERO, Vec2::X],
+        behind: Vec::new(),
     };
     says(&scene, &fault, &["[start] has `C` at (310, 230)"]);
 }

@@ -147,11 +147,45 @@ impl Code {
                     }
                     Jet::of_rates(known)
                 }
-                op => step(op, a, b),
+                op => kept(op, step(op, a, b), a),
             };
             top += 1;
         }
         Some(stack[0].value())
+    }
+}
+
+/// What a step makes of its first figure, unless digits of it are lost that no bound counts.
+fn kept<T: Number, const N: usize>(op: Op, made: Jet<T, N>, of: Jet<T, N>) -> Jet<T, N> {
+    let is_lost = match op {
+        Op::Number(_) => made.is_lost(made),
+        Op::Scale(..) | Op::Radians | Op::Degrees => made.is_lost(of),
+        // A sine may be 0, but that of a small angle is none; a direction is counted from a full turn, too.
+        Op::Sin | Op::Tan | Op::Asin => of.is_lost(of),
+        Op::Atan2 => made.is_lost(of),
+        Op::Pi
+        | Op::Leaf(_)
+        | Op::Add
+        | Op::Subtract
+        | Op::Multiply
+        | Op::Divide
+        | Op::Negate
+        | Op::Power(_)
+        | Op::Sqrt
+        | Op::Abs
+        | Op::Min
+        | Op::Max
+        | Op::Hypot
+        | Op::Cos
+        | Op::Acos
+        | Op::ShortWay
+        | Op::Wrap
+        | Op::Uncut
+        | Op::Rate => false,
+    };
+    match is_lost {
+        true => Jet::nothing(),
+        false => made,
     }
 }
 

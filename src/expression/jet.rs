@@ -205,6 +205,12 @@ impl<T: Number, const N: usize> Jet<T, N> {
         jet
     }
 
+    /// Whether doubles hardly hold what was made of a figure, or do not hold it at all: no bound would tell.
+    pub(super) fn is_lost(self, of: Self) -> bool {
+        let was_something = of.0[0].abs().exceeds(T::default());
+        was_something && !self.0[0].abs().exceeds(T::exactly(HELD))
+    }
+
     /// The size. Where it may be 0 its rates do not exist.
     pub(super) fn size(self) -> Self {
         let nought = T::default();
@@ -213,7 +219,9 @@ impl<T: Number, const N: usize> Jet<T, N> {
         } else if nought.exceeds(self.0[0]) {
             self.negative()
         } else {
-            self.moved(self.0[0].abs()).without_rates()
+            let value = self.0[0];
+            let size = value.abs().at_kink((-value).abs());
+            self.moved(size).without_rates()
         }
     }
 
@@ -226,13 +234,17 @@ impl<T: Number, const N: usize> Jet<T, N> {
         } else {
             // The smaller of a number and of none is the number: here it is none, lane by lane.
             let none = (self.0[0] + other.0[0]).scaled(0.0);
-            self.moved(self.0[0].min(other.0[0]) + none).without_rates()
+            let lesser = self.0[0].min(other.0[0]).at_kink(other.0[0]);
+            self.moved(lesser + none).without_rates()
         }
     }
 }
 
 /// The rounding of a smaller product or quotient is no part of its size any more.
 const LEAST: f64 = 1e-280;
+
+/// Below some 2.2e-308 doubles have fewer digits the smaller they are.
+const HELD: f64 = 1e-300;
 
 /// The sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
 fn convolved<T: Number>(a: &[T], b: &[T], n: usize, range: std::ops::Range<usize>) -> T {

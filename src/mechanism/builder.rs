@@ -2,7 +2,7 @@
 
 use super::{
     Body, Defect, Defects, Driver, ElementId, Input, Link, LinkId, Load, Mechanism, Member, Parts,
-    Point, PointId, Slide, SlideId, Slider,
+    Point, PointId, PolarPlace, Slide, SlideId, Slider,
 };
 use crate::Vec2;
 use std::collections::HashSet;
@@ -90,16 +90,61 @@ impl Builder {
 
     /// Puts a point on a link, at `local` in the link's frame.
     pub fn carry(&mut self, link: LinkId, point: PointId, local: Vec2) {
-        self.links[link.index()]
-            .members
-            .push(Member { point, local });
-        self.points[point.index()].links.push(link);
+        let polar = None;
+        self.push_member(
+            link,
+            Member {
+                point,
+                local,
+                polar,
+            },
+        );
+    }
+
+    /// Puts a point on a link, seen from another point of the link at a length and an angle, in degrees
+    /// counter-clockwise from the link's x axis. `None` is the origin of the link's frame; any other point must be
+    /// carried by the link already, or [`Builder::build`] refuses the place as no number.
+    pub fn carry_at(
+        &mut self,
+        link: LinkId,
+        point: PointId,
+        from: Option<PointId>,
+        (length, angle): (f64, f64),
+    ) {
+        let polar = Some(PolarPlace::new(from, length, angle));
+        let local = Vec2::ZERO;
+        self.push_member(
+            link,
+            Member {
+                point,
+                local,
+                polar,
+            },
+        );
+    }
+
+    fn push_member(&mut self, link: LinkId, member: Member) {
+        self.points[member.point.index()].links.push(link);
+        self.links[link.index()].members.push(member);
     }
 
     /// Gives a link its centre of mass; the returned point rides on the link.
     pub fn centre_of_mass(&mut self, link: LinkId, local: Vec2) -> PointId {
         let com = self.moving_point();
         self.carry(link, com, local);
+        self.links[link.index()].com = Some(com);
+        com
+    }
+
+    /// The same by a length and an angle, as [`Builder::carry_at`] takes them.
+    pub fn centre_of_mass_at(
+        &mut self,
+        link: LinkId,
+        from: Option<PointId>,
+        place: (f64, f64),
+    ) -> PointId {
+        let com = self.moving_point();
+        self.carry_at(link, com, from, place);
         self.links[link.index()].com = Some(com);
         com
     }
@@ -129,7 +174,7 @@ impl Builder {
         let at_origin = self.links[link.index()]
             .members
             .iter()
-            .find(|m| m.local == Vec2::ZERO)
+            .find(|m| m.polar.is_none() && m.local == Vec2::ZERO)
             .map(|m| m.point);
         let origin = at_origin.unwrap_or_else(|| {
             let hidden = self.moving_point();
@@ -204,7 +249,8 @@ impl Builder {
     ///
     /// # Errors
     /// All defects found, in the order of the elements.
-    pub fn build(self) -> Result<Mechanism, Defects> {
+    pub fn build(mut self) -> Result<Mechanism, Defects> {
+        self.lay();
         let defects = self.defects();
         match self.driver {
             Some(driver) if defects.is_empty() => Ok(Mechanism {
@@ -223,6 +269,22 @@ impl Builder {
                 }),
             }),
             _ => Err(Defects { list: defects }),
+        }
+    }
+
+    /// Lays what is given by lengths and angles, once it is known what numbers stand for.
+    fn lay(&mut self) {
+        for link in &mut self.links {
+            link.lay(self.decimals);
+        }
+        for slide in &mut self.slides {
+            let (Body::Link(on), Some(named)) = (slide.on, slide.named) else {
+                continue;
+            };
+            let named = self.links[on.index()].member(named);
+            if let Some(member) = named.filter(|member| member.polar.is_some()) {
+                slide.through = member.local;
+            }
         }
     }
 

@@ -3,8 +3,9 @@
 //! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
 //! is asked one at a time. Angles of guides and the driver's coordinate are no lengths.
 
-use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, SlideId, Slider};
+use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, PolarPlace, SlideId, Slider};
 use crate::Vec2;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Along which axis a coordinate counts.
@@ -36,6 +37,10 @@ pub enum Length {
     Link(LinkId),
     /// A coordinate of a further point of a link, in the link's frame.
     Local(LinkId, PointId, CoordinateAxis),
+    /// How far a point of a link is from the one that it is seen from, where it was given by length and angle.
+    Arm(LinkId, PointId),
+    /// How far the angle of such a point takes it across that length.
+    Across(LinkId, PointId),
     /// A coordinate of a ground point.
     Ground(PointId, CoordinateAxis),
     /// A coordinate of the point that a guide runs through, in the frame of what carries the guide,
@@ -48,7 +53,10 @@ impl Length {
     #[must_use]
     pub fn element(self) -> ElementId {
         match self {
-            Length::Link(link) | Length::Local(link, ..) => ElementId::Link(link),
+            Length::Link(link)
+            | Length::Local(link, ..)
+            | Length::Arm(link, _)
+            | Length::Across(link, _) => ElementId::Link(link),
             Length::Ground(point, _) => ElementId::Point(point),
             Length::Through(slide, _) => ElementId::Slide(slide),
         }
@@ -93,8 +101,12 @@ impl Mechanism {
         for member in &link.members {
             let is_end = ends.is_some_and(|ends| ends.contains(&member.point));
             if !is_end && !is_origin(member.point) {
-                let local = |axis| Length::Local(id, member.point, axis);
-                lengths.extend(CoordinateAxis::BOTH.map(local));
+                let point = member.point;
+                let both = match member.polar {
+                    None => CoordinateAxis::BOTH.map(|axis| Length::Local(id, point, axis)),
+                    Some(_) => [Length::Arm(id, point), Length::Across(id, point)],
+                };
+                lengths.extend(both);
             }
         }
     }
@@ -108,19 +120,15 @@ impl Mechanism {
     }
 
     /// The same mechanism with one length changed by so much; a guide that is named after a point goes
-    /// with it.
+    /// with it, and so do points that are seen from it.
     #[must_use]
     pub fn changed(&self, length: Length, by: f64) -> Mechanism {
         let mut changed = Parts::clone(&self.parts);
         match length {
-            Length::Link(link) => {
-                if let Some((_, to)) = self.link(link).ends {
-                    changed.move_member(link, to, Vec2::new(by, 0.0));
-                }
-            }
-            Length::Local(link, point, axis) => {
-                changed.move_member(link, point, axis.along(by));
-            }
+            Length::Arm(link, point) => changed.turn_arm(link, point, |polar| polar.length += by),
+            Length::Across(link, point) => changed.turn_arm(link, point, |polar| {
+                polar.angle += (by / polar.length).to_degrees();
+            }),
             Length::Ground(point, axis) => {
                 if let Some(place) = &mut changed.points[point.index()].ground {
                     *place += axis.along(by);
@@ -130,10 +138,33 @@ impl Mechanism {
             Length::Through(slide, axis) => {
                 changed.slides[slide.index()].through += axis.along(by);
             }
+            Length::Link(..) | Length::Local(..) => {
+                if let Some((link, point, way)) = self.way_of(length) {
+                    changed.move_member(link, point, way * by);
+                    changed.lay(link);
+                }
+            }
         }
         Mechanism {
             parts: Arc::new(changed),
         }
+    }
+
+    /// Of a length on a link: which point it moves, and how far per unit of length.
+    fn way_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
+        match length {
+            Length::Link(link) => Some((link, self.link(link).ends?.1, Vec2::X)),
+            Length::Local(link, point, axis) => Some((link, point, axis.along(1.0))),
+            Length::Arm(link, point) => Some((link, point, self.direction(link, point)?)),
+            Length::Across(link, point) => Some((link, point, self.direction(link, point)?.perp())),
+            Length::Ground(..) | Length::Through(..) => None,
+        }
+    }
+
+    /// In which direction a point by length and angle is seen, in the frame of its link.
+    fn direction(&self, link: LinkId, point: PointId) -> Option<Vec2> {
+        let polar = self.link(link).member(point)?.polar?;
+        Some(crate::angle::unit(polar.angle))
     }
 }
 
@@ -148,6 +179,12 @@ impl Mechanism {
         members.for_each(|member| member.local = Vec2::ZERO);
         let guides = flat.slides.iter_mut();
         guides.for_each(|slide| slide.through = Vec2::ZERO);
+        if let Some((link, point, way)) = self.way_of(length) {
+            flat.move_seen(link, point, way);
+            return Mechanism {
+                parts: Arc::new(flat),
+            };
+        }
         let flat = Mechanism {
             parts: Arc::new(flat),
         };
@@ -162,6 +199,38 @@ impl Parts {
             member.local += by;
         }
         self.move_guides(Body::Link(link), point, by);
+    }
+
+    /// Moves a point of a link and all that are seen from it, by as much.
+    fn move_seen(&mut self, link: LinkId, point: PointId, by: Vec2) {
+        let mut moved = HashSet::from([point]);
+        // What others are seen from comes before them.
+        for member in &self.links[link.index()].members {
+            let from = member.polar.and_then(|polar| polar.from);
+            if from.is_some_and(|from| moved.contains(&from)) {
+                moved.insert(member.point);
+            }
+        }
+        for point in moved {
+            self.move_member(link, point, by);
+        }
+    }
+
+    /// Changes by what a point is seen.
+    fn turn_arm(&mut self, link: LinkId, point: PointId, change: impl FnOnce(&mut PolarPlace)) {
+        let mut members = self.links[link.index()].members.iter_mut();
+        let member = members.find(|member| member.point == point);
+        if let Some(polar) = member.and_then(|member| member.polar.as_mut()) {
+            change(polar);
+        }
+        self.lay(link);
+    }
+
+    /// Lays the points of a link that are given by length and angle anew, and takes guides along.
+    fn lay(&mut self, link: LinkId) {
+        for (point, by) in self.links[link.index()].lay(self.decimals) {
+            self.move_guides(Body::Link(link), point, by);
+        }
     }
 
     /// The guides of a body that are named after one of its points.

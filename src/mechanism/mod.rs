@@ -7,10 +7,13 @@
 mod builder;
 mod lengths;
 mod load;
+mod polar;
 
 pub use builder::Builder;
 pub use lengths::{CoordinateAxis, Length};
 pub use load::{Load, Profile, StrokeEnd};
+pub use polar::PolarPlace;
+pub(crate) use polar::seen_from;
 
 use crate::Vec2;
 use std::fmt;
@@ -79,6 +82,8 @@ pub struct Member {
     pub point: PointId,
     /// Its local coordinates, in the scene's length unit.
     pub local: Vec2,
+    /// The length and the angle that it was given by, if it was: the coordinates follow from these.
+    pub polar: Option<PolarPlace>,
 }
 
 /// A rigid link. Its local x axis is its direction.
@@ -100,10 +105,13 @@ impl Link {
     /// The local coordinates of one of the link's points.
     #[must_use]
     pub fn local(&self, point: PointId) -> Option<Vec2> {
-        self.members
-            .iter()
-            .find(|m| m.point == point)
-            .map(|m| m.local)
+        self.member(point).map(|m| m.local)
+    }
+
+    /// One of the link's points, with all that is known of its place.
+    #[must_use]
+    pub fn member(&self, point: PointId) -> Option<&Member> {
+        self.members.iter().find(|m| m.point == point)
     }
 }
 
@@ -376,6 +384,15 @@ impl Mechanism {
     #[must_use]
     pub fn slide(&self, id: SlideId) -> &Slide {
         &self.parts.slides[id.index()]
+    }
+
+    /// The point by length and angle that a guide on a link was named after, if it was.
+    pub(crate) fn polar_through(&self, slide: &Slide) -> Option<&Member> {
+        let (Body::Link(link), Some(point)) = (slide.on, slide.named) else {
+            return None;
+        };
+        let member = self.link(link).member(point);
+        member.filter(|member| member.polar.is_some())
     }
 
     /// The ids of all points.

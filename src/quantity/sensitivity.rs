@@ -206,15 +206,15 @@ fn name(scene: &Scene, length: Length) -> String {
         CoordinateAxis::Y => "y",
     };
     let point = |point| scene.point_name(point).unwrap_or("?");
+    let seen = |link, of| match scene.mechanism.link(link).com == Some(of) {
+        true => format!("{}.com", scene.link_name(link)),
+        false => format!("{}.{}", scene.link_name(link), point(of)),
+    };
     match length {
         Length::Link(link) => format!("{}.length", scene.link_name(link)),
-        Length::Local(link, of, along) if scene.mechanism.link(link).com == Some(of) => {
-            format!("{}.com.{}", scene.link_name(link), axis(along))
-        }
-        Length::Local(link, of, along) => {
-            let link = scene.link_name(link);
-            format!("{link}.{}.{}", point(of), axis(along))
-        }
+        Length::Local(link, of, along) => format!("{}.{}", seen(link, of), axis(along)),
+        Length::Arm(link, of) => format!("{}.length", seen(link, of)),
+        Length::Across(link, of) => format!("{}.across", seen(link, of)),
         Length::Ground(of, along) => format!("{}.{}", point(of), axis(along)),
         Length::Through(slide, along) => {
             format!("{}.through.{}", scene.slide_name(slide), axis(along))

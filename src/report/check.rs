@@ -4,12 +4,13 @@ use super::choice_facts::ChoiceList;
 use super::forces::indeterminate;
 use super::loop_facts::LoopFacts;
 use super::number::concise;
+use super::slide_facts::SlideFacts;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
 use crate::wording::words;
-use crate::{Body, ElementId, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
+use crate::{Body, ElementId, Input, Link, LinkId, Load, Mechanism, PointId, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
@@ -17,7 +18,7 @@ use serde_json::Value;
 pub(super) const DECIMALS: usize = 12;
 
 /// Significant digits of a coordinate in a sentence.
-const PLACES: usize = 9;
+pub(super) const PLACES: usize = 9;
 /// Significant digits of a sine in a sentence.
 const DIGITS: usize = 3;
 
@@ -56,29 +57,6 @@ pub struct JointFacts {
     pub point: String,
     /// The bodies that meet there, `ground` among them.
     pub bodies: Vec<String>,
-}
-
-/// What slides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SliderKind {
-    /// A pin in a slot.
-    Pin,
-    /// A link that does not turn against its guide.
-    Link,
-}
-
-/// A slide.
-#[derive(Clone, Debug, Serialize)]
-pub struct SlideFacts {
-    /// As the scene names it.
-    pub name: String,
-    /// What slides.
-    pub kind: SliderKind,
-    /// The point or the link that slides.
-    pub slider: String,
-    /// The body that carries the guide.
-    pub on: String,
 }
 
 /// A group of the plan.
@@ -329,7 +307,7 @@ impl Check {
                 .point_ids()
                 .filter_map(|p| names.joint(p))
                 .collect(),
-            slides: names.slides(),
+            slides: names.slides(solver),
             mobility: plan.mobility,
             redundant: plan.redundant.iter().map(|&e| names.element(e)).collect(),
             redundancies: names.redundancies(solver),
@@ -372,8 +350,8 @@ fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
 }
 
 /// Gives elements their names.
-struct ElementNames<'a> {
-    scene: &'a Scene,
+pub(super) struct ElementNames<'a> {
+    pub(super) scene: &'a Scene,
 }
 
 impl ElementNames<'_> {
@@ -382,11 +360,11 @@ impl ElementNames<'_> {
         links.into_iter().map(name).collect()
     }
 
-    fn point(&self, point: PointId) -> Option<String> {
+    pub(super) fn point(&self, point: PointId) -> Option<String> {
         self.scene.point_name(point).map(str::to_owned)
     }
 
-    fn body(&self, body: Body) -> String {
+    pub(super) fn body(&self, body: Body) -> String {
         match body {
             Body::Ground => "ground".into(),
             Body::Link(link) => self.scene.link_name(link).to_owned(),
@@ -437,26 +415,6 @@ impl ElementNames<'_> {
             point: self.point(id).unwrap_or_default(),
             bodies: bodies.into_iter().map(|b| self.body(b)).collect(),
         })
-    }
-
-    fn slides(&self) -> Vec<SlideFacts> {
-        let mechanism = &self.scene.mechanism;
-        let facts = |id| {
-            let slide = mechanism.slide(id);
-            let (kind, slider) = match slide.slider {
-                Slider::Pin(point) => (SliderKind::Pin, self.point(point).unwrap_or_default()),
-                Slider::Link { link, .. } => {
-                    (SliderKind::Link, self.scene.link_name(link).to_owned())
-                }
-            };
-            SlideFacts {
-                name: self.scene.slide_name(id).to_owned(),
-                kind,
-                slider,
-                on: self.body(slide.on),
-            }
-        };
-        mechanism.slide_ids().map(facts).collect()
     }
 
     /// The joint that names a group, or its first link.

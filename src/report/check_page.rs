@@ -1,10 +1,11 @@
 //! The facts of `check`, to be read.
 
 use super::check::{
-    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, RedundancyFacts, SlideFacts,
-    SliderKind, TransmissionFacts,
+    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, RedundancyFacts,
+    TransmissionFacts,
 };
 use super::number::concise;
+use super::slide_facts::SlideFacts;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::wording::words;
 
@@ -45,7 +46,10 @@ impl Check {
         facts.tell(words().fact_driver(), [self.driver_text()]);
         facts.tell(words().fact_links(), [self.links.join(", ")]);
         facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
-        facts.tell(words().fact_slides(), self.slides.iter().map(slide_text));
+        facts.tell(
+            words().fact_slides(),
+            self.slides.iter().flat_map(SlideFacts::texts),
+        );
         let mobility = [self.mobility_text()].into_iter().chain(self.rank_notes());
         facts.tell(words().fact_mobility(), mobility);
         let redundant = self.redundancies.iter().map(|r| self.redundancy_text(r));
@@ -243,20 +247,6 @@ fn joint_text(joint: &JointFacts) -> String {
     let bodies = joint.bodies.iter().map(|body| words().body_called(body));
     let bodies: Vec<String> = bodies.collect();
     format!("{}: {}", joint.point, bodies.join(", "))
-}
-
-fn slide_text(slide: &SlideFacts) -> String {
-    let SlideFacts {
-        name,
-        kind,
-        slider,
-        on,
-    } = slide;
-    let on = &words().body_called(on);
-    match kind {
-        SliderKind::Pin => words().pin_in_slot(name, slider, on),
-        SliderKind::Link => words().link_along(name, slider, on),
-    }
 }
 
 /// The transmission angle of a dyad: smallest and largest, or what it always is.

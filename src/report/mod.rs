@@ -19,6 +19,7 @@ mod curves;
 mod difference;
 mod errors;
 mod exercise;
+mod figure_list;
 mod forces;
 mod forces_page;
 mod least;
@@ -28,6 +29,7 @@ mod motor_page;
 mod number;
 mod paper;
 mod rows;
+mod slide_facts;
 mod steps;
 mod sweep;
 mod tables;
@@ -44,7 +46,7 @@ pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, NoFigures};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
-    SlideFacts, SliderKind, TransmissionFacts, limits_text, near_misses, range_text,
+    TransmissionFacts, limits_text, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
@@ -56,10 +58,12 @@ pub use exercise::{
     AnswerFile, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers, class_csv,
     class_page,
 };
+pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
+pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};

@@ -118,13 +118,7 @@ impl Tables {
         if style.units {
             object.insert("units".into(), self.units());
         }
-        let mut driver = Map::new();
-        driver.insert("name".into(), self.driver.name.as_str().into());
-        for (name, value, _) in self.driver_figures() {
-            let key = name.trim_start_matches("driver.").to_owned();
-            driver.insert(key, number(Some(value)));
-        }
-        object.insert("driver".into(), Value::Object(driver));
+        object.insert("driver".into(), self.driver_json());
         object.insert("state".into(), state_word(self.condition).into());
         let vectors = self.vectors.iter().map(|v| vector_json(v, style.bounds));
         object.insert("vectors".into(), vectors.collect());
@@ -137,6 +131,17 @@ impl Tables {
             object.insert("sensitivity".into(), answers.to_json(style.units));
         }
         Value::Object(object)
+    }
+
+    /// What is driven, and its coordinate with both rates.
+    pub(super) fn driver_json(&self) -> Value {
+        let mut driver = Map::new();
+        driver.insert("name".into(), self.driver.name.as_str().into());
+        for (name, value, _) in self.driver_figures() {
+            let key = name.trim_start_matches("driver.").to_owned();
+            driver.insert(key, number(Some(value)));
+        }
+        Value::Object(driver)
     }
 
     fn units(&self) -> Value {
@@ -231,7 +236,7 @@ impl<W: Write> TableCsv<'_, W> {
 }
 
 /// The shortest form of a value; nothing where none exists.
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     let mut text = String::new();
     if let Some(value) = value {
         shortest(value, &mut text);

@@ -30,10 +30,7 @@ impl Tables {
     /// The tables: a column per vector, then a line per point.
     #[must_use]
     pub fn page(&self, style: TableStyle) -> Page {
-        let writer = TablesWriter {
-            tables: self,
-            style,
-        };
+        let writer = TablesWriter::new(self, style);
         let mut page = Page::default();
         writer.add_heading(&mut page);
         for order in ORDERS {
@@ -89,8 +86,15 @@ pub(super) struct TablesWriter<'a> {
     pub(super) style: TableStyle,
 }
 
+impl<'a> TablesWriter<'a> {
+    pub(super) fn new(tables: &'a Tables, style: TableStyle) -> Self {
+        TablesWriter { tables, style }
+    }
+}
+
 impl TablesWriter<'_> {
-    fn add_heading(&self, page: &mut Page) {
+    /// The title, the driver's line and the state.
+    pub(super) fn add_heading(&self, page: &mut Page) {
         let driver = &self.tables.driver;
         let aspects = driver.aspects();
         // The coordinate as it was asked; rates may come from rpm or deg/s, with digits of no use.

@@ -50,6 +50,9 @@ pub(super) enum KeyKind {
     Rate(Degree),
     /// Named pairs.
     Points(NumberMeasure),
+    /// `[x, y]` on a link, or a length and an angle; and named ones.
+    Place,
+    Places,
     /// Pairs of where and how much; what the latter is called.
     Knots([NumberMeasure; 2], &'static str),
     /// A table, one of each name, or a list of them.
@@ -108,7 +111,9 @@ macro_rules! keys {
     };
 }
 
-use KeyKind::{Each, Formulas, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
+use KeyKind::{
+    Each, Formulas, Knots, List, Number, Pair, Place, Places, Points, Rate, Table, Text, Vectors,
+};
 use NumberMeasure::{Driver, Effort, Of};
 
 keys! {
@@ -142,10 +147,15 @@ LINK =
     "from": Text, [], "", "";
     "to": Text, [], "", "";
     "length": Number(Of(Measure::Length)), [], ends_and_their_distance, no_vector_by_default;
-    "points": Points(Of(Measure::Coordinate)), [], points_in_link_frame, no_default;
-    "com": Pair(Of(Measure::Coordinate)), [], centre_in_link_frame, no_default;
+    "points": Places, [], points_in_link_frame, no_default;
+    "com": Place, [], centre_in_link_frame, no_default;
     "mass": Number(Of(Measure::Mass)), [], mass_of_link, "0";
     "inertia": Number(Of(Measure::Inertia)), [], inertia_of_link, "0";
+
+PLACE =
+    "from": Text, [], point_that_sees, origin_by_default;
+    "length": Number(Of(Measure::Length)), [], distance_of_place, "";
+    "angle": Number(Of(Measure::Angle)), [], direction_of_place, "";
 
 SLIDE =
     "point": Text, ["point"], pin_in_the_slot, "";
@@ -218,7 +228,7 @@ impl SceneKey {
     fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {
-            Text | Number(_) | Pair(_) | Rate(_) | Knots(..) => None,
+            Text | Number(_) | Pair(_) | Rate(_) | Knots(..) | Place | Places => None,
             Points(_) | Vectors | Formulas => Some((format!("[{name}]"), &[])),
             Table(keys) | Each(keys) => Some((format!("[{name}]"), keys)),
             List(keys) => Some((format!("[[{name}]]"), keys)),
@@ -249,7 +259,7 @@ fn row(table: &mut String, name: &str, key: &SceneKey) {
 mod tests {
     use super::*;
     use crate::document::Lenient;
-    use crate::scene::{draft, input, link, loads, motor, redundant, slide};
+    use crate::scene::{draft, input, link, loads, motor, redundant, sighted, slide};
     use crate::wording::Language;
     use serde::Deserialize;
     use serde::de::DeserializeOwned;
@@ -277,6 +287,13 @@ mod tests {
             let rows: Vec<_> = table.iter().map(|key| key.name).collect();
             assert_eq!(rows, read);
         }
+    }
+
+    /// A place by length and angle is read by hand.
+    #[test]
+    fn places_by_length_and_angle_have_their_keys() {
+        let rows = PLACE.iter().map(|key| key.name);
+        assert!(rows.eq(sighted::KEYS));
     }
 
     /// Every key is told in the reference, none without words, and in both languages the same rows.

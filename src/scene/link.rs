@@ -1,7 +1,8 @@
 //! Reads links.
 
-use super::points::{PlacedPoint, places};
-use super::reader::{ByteSpan, CoordinatePair, Name, Points, Reader, SMALLEST_LENGTH};
+use super::points::PlacedPoint;
+use super::reader::{ByteSpan, Name, Reader, SMALLEST_LENGTH, quoted};
+use super::sighted::{self, LinkPlace, LinkPlaces};
 use crate::Vec2;
 use crate::document::{Diagnostic, Entries, Lenient};
 use crate::wording::words;
@@ -22,8 +23,8 @@ pub(super) struct LinkTable {
     from: Option<Lenient<String>>,
     to: Option<Lenient<String>>,
     length: Option<Lenient<f64>>,
-    points: Option<Points>,
-    com: Option<CoordinatePair>,
+    points: Option<LinkPlaces>,
+    com: Option<LinkPlace>,
     mass: Option<Lenient<f64>>,
     inertia: Option<Lenient<f64>>,
 }
@@ -33,8 +34,8 @@ pub(super) struct DraftLink<'t> {
     pub(super) name: Name<'t>,
     pub(super) ends: Option<Ends<'t>>,
     pub(super) points: Vec<PlacedPoint<'t>>,
-    /// The centre of mass, with the place of the key.
-    pub(super) com: Option<(ByteSpan, Vec2)>,
+    /// The centre of mass; its name is the key.
+    pub(super) com: Option<PlacedPoint<'t>>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
     /// The key `mass`, or `inertia` where there is no mass.
@@ -184,9 +185,11 @@ fn link_ends<'v>(
         }
         (one, other) => {
             let named = one.into_iter().chain(other);
-            let read = None;
-            link.points
-                .extend(named.map(|name| PlacedPoint { name, read }));
+            link.points.extend(named.map(|name| PlacedPoint {
+                name,
+                read: None,
+                sighted: None,
+            }));
             missing.is_none() && !has_from && !has_to
         }
     }
@@ -203,23 +206,32 @@ fn link_points<'v>(
     let Some(points) = &table.points else {
         return !value.meant("points");
     };
-    let what = words().point_in(of);
-    let listed = places(reader, &words().key_of("points", of), &what, points);
-    link.points.extend(listed);
+    reader.table(&words().key_of("points", of), "{ A = [0, 0] }", points);
+    for (name, value) in points.entries() {
+        let what = format!("{} {}", words().point_in(of), quoted(name.text));
+        let place = sighted::place(reader, &what, &name, value);
+        link.points.push(PlacedPoint::read_as(name, place));
+    }
+    sighted::lay(reader, of, link);
     points.get().is_some()
 }
 
-fn link_mass(
+fn link_mass<'v>(
     reader: &mut Reader<'_>,
     of: &str,
-    value: &Lenient<LinkTable>,
-    table: &LinkTable,
-    link: &mut DraftLink<'_>,
+    value: &'v Lenient<LinkTable>,
+    table: &'v LinkTable,
+    link: &mut DraftLink<'v>,
 ) {
     let key = |name| Some((name, value.key(name)?.span()));
-    if let (Some(com), Some((_, place))) = (&table.com, key("com")) {
-        let at = reader.pair(&words().key_of("com", of), com);
-        link.com = Some((place, at.unwrap_or_default()));
+    if let (Some(com), Some(key)) = (&table.com, value.key("com")) {
+        let name = Name::of_key(key);
+        let place = sighted::place(reader, &words().key_of("com", of), &name, com);
+        let mut com = PlacedPoint::read_as(name, place);
+        if let Some(sighted) = &com.sighted {
+            com.read = sighted::lay_centre(reader, of, sighted, link);
+        }
+        link.com = Some(com);
     }
     link.mass = reader.not_negative(of, "mass", "", table.mass.as_ref());
     link.inertia = reader.not_negative(of, "inertia", "", table.inertia.as_ref());
@@ -233,7 +245,8 @@ fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
         .help(words().points_alone(POINTS))
 }
 
-fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
+/// A distance: positive, and not too small to compute with.
+pub(super) fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
     let length = reader.number(&words().key_of("length", of), value)?;
     let literal = reader.literal(&value.span);
     let fault = |rule: &str, label: &str| {

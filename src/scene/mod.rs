@@ -66,6 +66,7 @@ mod redundant;
 mod resolve;
 mod retell;
 mod rewrite;
+mod sighted;
 mod slide;
 mod syntax;
 mod typed;

@@ -1,6 +1,7 @@
 //! Reads named places, and the vectors between them.
 
 use super::reader::{CoordinatePair, Name, Points, Reader, quoted};
+use super::sighted::{ReadPlace, Sighted};
 use crate::Vec2;
 use crate::document::{Entries, Lenient};
 use crate::wording::words;
@@ -13,9 +14,25 @@ pub(super) struct PlacedPoint<'t> {
     pub(super) name: Name<'t>,
     /// `None` if the coordinates could not be read.
     pub(super) read: Option<Vec2>,
+    /// The length and the angle that the coordinates follow from, on a link that gives them so.
+    pub(super) sighted: Option<Sighted<'t>>,
 }
 
-impl PlacedPoint<'_> {
+impl<'t> PlacedPoint<'t> {
+    /// A point of a link, as its place was read: one that is seen from others has no coordinates yet.
+    pub(super) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
+        let (read, sighted) = match place {
+            None => (None, None),
+            Some(ReadPlace::At(at)) => (Some(at), None),
+            Some(ReadPlace::Sighted(sighted)) => (None, Some(sighted)),
+        };
+        PlacedPoint {
+            name,
+            read,
+            sighted,
+        }
+    }
+
     /// The coordinates, or a placeholder.
     pub(super) fn at(&self) -> Vec2 {
         self.read.unwrap_or_default()
@@ -32,7 +49,11 @@ pub(super) fn places<'v>(
     reader.table(section, "{ A = [0, 0] }", value);
     let place = |(name, value): (Name<'v>, &CoordinatePair)| {
         let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
-        PlacedPoint { name, read }
+        PlacedPoint {
+            name,
+            read,
+            sighted: None,
+        }
     };
     value.entries().map(place).collect()
 }

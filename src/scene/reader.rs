@@ -87,7 +87,22 @@ impl Reader<'_> {
 
     /// A pair `[x, y]`.
     pub(super) fn pair(&mut self, what: &str, value: &CoordinatePair) -> Option<Vec2> {
-        let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
+        let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
+        self.coordinates(what, items)
+    }
+
+    /// A pair `[x, y]` of the items of a list.
+    pub(super) fn pair_of(
+        &mut self,
+        what: &str,
+        items: &[Lenient<f64>],
+        span: &ByteSpan,
+    ) -> Option<Vec2> {
+        let items = self.two_of(what, ("[x, y]", "[12.5, 0]"), items, span)?;
+        self.coordinates(what, items)
+    }
+
+    fn coordinates(&mut self, what: &str, [x, y]: [&Lenient<f64>; 2]) -> Option<Vec2> {
         let x = self.number(&words().part_of("x", what), x);
         let y = self.number(&words().part_of("y", what), y);
         Some(Vec2::new(x?, y?))
@@ -101,18 +116,32 @@ impl Reader<'_> {
         example: &str,
         value: &'v Lenient<Vec<T>>,
     ) -> Option<[&'v T; 2]> {
-        let fault = match &value.read {
-            Ok(items) => {
-                if let [one, other] = &items[..] {
-                    return Some([one, other]);
-                }
-                let count = items.len();
-                Diagnostic::new(words().must_be_a_pair(what, form, count))
-                    .at(value.span.clone(), words().expected_two(count))
-            }
-            Err(found) => self.wrong_type(what, &words().a_pair(form), found, &value.span),
+        let found = match &value.read {
+            Ok(items) => return self.two_of(what, (form, example), items, &value.span),
+            Err(found) => found,
         };
+        let fault = self.wrong_type(what, &words().a_pair(form), found, &value.span);
         self.report(fault.help(words().for_example(example)));
+        None
+    }
+
+    /// Exactly two values of a list.
+    fn two_of<'v, T>(
+        &mut self,
+        what: &str,
+        (form, example): (&str, &str),
+        items: &'v [T],
+        span: &ByteSpan,
+    ) -> Option<[&'v T; 2]> {
+        if let [one, other] = items {
+            return Some([one, other]);
+        }
+        let count = items.len();
+        self.report(
+            Diagnostic::new(words().must_be_a_pair(what, form, count))
+                .at(span.clone(), words().expected_two(count))
+                .help(words().for_example(example)),
+        );
         None
     }
 

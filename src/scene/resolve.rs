@@ -6,6 +6,7 @@ use super::link::DraftLink;
 use super::names::{Names, Sort};
 use super::points::PlacedPoint;
 use super::reader::{ByteSpan, Name, Reader};
+use super::sighted::Sighted;
 use super::slide::{DraftSlide, DraftSlider};
 use super::{TextPlaces, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
@@ -122,7 +123,13 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             };
             for place in &link.points {
                 let point = self.points[place.name.text];
-                self.builder.carry(id, point, place.at());
+                match &place.sighted {
+                    None => self.builder.carry(id, point, place.at()),
+                    Some(sighted) => {
+                        let (from, arm) = self.arm(sighted);
+                        self.builder.carry_at(id, point, from, arm);
+                    }
+                }
             }
             self.builder.mass(id, link.mass, link.inertia);
             self.places.links.push(link.name.span.clone());
@@ -132,12 +139,26 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     /// The centres of mass follow all named points, so that tables show the joints first.
     fn centres(&mut self) {
         for (i, link) in self.draft.links.iter().enumerate() {
-            if let Some((span, at)) = &link.com {
-                let centre = self.builder.centre_of_mass(LinkId::new(i), *at);
+            if let Some(com) = &link.com {
+                let id = LinkId::new(i);
+                let centre = match &com.sighted {
+                    None => self.builder.centre_of_mass(id, com.at()),
+                    Some(sighted) => {
+                        let (from, arm) = self.arm(sighted);
+                        self.builder.centre_of_mass_at(id, from, arm)
+                    }
+                };
                 self.centres.insert(i, centre);
-                self.name_point(format!("{}.com", link.name.text), span.clone());
+                self.name_point(format!("{}.com", link.name.text), com.name.span.clone());
             }
         }
+    }
+
+    /// From which point of its link a place is seen, and how.
+    fn arm(&self, sighted: &Sighted<'_>) -> (Option<PointId>, (f64, f64)) {
+        let from = sighted.from.as_ref();
+        let from = from.and_then(|from| self.points.get(from.text).copied());
+        (from, (sighted.length, sighted.angle))
     }
 
     fn push_vector(&mut self, name: &Name<'t>, kind: VectorKind) {

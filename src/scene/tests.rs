@@ -401,6 +401,57 @@ fn sections_and_links_may_be_written_in_other_ways() {
     assert_eq!(names(&other), names(text));
 }
 
+/// `from` may name a point that stands further down; without it the place is seen from the link's origin.
+#[test]
+fn points_by_length_and_angle_lie_where_they_are_seen() {
+    let points = "points = { F = { from = \"E\", length = 5, angle = -90 }, P = [1, 2], \
+                  E = { from = \"C\", length = 180, angle = 90 }, G = { length = 50, angle = 60 } }, \
+                  com = { from = \"F\", length = 3, angle = 180 }";
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("com = [150, 0]", points);
+    let scene = Scene::parse(&text, "seen").unwrap();
+    let mut links = scene.mechanism.link_ids();
+    let r3 = links.find(|&id| scene.link_name(id) == "r3").unwrap();
+    let r3 = scene.mechanism.link(r3);
+    for (name, place) in [
+        ("P", Vec2::new(1.0, 2.0)),
+        ("E", Vec2::new(300.0, 180.0)),
+        ("F", Vec2::new(300.0, 175.0)),
+        ("G", Vec2::new(25.0, 50.0 * 0.75_f64.sqrt())),
+        ("r3.com", Vec2::new(297.0, 175.0)),
+    ] {
+        assert_eq!(r3.local(point(&scene, name)), Some(place), "{name}");
+    }
+    // In the order of the file, as tables have them.
+    let names = scene.mechanism.point_ids();
+    let names: Vec<_> = names.filter_map(|id| scene.point_name(id)).collect();
+    let further = ["A", "D", "B", "C", "F", "P", "E", "G"];
+    assert_eq!(names[..8], further);
+}
+
+/// A guide runs through the point, wherever that is.
+#[test]
+fn a_guide_may_run_through_a_point_by_length_and_angle() {
+    let preset = presets::find("whitworth").unwrap().text;
+    let scene = Scene::parse(preset, "whitworth").unwrap();
+    let on_link = |s: &crate::Slide| matches!(s.on, Body::Link(_));
+    assert!(scene.mechanism.slides().iter().any(on_link));
+    let text = "[ground]\nA = [0, 0]\nD = [0, -40]\n[driver]\nlink = \"r2\"\nangle = 20\n[links]\n\
+                r2 = { from = \"A\", to = \"B\", length = 10 }\n\
+                r4 = { from = \"D\", to = \"C\", length = 90, points = { Q = { length = 7.1, angle = 33.3 } } }\n\
+                [slides]\ns = { point = \"B\", on = \"r4\", through = \"Q\", angle = 10 }\n[start]\nC = [20, 40]\n";
+    let scene = Scene::parse(text, "guide").unwrap();
+    let slide = &scene.mechanism.slides()[0];
+    let q = scene.mechanism.links()[1].local(point(&scene, "Q"));
+    assert_eq!(Some(slide.through), q);
+    assert_eq!(slide.named, Some(point(&scene, "Q")));
+    let way = scene.mechanism.lengths();
+    let arm = way.iter().find(|l| matches!(l, crate::Length::Arm(..)));
+    let moved = scene.mechanism.changed(*arm.unwrap(), 1.0);
+    let q = moved.links()[1].local(point(&scene, "Q"));
+    assert!((moved.slides()[0].through - q.unwrap()).norm() < 1e-14);
+}
+
 #[test]
 fn what_is_left_out_has_a_default() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 0\n\

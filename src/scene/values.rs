@@ -171,6 +171,13 @@ impl Collector<'_> {
             // A point by its name has no coordinates here.
             KeyKind::Pair(size) => self.pair(&name, again, size, value),
             KeyKind::Rate(degree) => self.rate(&name, degree, value),
+            KeyKind::Place => self.place(&name, again, value),
+            KeyKind::Places => each(value, |point, at| {
+                let name = join(of, point);
+                self.of(ValueOwner::Element(point.to_owned()), |its| {
+                    its.place(&name, again, at);
+                });
+            }),
             KeyKind::Knots(sizes, called) => self.knots(&name, again, (sizes, called), value),
             KeyKind::Points(size) => {
                 // Where a point starts is not where it is.
@@ -271,6 +278,14 @@ impl Collector<'_> {
     fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
         for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
             self.number(format!("{name} {axis}{behind}"), size, item);
+        }
+    }
+
+    /// A place on a link: coordinates, or a length and an angle.
+    fn place(&mut self, name: &str, again: &str, value: &SpannedValue<'_>) {
+        match value.get_ref().as_table() {
+            Some(table) => self.table(keys::PLACE, name, table, again),
+            None => self.pair(name, again, NumberMeasure::Of(Measure::Coordinate), value),
         }
     }
 

@@ -49,6 +49,9 @@ pub enum Fault {
         point: PointId,
         /// Where it can be.
         choices: Vec<Vec2>,
+        /// What else is open then: the groups that are solved after it, each with all before it at their first
+        /// choices.
+        behind: Vec<OpenChoice>,
     },
     /// The scene opens exactly where two assemblies of a dyad meet and the motion passes: no position
     /// tells which way it goes on.
@@ -81,4 +84,25 @@ pub enum Fault {
         /// Whether it is so only where the scene opens: at a change point or a dead point.
         is_here_only: bool,
     },
+}
+
+/// A group that can be assembled in several ways, of which the start says none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenChoice {
+    /// The joint whose position would decide.
+    pub point: PointId,
+    /// Where it can be, in the scene's unit.
+    pub choices: Vec<Vec2>,
+}
+
+impl Fault {
+    /// A group that is open, whatever is open behind it.
+    pub(super) fn vague(point: PointId, choices: Vec<Vec2>) -> Fault {
+        let behind = Vec::new();
+        Fault::Vague {
+            point,
+            choices,
+            behind,
+        }
+    }
 }

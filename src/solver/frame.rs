@@ -3,7 +3,7 @@
 //! Far coordinates cost no digits, products of four lengths neither overflow nor underflow, and a
 //! scene scaled by a power of two gives the same bits: the scaling itself is exact.
 
-use crate::{Body, Constant, Input, Mechanism, Number, Vec2};
+use crate::{Body, Constant, Input, Mechanism, Member, Number, Vec2};
 
 /// From the scene's frame and unit to the solver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,9 +88,13 @@ impl Frame {
         let decimals = mechanism.has_decimals();
         let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius);
         let members = mechanism.links().iter().flat_map(|link| &link.members);
-        let places = members.map(|member| member.local);
-        let places = places.chain(mechanism.slides().iter().map(|slide| slide.through));
-        let lengths = places.map(|place| off(place).norm() / self.scale);
+        let members = members.map(|member| member.rounding(decimals));
+        let guides = mechanism.slides().iter().filter_map(|slide| {
+            // A guide through a point that is given by length and angle lies as well as that.
+            let named = mechanism.polar_through(slide);
+            named.is_none().then(|| off(slide.through).norm())
+        });
+        let lengths = members.chain(guides).map(|length| length / self.scale);
         let angles = mechanism.slides().iter().map(|slide| {
             let angle = off(Vec2::new(slide.angle, 0.0)).x;
             self.longest * angle.to_radians()
@@ -131,6 +135,18 @@ impl Frame {
             NumberReading::Given => local.map(|v| Constant::given_in(v, self.scale)),
             NumberReading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
+    }
+
+    /// A point of a link in the link's frame, in the solver's unit; exact.
+    pub(super) fn member(&self, member: &Member) -> Vec2<Constant> {
+        if member.polar.is_none() {
+            return self.local(member.local);
+        }
+        let place = match self.reading {
+            NumberReading::Given => member.given(),
+            NumberReading::Meant { decimals } => member.meant(decimals),
+        };
+        place.map(|v| self.inwards(v))
     }
 
     /// A place of the scene in the solver's frame; exact.

@@ -62,7 +62,7 @@ pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{DrivenLoop, Grashof, Inversion};
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use dead_centres::DeadCentre;
-pub use fault::Fault;
+pub use fault::{Fault, OpenChoice};
 #[cfg(test)]
 pub(crate) use forces::falsified;
 pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Residual, Withheld};

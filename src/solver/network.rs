@@ -119,9 +119,8 @@ impl<'m> Network<'m> {
 
     /// The place of a point on a link, in the solver's unit.
     pub(super) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
-        let local = |mechanism: &Mechanism| mechanism.links().get(link.index())?.local(point);
-        let place = self.frame.local(local(self.mechanism)?);
-        Some(self.sloped(place, local))
+        let place = self.frame.member(self.link(link)?.member(point)?);
+        Some(self.sloped(place, |m| m.links().get(link.index())?.local(point)))
     }
 
     /// All points of a link with their places on it: each found at once, however many there are.
@@ -132,7 +131,7 @@ impl<'m> Network<'m> {
         let members = self.link(link).map_or(&[][..], |l| &l.members);
         members.iter().enumerate().map(move |(i, member)| {
             let slope = |m: &Mechanism| Some(m.links().get(link.index())?.members.get(i)?.local);
-            let place = self.frame.local(member.local);
+            let place = self.frame.member(member);
             (member.point, self.sloped(place, slope))
         })
     }
@@ -157,9 +156,11 @@ impl<'m> Network<'m> {
     /// The point that a guide runs through, in the frame of what carries it.
     pub(super) fn through(&self, slide: SlideId) -> Vec2<Constant> {
         let given = self.mechanism.slide(slide);
-        let place = match given.on {
-            Body::Ground => self.frame.inner(given.through),
-            Body::Link(_) => self.frame.local(given.through),
+        let place = match (given.on, self.mechanism.polar_through(given)) {
+            (Body::Ground, _) => self.frame.inner(given.through),
+            // As well known as the point that it was named after.
+            (Body::Link(_), Some(member)) => self.frame.member(member),
+            (Body::Link(_), None) => self.frame.local(given.through),
         };
         self.sloped(place, |m| Some(m.slide(slide).through))
     }

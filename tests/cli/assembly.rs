@@ -155,3 +155,78 @@ fn start_writes_over_the_scene_itself() {
     assert_eq!(run(start.current_dir(&here)).code, 2);
     assert_eq!(fs::read_to_string(&file).unwrap(), saved);
 }
+
+/// Three dyads, one behind the other, and no word of how they stand.
+const OPEN: &str = r#"
+[ground]
+A = [0, 0]
+D = [400, 0]
+G = [800, 0]
+H = [800, 400]
+[driver]
+link = "r2"
+angle = 60
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300 }
+r4 = { from = "C", to = "D", length = 250 }
+r5 = { from = "C", to = "E", length = 400 }
+r6 = { from = "E", to = "G", length = 500 }
+r7 = { from = "E", to = "F", length = 300 }
+r8 = { from = "F", to = "H", length = 400 }
+"#;
+
+/// All that is open is asked for at once, and the lines that are shown can be copied: the scene then opens.
+#[test]
+fn all_that_a_start_leaves_open_is_asked_for_at_once() {
+    let file = folder("all-open").join("scene.toml");
+    std::fs::write(&file, OPEN).unwrap();
+    let name = file.to_str().unwrap();
+    let told = refused(2, &["check", name]);
+    assert!(told.contains("`C` can be at "), "{told}");
+    assert!(told.contains("; open as well: `E`, `F`"), "{told}");
+    for point in ["C", "E", "F"] {
+        assert!(told.contains(&format!("where is `{point}`?")), "{told}");
+    }
+    assert_eq!(refused(2, &["start", name]), told);
+    let lines = told.split_once("[start]\n").unwrap().1;
+    let lines: Vec<&str> = lines.lines().map(str::trim).take(3).collect();
+    for (line, point) in lines.iter().zip(["C", "E", "F"]) {
+        assert!(line.starts_with(&format!("{point} = [")), "{told}");
+        assert!(line.contains("]   # or "), "{told}");
+    }
+    std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines.join("\n"))).unwrap();
+    let first = done(&["check", name]);
+    // Each stands at the first of its places.
+    for line in &lines {
+        let (point, places) = line.split_once(" = [").unwrap();
+        let (x, _) = places.split_once(',').unwrap();
+        let row = first
+            .lines()
+            .find(|l| l.contains(&format!("{point}: ")) && l.contains("now"));
+        let (now, _) = row
+            .unwrap_or_else(|| panic!("{point} in {first}"))
+            .split_once(" now")
+            .unwrap();
+        let here: f64 = now
+            .rsplit_once('(')
+            .unwrap()
+            .1
+            .split(',')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
+        assert!(
+            (here - x.parse::<f64>().unwrap()).abs() < 0.01,
+            "{line}: {first}"
+        );
+    }
+    // One that is told is not asked for any more.
+    std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines[0])).unwrap();
+    let told = refused(2, &["check", name]);
+    assert!(
+        told.contains("`E` can be at ") && told.contains("; open as well: `F`"),
+        "{told}"
+    );
+}

@@ -1,6 +1,7 @@
 //! `check`, and where scenes come from.
 
 use super::{PARALLEL_CRANKS, command, done, folder, json, refused, run};
+use krank::scene::presets;
 
 /// A four-bar that opens in a name with a control character.
 const MINE: &str = r#"
@@ -20,6 +21,23 @@ c = { from = "C", to = "D", length = 2.5 }
 [start]
 C = [3, 2]
 "#;
+
+/// Lecture notes write a slider-crank's r4 at theta 180, which is a guide at 0: who types 180 is told.
+#[test]
+fn a_slide_that_counts_backwards_is_told() {
+    let text = presets::find("slider-crank").unwrap().text;
+    let turned = text.replace("\"A\", angle = 0 }", "\"A\", angle = 180 }");
+    assert_ne!(text, turned);
+    let told = "r4 is negative where the scene opens, -28.0252 cm: it counts from `through` along `angle = 180`, and its \
+                vector runs back; with `angle = 0` it is positive, at theta 180 deg, as lecture notes write it";
+    for (text, says) in [(text, false), (&*turned, true)] {
+        let file = folder("backwards").join("scene.toml");
+        std::fs::write(&file, text).unwrap();
+        let shown = done(&["check", file.to_str().unwrap()]);
+        let words: Vec<_> = shown.split_whitespace().collect();
+        assert_eq!(words.join(" ").contains(told), says, "{shown}");
+    }
+}
 
 #[test]
 fn check_tells_what_was_understood() {

@@ -512,6 +512,37 @@ fn what_is_lost_in_a_product_is_no_figure() {
     );
 }
 
+/// Nor where it is lost on the way: in a number as it is typed, in radians, in the sine of next to nothing. A length of
+/// next to nothing is right, and its bound knows by how much.
+#[test]
+fn what_is_lost_on_the_way_is_no_figure() {
+    let columns = "a = 1e-310 * 1e300,b = sin(1e-305 deg * 1e-4) * 1e300,c = atan2(1e-309 * C.x, C.x) / 1e-300 deg,\
+                   d = hypot(3e-160, 4e-160) * 1e160,e = hypot(3e-170 mm, 4e-170 mm) / 1e-170 mm,f = sin(180 deg),\
+                   g = sin(0 deg) * 1e300,h = hypot(0, 4e-160) * 1e160";
+    let csv = done(&[
+        "sweep",
+        "four-bar",
+        "--to",
+        "0",
+        "--no-units",
+        "--bounds",
+        "--columns",
+        columns,
+    ]);
+    let row = &rows(&csv)[0];
+    assert_eq!(row[1..7], [""; 6], "{csv}");
+    for (at, truth) in [(7, 5.0), (9, 5.0), (15, 4.0)] {
+        let [value, bound] = [at, at + 1].map(|i: usize| row[i].parse::<f64>().unwrap());
+        let off = (value - truth).abs();
+        assert!(off <= bound && bound < 1e-14, "{off:e} of {bound:e}: {csv}");
+        assert!(bound > 0.0, "{csv}");
+    }
+    assert_eq!([&row[11], &row[13]], ["0"; 2], "{csv}");
+    for at in [12, 14] {
+        assert!(row[at].parse::<f64>().unwrap() < 1e-30, "{csv}");
+    }
+}
+
 /// What one formula makes is no measure of another.
 #[test]
 fn sensitivities_are_those_of_each_column_alone() {

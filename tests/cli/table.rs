@@ -477,3 +477,104 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
     let literal = run(command(&sweep).write_stdin(scene));
     assert!(literal.out.contains("60,,no-assembly"), "{}", literal.out);
 }
+
+/// Figures by name, pattern and formula, in the order in which they were named.
+#[test]
+fn figures_that_are_named_stand_line_by_line() {
+    let columns = "C.x,C.a.t,r3.*,swing = r4.angle - r3.angle";
+    let args = ["table", "four-bar", "--at", "60", "--columns", columns];
+    let text = done(&args);
+    let expected = "\
+Four-bar crank-rocker
+driver r2 at 60 deg, 15 rad/s, 0 rad/s^2
+state ok
+
+figure                     value
+C.x [mm]                 311.417
+C.a.t [mm/s^2]           23875.9
+r3.angle [deg]           29.3794
+r3.omega [rad/s]        -3.91641
+";
+    assert!(text.starts_with(expected), "{text}");
+    assert!(
+        text.contains("\nswing [deg]             -98.6269\n"),
+        "{text}"
+    );
+    let rows: Vec<&str> = text.lines().skip(5).collect();
+    assert!(
+        rows.iter().any(|row| row.starts_with("r3.com.ax [mm/s^2]")),
+        "{text}"
+    );
+    assert!(!text.contains("C.y"), "{text}");
+
+    let csv = done(&[&args[..], &["--bounds", "--format", "csv"]].concat());
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "name,value,unit,bound");
+    let cells: Vec<&str> = lines[1].split(',').collect();
+    assert_eq!((cells[0], cells[2]), ("C.x", "mm"));
+    let [value, bound] = [cells[1], cells[3]].map(|cell| cell.parse::<f64>().unwrap());
+    assert!(
+        (value - 311.416_953).abs() < 1e-5 && bound > 0.0 && bound < 1e-12,
+        "{csv}"
+    );
+    assert_eq!(*lines.last().unwrap(), "state,ok,,");
+
+    // The same doubles as in a row of a sweep, under the same names.
+    let list = json(&done(
+        &[&args[..], &["--bounds", "--format", "json"]].concat(),
+    ));
+    let sweep = [
+        "sweep",
+        "four-bar",
+        "--from",
+        "60",
+        "--to",
+        "60",
+        "--columns",
+        columns,
+    ];
+    let sweep = json(&done(
+        &[&sweep[..], &["--bounds", "--format", "json"]].concat(),
+    ));
+    let row = sweep["rows"][0].as_object().unwrap();
+    let figures = list["figures"].as_object().unwrap();
+    let named = |name: &&String| *name != "state" && *name != "driver.angle";
+    assert!(figures.keys().eq(row.keys().filter(named)), "{list}");
+    for (name, value) in figures {
+        assert_eq!(*value, row[name], "{name}");
+    }
+    assert_eq!(list["units"]["swing"], "deg");
+    assert_eq!(list["driver"]["angle"], 60.0);
+    assert_eq!(list["state"], "ok");
+}
+
+/// What does not exist is no zero, and what is misspelt is told as in a sweep.
+#[test]
+fn named_figures_that_do_not_exist_are_empty() {
+    let args = ["table", "four-bar", "--columns", "A.v.angle,A.v"];
+    let text = done(&args);
+    let row = text
+        .lines()
+        .find(|line| line.starts_with("A.v.angle"))
+        .unwrap();
+    assert!(row.ends_with(" -"), "{text}");
+    let csv = done(&[&args[..], &["--format", "csv", "--no-units"]].concat());
+    assert_eq!(csv, "name,value\nA.v.angle,\nA.v,0\nstate,ok\n");
+    let told = refused(2, &["table", "four-bar", "--columns", "C.z"]);
+    let same = refused(2, &["sweep", "four-bar", "--columns", "C.z"]);
+    assert_eq!(told, same);
+}
+
+/// What the lengths do to a formula that was named.
+#[test]
+fn named_figures_have_their_sensitivity() {
+    let columns = "swing = r4.angle - r3.angle";
+    let args = ["table", "four-bar", "--columns", columns, "--sensitivity"];
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "name,value,unit,sensitivity,most,by");
+    assert!(lines[1].starts_with("swing,-98."), "{csv}");
+    let worst: f64 = lines[1].split(',').nth(3).unwrap().parse().unwrap();
+    assert!(worst > 0.1, "{csv}");
+    assert!(done(&args).contains("swing [deg]"));
+}

@@ -350,6 +350,37 @@ fn what_is_plotted_is_taken_out() {
     }
 }
 
+/// All of the working is copied and written, whatever of it is seen; as the name of the file ends.
+#[test]
+fn all_of_the_working_is_taken_out() {
+    let here = folder("working");
+    let mut session = four_bar(80, 24);
+    let line = session.press("7 J J y").last_line();
+    assert!(line.contains("clipboard"), "{line}");
+    let copied = on_clipboard(&session.workbench.take_sent());
+    for part in ["1 Vector polygons", "3 Loop equations", "Check"] {
+        assert!(copied.contains(part), "{part}: {copied}");
+    }
+    for (ending, begins, has) in [
+        ("txt", "Four-bar crank-rocker\n", "at 60 deg, with 15 rad/s"),
+        ("md", "# Four-bar crank-rocker\n", "\n## 3 Loop equations"),
+        ("csv", "driver.angle [deg],", "\n60,"),
+    ] {
+        let line = session.press("Y").last_line();
+        assert!(line.contains("write to: four-bar-60.txt"), "{line}");
+        let file = here.join(format!("four-bar.{ending}"));
+        session
+            .press("Ctrl-U")
+            .type_in(file.to_str().unwrap())
+            .press("Enter");
+        let written = std::fs::read_to_string(&file).unwrap();
+        assert!(written.starts_with(begins), "{written}");
+        assert!(written.contains(has), "{written}");
+    }
+    // In the other views it is the figures that are written.
+    assert!(session.press("2 Y").last_line().contains("four-bar-60.csv"));
+}
+
 /// Of two scenes the differences are copied, and bear that name.
 #[test]
 fn differences_are_copied_as_such() {

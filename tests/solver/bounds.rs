@@ -148,6 +148,39 @@ fn every_figure_of_every_preset_is_within_its_bound() {
     }
 }
 
+/// Points that are seen from others by lengths and angles that no double holds, over a whole turn: their bounds are
+/// about as wide as those of the same points by coordinates that no double holds.
+#[test]
+fn places_by_length_and_angle_are_within_their_bounds() {
+    let sighted = crate::polar::SIGHTED;
+    let plain = sighted
+        .replace(
+            "{ from = \"E\", length = 30.7, angle = -40.1 }",
+            "[378.241, 151.801]",
+        )
+        .replace(
+            "{ from = \"C\", length = 180.1, angle = 72.3 }",
+            "[354.757, 171.573]",
+        )
+        .replace(
+            "{ from = \"E\", length = 12.3, angle = 33 }",
+            "[365.073, 178.273]",
+        );
+    let [sighted, plain] = [sighted, &plain].map(|text| {
+        let scene = Scene::parse(text, "by length and angle").unwrap();
+        let mut trial = Trial::of_scene(&scene);
+        let mut tally = Tally::default();
+        for k in 0..720 {
+            trial.check(f64::from(k) * 0.5 + 0.1, &mut tally);
+        }
+        assert_eq!((tally.states, tally.unproved), (720, [0; 3]));
+        tally.report(&scene.name)
+    });
+    for (sighted, plain) in sighted.into_iter().zip(plain) {
+        assert!(sighted < 2.0 * plain, "{sighted} {plain}");
+    }
+}
+
 fn four_bar_of(change: [&str; 2]) -> Scene {
     let preset = presets::find("four-bar").unwrap();
     let text = preset.text.replacen(change[0], change[1], 1);

@@ -13,6 +13,7 @@ mod bounds;
 mod coupled_assemblies;
 mod derived;
 mod forces;
+mod polar;
 mod reference;
 mod sensitivity;
 mod states;

@@ -1,9 +1,10 @@
 //! The derivatives of figures by the given lengths, against closed forms derived here.
 
-use krank::quantity::{Catalogue, Derivatives, Sensitivity};
+use krank::quantity::{Catalogue, Derivatives, Quantity, Sensitivity};
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver};
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 struct Probe {
@@ -265,15 +266,25 @@ fn figures_of_every_preset_follow_secants_of_scenes_opened_anew() {
     }
 }
 
-/// The largest difference of a derivative from (4 D(h/2) - D(h)) / 3 with D(h) = (f(l + h) - f(l - h)) / 2h,
+/// The largest difference of a derivative from (4 D(h/2) - D(h)) / 3, h a part of the longest length, with D(h) = (f(l + h) - f(l - h)) / 2h,
 /// in parts of the largest derivative of the figure, and of the figure itself for a unit of size.
 fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
-    let mut figures = Catalogue::new(scene).select(&["*"]).unwrap();
+    let figures = Catalogue::new(scene).select(&["*"]).unwrap();
+    figures_against_secants(figures, scene, solver, at, (1024.0, 0.0))
+}
+
+fn figures_against_secants(
+    mut figures: Vec<Quantity>,
+    scene: &Scene,
+    solver: &Solver,
+    at: f64,
+    (part, share): (f64, f64),
+) -> f64 {
     // What a check misses by is rounding, and nothing follows it.
     figures.retain(|figure| !figure.name.contains("residual"));
     let mut sensitivity = Sensitivity::new(scene, solver, &figures);
     let found = sensitivity.at(at).unwrap();
-    let h = solver.scale() / 1024.0;
+    let h = solver.scale() / part;
     let mut misses = vec![0.0_f64; figures.len()];
     for (number, &length) in scene.mechanism.lengths().iter().enumerate() {
         let read = |by: f64| {
@@ -293,7 +304,9 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
             };
             let (wide, narrow) = (apart(a[k], b[k]) / (2.0 * h), apart(c[k], d[k]) / h);
             let secant = narrow + (narrow - wide) / 3.0;
-            misses[k] = misses[k].max((found.of(k).unwrap()[number] - secant).abs());
+            // What stands still has no direction: that is asked elsewhere.
+            let Some(slopes) = found.of(k) else { continue };
+            misses[k] = misses[k].max((slopes[number] - secant).abs());
         }
     }
     let mut state = solver.state();
@@ -301,10 +314,117 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
     let parts = figures.iter().zip(misses).enumerate();
     let parts = parts.map(|(k, (figure, miss))| {
         let value = figure.value(&state).unwrap_or(f64::NAN).abs();
-        // A figure that follows no length may miss by the secant's rounding.
-        miss / (found.worst(k).unwrap() + value / solver.scale()).max(1e-3)
+        // A figure that follows no length may miss by the secant's rounding, and what others of its unit cancel to by
+        // theirs.
+        let alike = figures.iter().filter(|other| other.unit == figure.unit);
+        let sizes = alike.filter_map(|other| other.value(&state)).map(f64::abs);
+        let floor = (share * sizes.fold(0.0, f64::max) / solver.scale()).max(1e-3);
+        miss / (found.worst(k).unwrap_or(0.0) + value / solver.scale()).max(floor)
     });
     parts.fold(0.0, f64::max)
+}
+
+/// Sizes, directions, tangential and normal parts, of motions and of forces, come only when they are named: they follow
+/// the same secants, in every preset that has them.
+#[test]
+fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
+    let mut ends = BTreeMap::<&str, usize>::new();
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        if !solver.plan().redundant.is_empty() {
+            continue;
+        }
+        let at = scene.mechanism.driver().start;
+        let figures = Catalogue::new(&scene).unlisted();
+        let found = Sensitivity::new(&scene, &solver, &figures).at(at).unwrap();
+        for (k, figure) in figures.iter().enumerate() {
+            let end = [
+                ".a.t", ".a.n", ".v.angle", ".a.angle", ".f.angle", ".v", ".a", ".f",
+            ];
+            let end = end.into_iter().find(|end| figure.name.ends_with(end));
+            *ends.entry(end.unwrap_or("of its own")).or_default() +=
+                usize::from(found.of(k).is_some());
+        }
+        let worst = figures_against_secants(figures, &scene, &solver, at, (8192.0, 1e-4));
+        note(&format!("{}: {worst:.1e} of the largest", preset.name));
+        assert!(worst <= 1e-7, "{}: {worst:e}", preset.name);
+    }
+    note(&format!("{ends:?}"));
+    for end in [".a.t", ".a.n", ".f", ".f.angle", ".v"] {
+        assert!(ends[end] > 20, "{ends:?}");
+    }
+}
+
+/// Where the two sides of a kink answer differently there is no derivative; where they answer alike there is.
+#[test]
+fn at_a_kink_there_is_no_derivative() {
+    let scene = Scene::parse(presets::find("four-bar").unwrap().text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    // At 0 deg B lies on the x axis, and as high as A and D.
+    for (formula, at_0, at_60) in [
+        ("abs(B.y)", false, true),
+        ("abs(A.y - D.y)", false, false),
+        ("abs(B.y - B.y)", true, true),
+        ("min(B.y, D.y)", false, true),
+        ("max(B.y, D.y)", false, true),
+        ("max(B.x, B.x)", true, true),
+        ("min(B.x, 2 * B.x - B.x)", true, true),
+        ("sqrt(B.y / 1 mm)", false, true),
+        ("hypot(B.y, B.y)", false, true),
+        ("abs(C.y)", true, true),
+    ] {
+        let mut catalogue = Catalogue::new(&scene);
+        let figure = catalogue.define(&format!("k = {formula}")).unwrap();
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &[figure]);
+        for (at, exists) in [(0.0, at_0), (60.0, at_60)] {
+            let found = sensitivity.at(at).unwrap();
+            assert_eq!(found.of(0).is_some(), exists, "{formula} at {at}");
+        }
+    }
+}
+
+/// A slider on a straight guide has no normal acceleration, whatever the lengths are: that is no kink.
+#[test]
+fn what_stays_nought_on_both_sides_has_a_derivative() {
+    let scene = Scene::parse(presets::find("slider-crank").unwrap().text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let figures = Catalogue::new(&scene).select(&["C.a.n", "C.a.t"]).unwrap();
+    let found = Sensitivity::new(&scene, &solver, &figures)
+        .at(30.0)
+        .unwrap();
+    assert!(found.of(0).unwrap().iter().all(|d| *d == 0.0));
+    assert!(found.of(1).unwrap().iter().any(|d| *d != 0.0));
+}
+
+/// Lengths and angles of points are asked about like coordinates, and what is seen from them goes with them.
+#[test]
+fn places_by_length_and_angle_follow_what_was_typed() {
+    let scene = Scene::parse(crate::polar::SIGHTED, "sighted").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let worst = against_secants(&scene, &solver, 60.0);
+    assert!(worst <= 2e-8, "{worst:e}");
+    let mut probe = Probe::of(crate::polar::SIGHTED);
+    let names = [
+        "F.length",
+        "F.across",
+        "E.length",
+        "E.across",
+        "com.length",
+        "com.across",
+    ];
+    for name in names.map(|name| format!("r3.{name}")) {
+        assert!(probe.sensitivity.lengths().contains(&name), "{name}");
+    }
+    let found = probe.sensitivity.at(60.0).unwrap();
+    // E goes 1 mm out along 72.3 deg of a link at theta3, and takes F along.
+    let theta = 29.379_380_f64 + 72.3;
+    for name in ["E.x", "F.x", "r3.com.x"] {
+        let d = probe.derivative(&found, name, "r3.E.length");
+        assert!((d - theta.to_radians().cos()).abs() < 1e-5, "{name}: {d}");
+        let d = probe.derivative(&found, name, "r3.E.across");
+        assert!((d + theta.to_radians().sin()).abs() < 1e-5, "{name}: {d}");
+    }
 }
 
 /// A press works over the last of its stroke, and where that ends moves with the lengths, too.

@@ -374,7 +374,7 @@ fn a_triad_is_three_unknowns_and_keeps_its_assembly() {
 fn a_triad_without_a_start_lists_its_assemblies() {
     let (b, [bb, ..]) = stephenson(false);
     match Solver::new(&b.build().unwrap()) {
-        Err(Fault::Vague { point, choices }) => {
+        Err(Fault::Vague { point, choices, .. }) => {
             assert_eq!(point, bb);
             assert!(choices.len() >= 2, "{choices:?}");
         }
@@ -552,7 +552,7 @@ fn a_dyad_without_a_start_lists_both_assemblies() {
     b.link(pin, c, 3.0);
     b.link(c, d, 3.0);
     match Solver::new(&b.build().unwrap()) {
-        Err(Fault::Vague { point, choices }) => {
+        Err(Fault::Vague { point, choices, .. }) => {
             assert_eq!(point, c);
             let x = 5.0_f64.sqrt();
             for want in [Vec2::new(x, -1.0), Vec2::new(-x, -1.0)] {

@@ -41,6 +41,9 @@ pub(in crate::cli) struct TableArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
+    #[arg(help = words().columns_of_table())]
+    #[arg(long, value_name = "PATTERNS")]
+    pub(in crate::cli) columns: Vec<String>,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(in crate::cli) format: OutputFormat,

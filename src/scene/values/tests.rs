@@ -179,6 +179,39 @@ fn what_acts_is_changed_where_it_stands() {
     }
 }
 
+/// A scene that is changed keeps the form it was written in.
+#[test]
+fn places_by_length_and_angle_are_changed_as_they_are_written() {
+    let seen = "points = { E = { from = \"C\", length = 180.0, angle = 72 } }, com = { length = 15, angle = 5 }";
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("com = [150, 0]", seen);
+    let found = names(&text);
+    for line in [
+        "r3 E length = 180.0 mm",
+        "r3 E angle = 72 deg",
+        "r3 com length = 15 mm",
+        "r3 com angle = 5 deg",
+    ] {
+        assert!(found.iter().any(|n| n == line), "{line} in {found:?}");
+    }
+    assert!(!found.iter().any(|n| n.starts_with("r3 E x")), "{found:?}");
+    let scene = Scene::parse(&text, "test").unwrap();
+    let values = scene.values();
+    let value = |name: &str| values.iter().find(|v| v.name == name).unwrap();
+    let turned = value("r3 E angle").typed("1.2 rad").unwrap();
+    let longer = value("r3 E length").moved(0.5);
+    let changed = scene.with_values(&[
+        (value("r3 E angle").clone(), turned),
+        (value("r3 E length").clone(), longer),
+    ]);
+    let expected = text.replace(
+        "length = 180.0, angle = 72",
+        "length = 180.5, angle = 68.75493541569878",
+    );
+    assert_eq!(changed, expected);
+    assert_eq!(value("r3 E angle").owner, ValueOwner::Element("E".into()));
+}
+
 #[test]
 fn slides_have_values_too() {
     let text = presets::find("slider-crank").unwrap().text;

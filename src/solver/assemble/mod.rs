@@ -5,6 +5,7 @@
 //! two ways meet and places tell nothing; the motion is then begun beside that coordinate.
 
 mod closely;
+mod open;
 mod request;
 mod roots;
 
@@ -110,7 +111,9 @@ impl Assembler<'_> {
         state: &mut Workspace,
     ) -> Result<(), Halt> {
         for number in 0..self.plan.groups.len() {
-            self.settle(number, engine, state)?;
+            if let Err(halt) = self.settle(number, engine, state) {
+                return Err(self.all_open(number, halt, engine, state));
+            }
         }
         if engine.run(self.request.at, self.order, state) != Condition::Ok {
             let steps = engine.program.steps.len();
@@ -304,8 +307,7 @@ impl Assembler<'_> {
         let indifferent = self.order == Order::Position || self.is_symmetric(number, engine, key);
         if undecided && !indifferent {
             let choices = [p_plus, p_minus].map(|p| engine.frame.place(p)).to_vec();
-            let point = subject;
-            return Err(Fault::Vague { point, choices }.into());
+            return Err(Fault::vague(subject, choices).into());
         }
         let sign = if undecided || plus < minus { 1.0 } else { -1.0 };
         Ok(Placement::Side(sign))
@@ -419,7 +421,7 @@ impl Assembler<'_> {
         };
         let stuck = match self.key(stretched, engine).filter(is_open) {
             Some(key) => self.open(stretched, key, engine, state),
-            None => Fault::Vague { point, choices },
+            None => Fault::vague(point, choices),
         };
         let Some((at, there, found)) = ends.into_iter().flatten().next() else {
             return Err(stuck);

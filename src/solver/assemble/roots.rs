@@ -132,8 +132,7 @@ impl Assembler<'_> {
         }
         if wanted.is_empty() && found.len() > 1 {
             let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
-            let point = subject;
-            return Err(Fault::Vague { point, choices }.into());
+            return Err(Fault::vague(subject, choices).into());
         }
         let best = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, root, _)) = best else {

@@ -5,7 +5,7 @@
 use super::App;
 use super::pointing::Gripped;
 use crate::mechanism::CoordinateAxis;
-use crate::scene::{Scene, Value};
+use crate::scene::{Measure, Scene, Value};
 use crate::solver::State;
 use crate::tui::document::history::Deed;
 use crate::wording::words;
@@ -18,9 +18,40 @@ pub(super) struct TypedPlace {
     point: String,
     /// The link in whose frame it is typed; none is the ground.
     link: Option<String>,
-    /// The values that tell it, and along which axis of that frame.
-    values: Vec<(String, CoordinateAxis)>,
+    /// The values that tell it, and what of its place in that frame each is.
+    values: Vec<(String, TypedCoordinate)>,
 }
+
+/// What of a place a value tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum TypedCoordinate {
+    /// A coordinate.
+    Along(CoordinateAxis),
+    /// How far it is from the point that it is seen from, which lies here.
+    Length(Vec2),
+    /// In which direction it is seen from there, in degrees.
+    Angle(Vec2),
+}
+
+impl TypedCoordinate {
+    /// Of a place, in the frame in which it is typed; what is next to `present` of many angles.
+    fn of(self, place: Vec2, present: f64) -> f64 {
+        match self {
+            TypedCoordinate::Along(CoordinateAxis::X) => place.x,
+            TypedCoordinate::Along(CoordinateAxis::Y) => place.y,
+            TypedCoordinate::Length(from) => (place - from).norm(),
+            TypedCoordinate::Angle(from) => {
+                let angle = (place - from).angle().to_degrees();
+                angle + ((present - angle) / FULL_TURN).round() * FULL_TURN
+            }
+        }
+    }
+}
+
+/// In degrees.
+const FULL_TURN: f64 = 360.0;
+/// By how much an angle goes at once under the hand, in degrees.
+const ANGLE_STEP: f64 = 0.5;
 
 impl TypedPlace {
     /// Where a point is typed, if it is at all.
@@ -36,16 +67,29 @@ impl TypedPlace {
             // Where a link begins is where its frame is.
             (Some(_), Some((from, _))) if from == point => Vec::new(),
             (Some(link), Some((_, to))) if to == point => {
-                vec![(format!("{link} length"), CoordinateAxis::X)]
+                let along = TypedCoordinate::Along(CoordinateAxis::X);
+                vec![(format!("{link} length"), along)]
+            }
+            (Some(called), _) if seen(scene, link, point).is_some() => {
+                let from = seen(scene, link, point).unwrap_or_default();
+                vec![
+                    (
+                        format!("{called} {name} length"),
+                        TypedCoordinate::Length(from),
+                    ),
+                    (
+                        format!("{called} {name} angle"),
+                        TypedCoordinate::Angle(from),
+                    ),
+                ]
             }
             (link, _) => {
                 let of = link
                     .as_ref()
                     .map_or(name.clone(), |l| format!("{l} {name}"));
-                vec![
-                    (format!("{of} x"), CoordinateAxis::X),
-                    (format!("{of} y"), CoordinateAxis::Y),
-                ]
+                let axes = [("x", CoordinateAxis::X), ("y", CoordinateAxis::Y)];
+                let value = |(axis, along)| (format!("{of} {axis}"), TypedCoordinate::Along(along));
+                axes.map(value).to_vec()
             }
         };
         Some(TypedPlace {
@@ -104,16 +148,27 @@ impl App {
             return;
         };
         let step = self.document.editor.notch().size();
-        let texts = typed.values.iter().filter_map(|(name, axis)| {
+        let texts = typed.values.iter().filter_map(|(name, coordinate)| {
             let value = self.document.editor.named(name)?;
-            let to = match axis {
-                CoordinateAxis::X => place.x,
-                CoordinateAxis::Y => place.y,
+            let to = coordinate.of(place, value.number);
+            let step = match value.measure {
+                Measure::Angle => ANGLE_STEP,
+                _ => step,
             };
             Some((value.clone(), moved_to(value, to, step)?))
         });
         let texts = texts.collect();
         self.put_all(texts, Deed::Nudge(typed.point.clone()), now);
+    }
+}
+
+/// From where on its link a point is seen that is typed by length and angle.
+fn seen(scene: &Scene, link: Option<LinkId>, point: PointId) -> Option<Vec2> {
+    let link = scene.mechanism.link(link?);
+    let polar = link.member(point)?.polar?;
+    match polar.from {
+        None => Some(Vec2::ZERO),
+        Some(from) => link.local(from),
     }
 }
 

@@ -126,8 +126,14 @@ impl App {
         }
     }
 
-    /// Asks where to write the figures as they are now, or what is plotted over the motion.
+    /// Asks where to write the figures as they are now, or what is plotted over the motion; of a view that is read
+    /// all of its lines.
     fn ask_for_csv(&mut self) {
+        if let Some((what, page)) = self.shell.view.pane().page(self) {
+            let text = Text::of_page(what, page, self.row_of_sweep().ok());
+            let proposal = self.proposal("txt");
+            return self.ask_for_file(SavedContent::Text(text), &proposal);
+        }
         let text = self.shell.view.pane().csv(self);
         self.offer_file(text, words().the_figures(), "csv");
     }

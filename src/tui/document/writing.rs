@@ -1,6 +1,7 @@
 //! What is to be written to a file while its name is asked for, and what is asked about that.
 
 use crate::files::Trouble;
+use crate::page::{Page, TextStyle};
 use crate::report::{Report, ReportFormat};
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
@@ -23,7 +24,28 @@ pub(crate) struct Text {
     pub(crate) what: String,
     text: String,
     /// The same in other formats, for names that ask for one of them.
-    others: Vec<(ReportFormat, String)>,
+    others: Vec<(FileEnding, String)>,
+}
+
+/// What the ending of a name asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FileEnding {
+    /// A text to be read.
+    Report(ReportFormat),
+    /// Figures.
+    Csv,
+}
+
+impl FileEnding {
+    fn of(path: &Path) -> Option<FileEnding> {
+        let is_csv = path
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        match is_csv {
+            true => Some(FileEnding::Csv),
+            false => ReportFormat::of_ending(path).map(FileEnding::Report),
+        }
+    }
 }
 
 impl Text {
@@ -34,7 +56,7 @@ impl Text {
 
     /// A report in every format.
     pub(crate) fn of_report(what: &str, report: &Report) -> Text {
-        let written = |format| (format, report.written(format, false));
+        let written = |format| (FileEnding::Report(format), report.written(format, false));
         Text {
             what: what.to_owned(),
             text: report.written(ReportFormat::default(), false),
@@ -42,9 +64,21 @@ impl Text {
         }
     }
 
+    /// Lines that are read, as text or as Markdown; and the figures that stand in them, for a name that asks for CSV.
+    pub(crate) fn of_page(what: &str, page: &Page, figures: Option<String>) -> Text {
+        let markdown = FileEnding::Report(ReportFormat::Markdown);
+        let csv = figures.map(|figures| (FileEnding::Csv, figures));
+        let others = [(markdown, page.to_markdown(false))];
+        Text {
+            what: what.to_owned(),
+            text: page.to_text(TextStyle::plain(false)),
+            others: others.into_iter().chain(csv).collect(),
+        }
+    }
+
     /// As it is written to a file of this name.
     pub(crate) fn for_file(&self, path: &Path) -> &str {
-        let asked = ReportFormat::of_ending(path);
+        let asked = FileEnding::of(path);
         let mut others = self.others.iter();
         let other = others.find(|(format, _)| Some(*format) == asked);
         other.map_or(&self.text, |(_, text)| text)

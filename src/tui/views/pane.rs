@@ -6,7 +6,7 @@
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
 use super::{Sketch, inset, page};
-use crate::page::Line;
+use crate::page::{Line, Page};
 use crate::quantity::Subject;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::{Action, entry_of};
@@ -121,6 +121,11 @@ pub(crate) trait Pane {
     /// What is written as CSV, or why it cannot be: all figures here, unless it shows a whole motion.
     fn csv(&self, app: &App) -> Result<String, String> {
         app.row_of_sweep()
+    }
+
+    /// All of its lines as they are written to a file, and what they are: where these say more than its figures.
+    fn page<'a>(&self, _app: &'a App) -> Option<(&'static str, &'a Page)> {
+        None
     }
 
     /// What is written as SVG and what that is, or why it cannot be.

@@ -8,8 +8,9 @@
 
 use super::page;
 use super::pane::{Copied, Need, Pane};
-use crate::page::Line;
+use crate::page::{Line, Page};
 use crate::tui::app::{App, View};
+use crate::tui::commands::action::Action;
 use crate::tui::player::explained::Explained;
 use crate::wording::words;
 use ratatui::layout::Rect;
@@ -50,7 +51,25 @@ impl Pane for WorkingView {
         }
     }
 
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::MOTION,
+            Action::LineDown,
+            Action::Quit,
+            Action::NextPart,
+            Action::Search,
+            Action::Copy,
+            Action::Play,
+        ]
+    }
+
     fn copy(&self, _app: &App) -> Copied {
         Copied::Lines
+    }
+
+    fn page<'a>(&self, app: &'a App) -> Option<(&'static str, &'a Page)> {
+        let explained = app.open_scene().explained()?;
+        Some((words().the_working(), explained.page()))
     }
 }

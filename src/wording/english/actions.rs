@@ -168,7 +168,7 @@ catalogue! {
         copy = "copy";
         copy_to_the_clipboard = "copy to the clipboard";
         csv = "csv";
-        write_a_csv_file = "write a CSV file";
+        write_a_csv_file = "write CSV, or working";
         picture = "picture";
         write_the_screen = "write the screen";
         still = "still";

@@ -44,6 +44,7 @@ Examples:
   krank table slider-crank --at 30 --digits 10
   krank table press --bounds --sensitivity
   krank table four-bar-load --bounds
+  krank table four-bar --columns 'C.a*,swing = r4.angle - r3.angle' --bounds
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-";
         examples_of_explain = "\

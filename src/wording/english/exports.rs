@@ -18,6 +18,7 @@ catalogue! {
         still_takes(bytes: usize, seconds: f64, key: &dyn Display) =
             "a picture of {bytes} B takes {seconds:.0} s on this line; {key} again sends it";
         the_figures = "the figures";
+        the_working = "the working";
         the_screen = "the screen";
         the_drawing = "the drawing";
         the_plot = "the plot";

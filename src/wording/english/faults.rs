@@ -84,6 +84,11 @@ catalogue! {
         give_one_position(lines: &[String]) = {
             format!("give a rough position, one of:\n[start]\n{}", lines.join("   # or\n"))
         };
+        open_as_well(points: &[String]) = { format!("; open as well: {}", points.join(", ")) };
+        one_of_lines(lines: &[String]) = { lines.join("   # or ") };
+        give_a_position_each(lines: &str) =
+            "give a rough position of each; what stands first goes with what stands first above it:\n\
+             [start]\n{lines}";
         opens_at_change_point(group: &str) =
             "the scene opens at a change point, where the two assemblies of {group} meet and both \
              lead on";

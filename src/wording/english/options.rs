@@ -75,6 +75,7 @@ catalogue! {
         first_row = "The first row [default: the beginning of the motion range]";
         last_row = "The last row, where the step hits it [default: the end of the motion range]";
         row_to_row = "From row to row, negative to go down [default: 1 deg; for a slide, 100 to 250 rows]";
+        columns_of_table = "A line for each of these figures alone: names, * for any characters, or NAME = FORMULA; separated by commas";
         columns_or_all = "Names of figures, * for any characters, or NAME = FORMULA; separated by commas [default: all vectors and points]";
         columns_to_plot = "Names of figures, * for any characters, or NAME = FORMULA; separated by commas";
         positions_to_compare = "Positions to compare at, in 360 deg or over the range, by the 360";

@@ -72,6 +72,15 @@ catalogue! {
             "give the centre in the link's frame; at mid-length: com = [{x}, 0]";
         give_centre = "give the centre in the link's frame: com = [20, 10], for example";
 
+        // Places by length and angle.
+        or_by_length_and_angle(example: &str) = "or by length and angle: {example}";
+        seen_from_itself(what: &str) = "{what} is given from itself";
+        seen_in_a_circle = "leads back to it";
+        begin_with_an_end =
+            "begin with an end of the link, or with a point that has coordinates: from = \"A\"";
+        name_another_point_of(body: &str) =
+            "name another point of {body}, or leave `from` out: the origin of its frame";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of} has no `{key}`";
         is_missing(key: &str) = "`{key}` is missing";

@@ -30,8 +30,12 @@ catalogue! {
         speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; of a slide `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
         acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; of a slide `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
         ends_and_their_distance = "the two ends of a link and their distance: its vector in the loop equation";
-        points_in_link_frame = "further points in the link's frame: `{ P = [150, 80] }`; alone for a link without two natural ends";
-        centre_in_link_frame = "centre of mass `[x, y]` in the link's frame";
+        points_in_link_frame = "further points in the link's frame: `{ P = [150, 80] }`, or by length and angle `{ P = { from = \"D\", length = 170, angle = 28 } }`; alone for a link without two natural ends";
+        centre_in_link_frame = "centre of mass in the link's frame, `[x, y]` or by length and angle";
+        point_that_sees = "the point of the link from which a place is seen";
+        origin_by_default = "the origin of the link's frame";
+        distance_of_place = "how far it is";
+        direction_of_place = "in which direction, in deg from the link's x axis";
         mass_of_link = "in kg; needs `com`";
         inertia_of_link = "about the centre of mass in kg m^2; needs `com`";
         pin_in_the_slot = "the pin that moves in the slot, free to turn";

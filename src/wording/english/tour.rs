@@ -24,10 +24,15 @@ catalogue! {
             )
         };
         tour_of_figures = "Tables, plots, trust";
-        tour_of_figures_text(tables: &str, plots: &str, motion: &str, accuracy: &str, lengths: &str) =
-            "{tables} has all tables, {plots} plots, {motion} the motion again.\nFigures have a \
-             proved bound where there is one: digits beyond it are dim, or dots. What does not \
-             exist is -. {accuracy} measures methods, {lengths} what each length does.";
+        tour_of_figures_text(views: &[String; 8]) = {
+            let [motion, tables, plots, accuracy, forces, working, motor, lengths] = views;
+            format!(
+                "{tables} tables, {plots} plots, {forces} forces, {working} the working, {motor} the \
+                 motor, {motion} motion.\nFigures have a proved bound where there is one: \
+                 digits beyond it are dim, or dots. What does not exist is -. {accuracy} measures \
+                 methods, {lengths} what each length does."
+            )
+        };
         tour_of_editing = "Editing and saving";
         tour_of_editing_text(open: &str, next: &str, scene: &str, undo: &str, save: &str) =
             "{open} opens a preset or a file; {next} shows the next preset.\n{scene} lists every \

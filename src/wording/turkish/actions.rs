@@ -168,7 +168,7 @@ catalogue! {
         copy = "kopyala";
         copy_to_the_clipboard = "panoya kopyala";
         csv = "csv";
-        write_a_csv_file = "CSV dosyası yaz";
+        write_a_csv_file = "CSV ya da çözümü yaz";
         picture = "resim";
         write_the_screen = "ekranı dosyaya yaz";
         still = "görüntü";

@@ -44,6 +44,7 @@ krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
   krank table slider-crank --at 30 --digits 10
   krank table press --bounds --sensitivity
   krank table four-bar-load --bounds
+  krank table four-bar --columns 'C.a*,swing = r4.angle - r3.angle' --bounds
   krank table four-bar --format json
   krank table four-bar --format csv --decimal comma -o tablo.csv
   krank table four-bar --at 240 --assembly C=-";

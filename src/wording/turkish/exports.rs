@@ -18,6 +18,7 @@ catalogue! {
         still_takes(bytes: usize, seconds: f64, key: &dyn Display) =
             "{bytes} B'lik resim bu hatta {seconds:.0} s sürer; yeniden {key} gönderir";
         the_figures = "değerler";
+        the_working = "çözüm";
         the_screen = "ekran";
         the_drawing = "çizim";
         the_plot = "grafik";

@@ -70,6 +70,11 @@ catalogue! {
         give_one_position(lines: &[String]) = {
             format!("kabaca bir konum ver, şunlardan biri:\n[start]\n{}", lines.join("   # ya da\n"))
         };
+        open_as_well(points: &[String]) = { format!("; bunlar da açık: {}", points.join(", ")) };
+        one_of_lines(lines: &[String]) = { lines.join("   # ya da ") };
+        give_a_position_each(lines: &str) =
+            "her biri için kabaca bir konum ver; başta yazılan, üstünde başta yazılanla gider:\n\
+             [start]\n{lines}";
         opens_at_change_point(group: &str) =
             "sahne bir değişim konumunda açılıyor: {group} için iki montaj biçimi burada buluşuyor ve \
              ikisi de sürüyor";

@@ -66,6 +66,7 @@ catalogue! {
         first_row = "İlk satır [yoksa: hareket aralığının başı]";
         last_row = "Son satır, adım ona denk gelirse [yoksa: hareket aralığının sonu]";
         row_to_row = "Satırdan satıra, aşağı için eksi [yoksa: 1 deg; kızakta 100 ile 250 satır]";
+        columns_of_table = "Yalnız bu büyüklükler, her biri bir satır: adlar, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır";
         columns_or_all = "Büyüklüklerin adları, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır [yoksa: bütün vektörler ve noktalar]";
         columns_to_plot = "Büyüklüklerin adları, * her karakter yerine; virgülle ayrılır";
         positions_to_compare = "Karşılaştırılacak konum sayısı, 360 deg ya da aralık boyunca, 360'ta bir";

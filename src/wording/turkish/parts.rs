@@ -86,6 +86,15 @@ catalogue! {
             "merkezi uzvun kendi eksen takımında ver; boyun ortası: com = [{x}, 0]";
         give_centre = "merkezi uzvun kendi eksen takımında ver: örneğin com = [20, 10]";
 
+        // Places by length and angle.
+        or_by_length_and_angle(example: &str) = "ya da boy ve açı ile: {example}";
+        seen_from_itself(what: &str) = "{what} kendisinden ölçülmüş";
+        seen_in_a_circle = "kendisine geri döner";
+        begin_with_an_end =
+            "uzvun bir ucundan ya da koordinatları olan bir noktadan başla: from = \"A\"";
+        name_another_point_of(body: &str) =
+            "başka bir nokta ver ({body}) ya da `from` yazma: uzvun kendi eksen başlangıcı";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
         is_missing(key: &str) = "`{key}` eksik";

@@ -30,8 +30,12 @@ catalogue! {
         speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; kızakta `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
         acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; kızakta `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
         ends_and_their_distance = "bir uzvun iki ucu ve aralarındaki uzaklık: vektörel konum denklemindeki vektörü";
-        points_in_link_frame = "uzvun eksenindeki öteki noktalar: `{ P = [150, 80] }`; doğal iki ucu olmayan bir uzuvda yalnız bunlar";
-        centre_in_link_frame = "uzvun ekseninde ağırlık merkezi `[x, y]`";
+        points_in_link_frame = "uzvun eksenindeki öteki noktalar: `{ P = [150, 80] }`, ya da boy ve açıyla `{ P = { from = \"D\", length = 170, angle = 28 } }`; doğal iki ucu olmayan bir uzuvda yalnız bunlar";
+        centre_in_link_frame = "uzvun ekseninde ağırlık merkezi, `[x, y]` ya da boy ve açıyla";
+        point_that_sees = "yerin, uzvun hangi noktasından görüldüğü";
+        origin_by_default = "uzvun ekseninin başlangıcı";
+        distance_of_place = "ne kadar uzakta olduğu";
+        direction_of_place = "hangi yönde olduğu, uzvun x ekseninden deg olarak";
         mass_of_link = "kg olarak; `com` gerekir";
         inertia_of_link = "ağırlık merkezine göre, kg m^2 olarak; `com` gerekir";
         pin_in_the_slot = "yarıkta hareket eden pim, dönmekte serbest";

@@ -24,10 +24,15 @@ catalogue! {
             )
         };
         tour_of_figures = "Tablolar, grafikler, güven";
-        tour_of_figures_text(tables: &str, plots: &str, motion: &str, accuracy: &str, lengths: &str) =
-            "{tables} bütün tablolar, {plots} grafikler, {motion} yine hareket.\nDeğerlerin, olduğunda, \
-             kanıtlı hata sınırı vardır: ötesindeki haneler soluk ya da noktadır. Olmayan değer - ile \
-             yazılır. {accuracy} yöntemleri ölçer, {lengths} boyların etkisini.";
+        tour_of_figures_text(views: &[String; 8]) = {
+            let [motion, tables, plots, accuracy, forces, working, motor, lengths] = views;
+            format!(
+                "{tables} tablo, {plots} grafik, {forces} kuvvet, {working} çözüm, {motor} motor, \
+                 {motion} yine hareket.\nDeğerlerin, olduğunda, kanıtlı hata sınırı vardır: ötesindeki \
+                 haneler soluk ya da noktadır. Olmayan değer - ile yazılır. {accuracy} yöntemleri ölçer, \
+                 {lengths} boyların etkisini."
+            )
+        };
         tour_of_editing = "Düzenlemek ve kaydetmek";
         tour_of_editing_text(open: &str, next: &str, scene: &str, undo: &str, save: &str) =
             "{open} hazır sahne ya da dosya açar; {next} sonraki hazır sahnedir.\n{scene} sahnenin \

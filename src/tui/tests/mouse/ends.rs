@@ -114,6 +114,33 @@ fn the_end_that_a_link_runs_to_goes_by_its_length() {
     assert_eq!(bench.app().open_scene().scene().text(), before);
 }
 
+/// What was typed by length and angle goes by these, and stays where the hand is.
+#[test]
+fn an_end_by_length_and_angle_goes_by_these() {
+    let text = presets::find("hoecken").unwrap().text;
+    let seen = "P = { from = \"C\", length = 100, angle = 350 }";
+    let text = text.replace("P = [200, 0]", seen);
+    assert!(text.contains(seen));
+    let opened = opening::text(&text, Origin::Stdin).unwrap();
+    let size = Size::new(WIDEST, HIGHEST);
+    let mut bench = bench_of(opened, "M 6", size, Colours::Sixteen);
+    let from = place_of(&mut bench, "P");
+    let by = [Vec2::new(-6.0, 9.0), Vec2::new(-12.0, 30.0)];
+    let (to, high) = cell(&bench, from + by[1]);
+    let led = bench.place(to).unwrap().place;
+    drag(&mut bench, from, &by);
+    let off = (place_of(&mut bench, "P") - led).norm();
+    assert!(off < 0.5 * high + 1.0, "{off} of {high}");
+    let editor = bench.app().editor();
+    let value = |name: &str| editor.named(name).unwrap().number;
+    assert!((value("r3 P length") - 100.0).abs() > 3.0);
+    // The angle is near what it was, and no turn less.
+    let angle = value("r3 P angle");
+    assert!((300.0..410.0).contains(&angle) && angle != 350.0, "{angle}");
+    bench.press("u");
+    assert_eq!(bench.app().open_scene().scene().text(), text);
+}
+
 /// Where a link begins is where its frame is, and everything on it would go along.
 #[test]
 fn the_end_that_a_link_begins_at_says_why_it_stays() {

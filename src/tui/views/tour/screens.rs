@@ -53,11 +53,17 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
         2 => (
             words().tour_of_figures(),
             words().tour_of_figures_text(
-                &look(View::Tables),
-                &look(View::Plots),
-                &look(View::Motion),
-                &look(View::Accuracy),
-                &look(View::Lengths),
+                &[
+                    View::Motion,
+                    View::Tables,
+                    View::Plots,
+                    View::Accuracy,
+                    View::Forces,
+                    View::Working,
+                    View::Motor,
+                    View::Lengths,
+                ]
+                .map(look),
             ),
         ),
         3 => (
@@ -138,6 +144,20 @@ mod tests {
             assert!(lines.len() <= 8, "{number}: {lines:#?}");
             assert!(lines.iter().all(|line| line.len() <= 36 && line.is_ascii()));
             assert!(screen.title.len() <= 20, "the border cuts it");
+        }
+    }
+
+    /// No view is left out that has figures or their working.
+    #[test]
+    fn the_tour_names_every_view() {
+        let told: Vec<String> = (0..SCREENS)
+            .map(|number| screen(number, &Keymap::default()).text)
+            .collect();
+        let told = told.join(" ");
+        for view in View::ALL {
+            let key = Keymap::default().told(Action::Look(view));
+            let words: Vec<&str> = told.split([' ', '\n']).collect();
+            assert!(words.contains(&&*key), "{key}: {told}");
         }
     }
 

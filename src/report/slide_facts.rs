@@ -1,0 +1,97 @@
+//! Slides among the facts of a scene, and what is to be said of their sign.
+
+use super::check::{ElementNames, PLACES};
+use super::number::{concise, significant};
+use crate::solver::{Order, Solver, Travel};
+use crate::wording::words;
+use crate::{Body, Input, SlideId, Slider, angle};
+use serde::Serialize;
+
+/// Digits of a position in a sentence.
+const DIGITS: usize = 6;
+
+/// What slides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SliderKind {
+    /// A pin in a slot.
+    Pin,
+    /// A link that does not turn against its guide.
+    Link,
+}
+
+/// A slide.
+#[derive(Clone, Debug, Serialize)]
+pub struct SlideFacts {
+    /// As the scene names it.
+    pub name: String,
+    /// What slides.
+    pub kind: SliderKind,
+    /// The point or the link that slides.
+    pub slider: String,
+    /// The body that carries the guide.
+    pub on: String,
+    /// What is said of a slide that lies behind `through` where the scene opens.
+    #[serde(skip)]
+    pub(super) backwards: Option<String>,
+}
+
+impl ElementNames<'_> {
+    pub(super) fn slides(&self, solver: &Solver) -> Vec<SlideFacts> {
+        let mechanism = &self.scene.mechanism;
+        let mut opening = solver.state();
+        let _ = solver.solve(mechanism.driver().start, Order::Position, &mut opening);
+        let facts = |id| {
+            let slide = mechanism.slide(id);
+            let (kind, slider) = match slide.slider {
+                Slider::Pin(point) => (SliderKind::Pin, self.point(point).unwrap_or_default()),
+                Slider::Link { link, .. } => {
+                    (SliderKind::Link, self.scene.link_name(link).to_owned())
+                }
+            };
+            SlideFacts {
+                name: self.scene.slide_name(id).to_owned(),
+                kind,
+                slider,
+                on: self.body(slide.on),
+                backwards: self.backwards(id, opening.travel(id)),
+            }
+        };
+        mechanism.slide_ids().map(facts).collect()
+    }
+
+    /// Lecture notes write the vector of a slide with a positive length: one whose guide was given the direction of
+    /// that vector is negative, and says how it would not be. A driven one is where its driver says.
+    fn backwards(&self, id: SlideId, opening: Option<Travel>) -> Option<String> {
+        let mechanism = &self.scene.mechanism;
+        let is_driven = mechanism.driver().input == Input::Push(id);
+        let position = opening?.position;
+        if is_driven || position >= 0.0 {
+            return None;
+        }
+        let slide = mechanism.slide(id);
+        let other = angle::wrapped(slide.angle + angle::TURN / 2.0);
+        Some(words().slide_counts_backwards(
+            self.scene.slide_name(id),
+            &significant(position, DIGITS),
+            self.scene.unit.symbol(),
+            [&concise(slide.angle, PLACES), &concise(other, PLACES)],
+            slide.on == Body::Ground,
+        ))
+    }
+}
+
+impl SlideFacts {
+    /// The slide, and what is to be said of its sign.
+    pub(super) fn texts(&self) -> impl Iterator<Item = String> {
+        std::iter::once(self.text()).chain(self.backwards.clone())
+    }
+
+    fn text(&self) -> String {
+        let on = &words().body_called(&self.on);
+        match self.kind {
+            SliderKind::Pin => words().pin_in_slot(&self.name, &self.slider, on),
+            SliderKind::Link => words().link_along(&self.name, &self.slider, on),
+        }
+    }
+}
