@@ -94,7 +94,7 @@ pub(crate) const TOPICS: &[Topic] = &[
     Topic {
         name: "files",
         about: <dyn Words>::about_files,
-        parts: &[include_str!("files.md")],
+        parts: &[include_str!("files.md"), include_str!("exercises.md")],
     },
     Topic {
         name: "trust",

@@ -12,6 +12,8 @@ use crate::{Body, Input, LinkId, SlideId, Slider, Vec2};
 
 /// Stands for what is to be found.
 const SOUGHT: &str = "?";
+/// Digits of given figures that are no shorter: of a frame's length, say.
+const DIGITS: usize = 9;
 
 impl Report {
     /// The sheet of an exercise on a state that was solved with all rates; answers belong into a file of this name.
@@ -23,7 +25,7 @@ impl Report {
         key: &AnswerKey,
         answers: &str,
     ) -> Report {
-        let reported = ReportedState::new(scene, solver, state, usize::MAX);
+        let reported = ReportedState::new(scene, solver, state, DIGITS);
         let mut page = Page::default();
         page.title(&scene.name);
         page.text(words().name_and_number());
