@@ -34,6 +34,14 @@ fn exact(scene: &Path, at: &str, column: &str) -> String {
     format!("{value:.5e}")
 }
 
+/// Where an exercise opens.
+fn angle(scene: &str) -> &str {
+    let mut lines = scene.lines();
+    lines
+        .find_map(|line| line.strip_prefix("angle = "))
+        .unwrap()
+}
+
 #[test]
 fn a_sheet_is_text_and_the_same_for_the_same_seed() {
     let sheet = done(&["exercise", "four-bar", "--seed", "7"]);
@@ -83,7 +91,14 @@ fn a_folder_holds_four_files_of_each_exercise() {
         "{blank}"
     );
     let solution = fs::read_to_string(here.join("press-3-solution.html")).unwrap();
-    assert!(solution.contains("θ3 = "), "the solution tells");
+    let sheet = fs::read_to_string(here.join("press-3.html")).unwrap();
+    let text = fs::read_to_string(&scene).unwrap();
+    let exact: f64 = exact(&scene, angle(&text), "r4.alpha").parse().unwrap();
+    let exact = exact.abs().to_string();
+    assert!(
+        solution.contains(&exact) && !sheet.contains(&exact),
+        "{exact}"
+    );
     // As often as one likes, while nobody has answered.
     done(&[
         "exercise",
@@ -147,7 +162,7 @@ fn the_notes_are_graded() {
         "week4\n",
         "rounded early: r3.angle as 345,5",
         "wrong in sign",
-        "5 points of 18: 2 figures are right",
+        "4 points of 18: 2 figures are right, 2 but for rounding",
         "The first that differs is r3.omega: rounded early: r3.angle as 345,5.",
         "The first mistake is r4.rate: wrong in sign.",
         "No figures of this scene: x.y.",

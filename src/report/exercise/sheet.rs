@@ -1,7 +1,6 @@
 //! The sheet that is handed out: the drawing, what is given, and tables to fill.
 
 use crate::page::{Content, Facts, Page, Table};
-use crate::quantity::Catalogue;
 use crate::report::number::concise;
 use crate::report::paper::{Report, ReportedState};
 use crate::scene::Scene;
@@ -112,7 +111,7 @@ fn given(scene: &Scene, state: &State) -> Facts {
         &format!("{} {speed}", figure(state.driver_speed())),
         &format!("{} {acceleration}", figure(state.driver_acceleration())),
     );
-    facts.tell(&Catalogue::new(scene).driver().name, [told]);
+    facts.tell(words().driver(), [told]);
     facts
 }
 

@@ -263,6 +263,11 @@ fn what_is_asked_is_what_has_a_star() {
     ] {
         assert!(press.contains(&name.to_owned()), "{name}: {press:?}");
     }
+    let lever = names("slotted-lever");
+    assert!(
+        lever.contains(&"r3.angle".into()) && !lever.contains(&"r3.omega".into()),
+        "{lever:?}"
+    );
     // It turns with r4, and is not asked for once more.
     assert!(!press.contains(&"r4e.omega".to_owned()));
 }
