@@ -129,6 +129,7 @@ fn each_mistake_has_its_name() {
         ("r3.angle 209.379", "the other way round"),
         ("r3.angle -29.379", "wrong in sign"),
         ("r3.angle 35", "wrong"),
+        ("r3.angle 29", "too few digits"),
         ("r3.angle no", "no figure"),
         ("r3.omega -37.40", "in rpm"),
         ("r3.omega -224.4", "in deg/s"),

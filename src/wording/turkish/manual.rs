@@ -12,7 +12,7 @@ catalogue! {
         about_columns = "adlarıyla büyüklükler: birim, sınır, duyarlık, aralık (İngilizce)";
         about_forces = "etki edenler, mafsallar, motorun yapması gereken (İngilizce)";
         about_drawings = "terminal ve rapor için çizimler ve grafikler (İngilizce)";
-        about_files = "ne zaman ne yazılır, değişiklikler, çıkış kodları (İngilizce)";
+        about_files = "ne zaman ne yazılır, değişiklikler, çıkış kodları, ödevler (İngilizce)";
         about_trust = "montajlar, uçlar, sınırlar: verilen sözler ve denenmesi (İngilizce)";
         about_terminals = "karakterler, renkler, yavaş hatlar, bir karenin bedeli (İngilizce)";
         about_limits = "krank'ın yapmadıkları, yanıtlarının bittiği yer (İngilizce)";
