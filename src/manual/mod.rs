@@ -165,7 +165,7 @@ pub(crate) const TOPICS: &[Topic] = &[
         name: "files",
         turkish: "dosyalar",
         about: <dyn Words>::about_files,
-        parts: &[chapter!("files.md")],
+        parts: &[chapter!("files.md"), chapter!("exercises.md")],
     },
     Topic {
         name: "trust",

@@ -6,6 +6,7 @@ mod assembly;
 #[cfg(feature = "tui")]
 mod config;
 mod draw;
+mod exercise;
 mod explain;
 #[cfg(target_os = "linux")]
 mod files;
@@ -131,6 +132,8 @@ fn help_has_an_example_for_each_command() {
         "list",
         "check",
         "table",
+        "exercise",
+        "grade",
         "draw",
         "plot",
         "sweep",

@@ -69,7 +69,8 @@ fn names(scene: &Scene, tables: &Tables) -> Vec<String> {
             let [length, angle] = own_parts(scene, vector.map(|vector| vector.kind));
             let of_length = length.then_some(column.length).flatten();
             let lengths = of_length.map(|entries| (entries[order], STRETCHING[order]));
-            let is_asked = angle || (order == 0 && is_rigid(scene, vector.map(|v| v.kind)));
+            // What turns with a link has an angle of its own, and the link's rates.
+            let is_asked = angle || order == 0;
             let angles = is_asked.then_some((column.direction[order], TURNING[order]));
             for (entry, aspect) in lengths.into_iter().chain(angles) {
                 if !entry.given && entry.value.is_some() {
@@ -93,7 +94,7 @@ fn names(scene: &Scene, tables: &Tables) -> Vec<String> {
 const STRETCHING: [&str; ORDERS.len()] = ["length", "rate", "accel"];
 const TURNING: [&str; ORDERS.len()] = ["angle", "omega", "alpha"];
 
-/// Whether a vector has a length and an angle whose rates are its own: what turns with a link has the link's.
+/// Whether a vector has a length and an angle whose rates are its own.
 fn own_parts(scene: &Scene, kind: Option<VectorKind>) -> [bool; 2] {
     match kind {
         None | Some(VectorKind::Link(_)) => [false, true],

@@ -132,7 +132,12 @@ impl GradedAnswers {
         page.table(table);
         let counts = self.counts();
         let points = counts.points();
-        page.text(words().points_of(points, self.figures.len(), counts.right));
+        page.text(words().points_of(
+            points,
+            self.figures.len(),
+            counts.right,
+            points - counts.right,
+        ));
         for (figure, say) in [(self.first(), FIRST), (self.mistake(), MISTAKE)] {
             if let Some(figure) = figure {
                 page.text_below(say(&figure.quantity.name, &self.told(figure)));

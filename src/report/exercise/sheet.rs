@@ -1,7 +1,6 @@
 //! The sheet that is handed out: the drawing, what is given, and tables to fill.
 
 use crate::page::{Content, Facts, Page, Table};
-use crate::quantity::Catalogue;
 use crate::report::number::concise;
 use crate::report::paper::{Report, ReportedState};
 use crate::scene::Scene;
@@ -12,6 +11,8 @@ use crate::{Body, Input, LinkId, SlideId, Slider, Vec2};
 
 /// Stands for what is to be found.
 const SOUGHT: &str = "?";
+/// Digits of given figures that are no shorter: of a frame's length, say.
+const DIGITS: usize = 9;
 
 impl Report {
     /// The sheet of an exercise on a state that was solved with all rates; answers belong into a file of this name.
@@ -23,7 +24,7 @@ impl Report {
         key: &AnswerKey,
         answers: &str,
     ) -> Report {
-        let reported = ReportedState::new(scene, solver, state, usize::MAX);
+        let reported = ReportedState::new(scene, solver, state, DIGITS);
         let mut page = Page::default();
         page.title(&scene.name);
         page.text(words().name_and_number());
@@ -110,7 +111,7 @@ fn given(scene: &Scene, state: &State) -> Facts {
         &format!("{} {speed}", figure(state.driver_speed())),
         &format!("{} {acceleration}", figure(state.driver_acceleration())),
     );
-    facts.tell(&Catalogue::new(scene).driver().name, [told]);
+    facts.tell(words().driver(), [told]);
     facts
 }
 

@@ -1,6 +1,7 @@
 //! The figures that the lecture notes print, graded; and answers that are wrong in one way each.
 
 use super::*;
+use crate::report::{Report, ReportFormat};
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
@@ -128,6 +129,7 @@ fn each_mistake_has_its_name() {
         ("r3.angle 209.379", "the other way round"),
         ("r3.angle -29.379", "wrong in sign"),
         ("r3.angle 35", "wrong"),
+        ("r3.angle 29", "too few digits"),
         ("r3.angle no", "no figure"),
         ("r3.omega -37.40", "in rpm"),
         ("r3.omega -224.4", "in deg/s"),
@@ -262,8 +264,63 @@ fn what_is_asked_is_what_has_a_star() {
     ] {
         assert!(press.contains(&name.to_owned()), "{name}: {press:?}");
     }
+    let lever = names("slotted-lever");
+    assert!(
+        lever.contains(&"r3.angle".into()) && !lever.contains(&"r3.omega".into()),
+        "{lever:?}"
+    );
     // It turns with r4, and is not asked for once more.
     assert!(!press.contains(&"r4e.omega".to_owned()));
+}
+
+/// What is handed out tells what is given, asks for the rest, and gives no figure of the solution away.
+#[test]
+fn a_sheet_asks_and_does_not_tell() {
+    for name in [
+        "four-bar",
+        "slider-crank",
+        "press",
+        "excavator-boom",
+        "stephenson-six-bar",
+        "slotted-lever",
+    ] {
+        let preset = presets::find(name).unwrap();
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+        let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
+        solver.enclose(&mut state, Order::Force, &mut enclosure);
+        let key = answer_key(&scene, &solver, state.state(), enclosure.state(), &[]);
+        let sheet = Report::sheet(&scene, &solver, state.state(), &key, "answers.csv");
+        let text = sheet.written(ReportFormat::Text, true);
+        assert!(text.is_ascii(), "{text}");
+        let long: Vec<&str> = text.lines().filter(|line| line.len() > 80).collect();
+        assert!(long.is_empty(), "{name}: {long:#?}");
+        for piece in ["= ?", "answers.csv", "1 Given", "2 Asked"] {
+            assert!(text.contains(piece), "{name}: {piece}\n{text}");
+        }
+        let (_, told) = text.split_once("1 Given").unwrap();
+        let given = scene.values();
+        for figure in &key.figures {
+            let exact = format!("{:.3e}", figure.exact.abs());
+            let (digits, _) = exact.split_once('e').unwrap();
+            let digits = digits.replace('.', "");
+            let is_given = given
+                .iter()
+                .any(|v| format!("{:.3e}", v.number.abs()).starts_with(&exact[..5]));
+            let words = told.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+            let mut bare = words.map(|word| word.replace('.', ""));
+            let is_told = bare.any(|word| word.trim_start_matches('0').starts_with(&digits));
+            assert!(
+                is_given || !is_told,
+                "{name}: {} is told\n{text}",
+                figure.quantity.name
+            );
+        }
+        for format in ReportFormat::ALL {
+            assert!(sheet.written(format, false).len() > 1000);
+        }
+    }
 }
 
 proptest! {

@@ -9,12 +9,12 @@ use crate::scene::{Measure, Scene, Value, ValueOwner};
 pub(super) struct Dimensions {
     /// Different sizes: what is equal in the scene stays equal.
     sizes: Vec<f64>,
-    list: Vec<Dimension>,
+    list: Vec<VariedNumber>,
 }
 
 /// A number that is a dimension.
 #[derive(Clone, Debug)]
-struct Dimension {
+struct VariedNumber {
     value: Value,
     rule: DimensionRule,
 }
@@ -34,9 +34,9 @@ enum DimensionRule {
 
 /// How far the dimensions are to move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Spread {
+pub(super) enum DrawnApart {
     /// Each by itself, by up to so many percent.
-    Apart(u32),
+    Each(u32),
     /// All by the same factor.
     Together,
 }
@@ -89,7 +89,7 @@ impl Dimensions {
 
     fn push(&mut self, value: &Value, rule: DimensionRule) {
         let value = value.clone();
-        self.list.push(Dimension { value, rule });
+        self.list.push(VariedNumber { value, rule });
     }
 
     fn find(&self, number: f64) -> Option<usize> {
@@ -130,11 +130,11 @@ impl Dimensions {
     pub(super) fn changed(
         &self,
         chance: &mut SeededChance,
-        spread: Spread,
+        spread: DrawnApart,
     ) -> Option<Vec<(Value, String)>> {
         let texts = match spread {
-            Spread::Apart(percent) => self.apart(chance, percent)?,
-            Spread::Together => self.together(chance)?,
+            DrawnApart::Each(percent) => self.apart(chance, percent)?,
+            DrawnApart::Together => self.together(chance)?,
         };
         let values = self.list.iter().map(|dimension| dimension.value.clone());
         Some(values.zip(texts).collect())
@@ -157,7 +157,7 @@ impl Dimensions {
                 .ok()?;
             sizes.push(size);
         }
-        let text = |d: &Dimension| {
+        let text = |d: &VariedNumber| {
             let number = d.value.number;
             match d.rule {
                 DimensionRule::Size(size) => Some(exactly(sizes.get(size)?.copysign(number))),
@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use crate::scene::presets;
 
-    fn changed(name: &str, spread: Spread) -> Vec<(String, String)> {
+    fn changed(name: &str, spread: DrawnApart) -> Vec<(String, String)> {
         let preset = presets::find(name).unwrap();
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let dimensions = Dimensions::of(&scene);
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn every_length_is_a_dimension_and_zeros_stay() {
-        let list = changed("four-bar", Spread::Apart(30));
+        let list = changed("four-bar", DrawnApart::Each(30));
         let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
         let all = [
             "D x",
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn what_is_equal_stays_equal() {
-        let list = changed("triple-parallelogram", Spread::Apart(30));
+        let list = changed("triple-parallelogram", DrawnApart::Each(30));
         assert_eq!(number(&list, "r2 length"), number(&list, "r5 length"));
         assert_eq!(number(&list, "D x"), number(&list, "r3 length"));
         assert_eq!(number(&list, "H x"), number(&list, "r3 K x"));
@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn loads_and_what_they_keep_are_none() {
-        let list = changed("press-ram", Spread::Together);
+        let list = changed("press-ram", DrawnApart::Together);
         assert!(
             list.iter().all(|(name, _)| !name.contains("knot")),
             "{list:?}"

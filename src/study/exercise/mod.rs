@@ -13,15 +13,15 @@ use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
 use agreeable::agreeable;
 use chance::SeededChance;
-use dimensions::{Dimensions, Spread};
+use dimensions::{Dimensions, DrawnApart};
 use likeness::{MotionKind, is_lively, margins, places};
 
 /// How often dimensions are drawn, and how far apart: where lengths stand in relations that chance does not
 /// keep, the whole grows or shrinks.
-const TRIES: [(usize, Spread); 3] = [
-    (60, Spread::Apart(25)),
-    (30, Spread::Apart(12)),
-    (12, Spread::Together),
+const TRIES: [(usize, DrawnApart); 3] = [
+    (60, DrawnApart::Each(25)),
+    (30, DrawnApart::Each(12)),
+    (12, DrawnApart::Together),
 ];
 /// At no place of the motion is a group nearer to a singularity than this: 18 degrees of a dyad, as the square of a sine.
 const WORST: f64 = 0.1;
@@ -120,7 +120,7 @@ impl<'a> ExerciseMaker<'a> {
     }
 
     /// Dimensions, and how fast the driver is.
-    fn drawn(&self, chance: &mut SeededChance, spread: Spread) -> Option<Vec<(Value, String)>> {
+    fn drawn(&self, chance: &mut SeededChance, spread: DrawnApart) -> Option<Vec<(Value, String)>> {
         let mut changes = self.dimensions.changed(chance, spread)?;
         let [low, high] = SPEEDS;
         let factor = f64::from(chance.between(low, high)) / 100.0;

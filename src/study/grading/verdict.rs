@@ -131,14 +131,13 @@ impl Truth {
     /// Rounding that the figure tells by itself: digits cut off, or too few of them.
     pub(super) fn rounded(&self, written: WrittenFigure) -> Option<RoundedEarly> {
         let apart = self.apart(written.value);
+        let own = 0.5 * written.unit_of(0, i32::MAX) * (1.0 + FUZZ);
+        if (1..FEWEST).contains(&written.digits) && apart.abs() <= own {
+            return Some(RoundedEarly::Coarse);
+        }
         // Cut off, it is nearer to 0 than the exact figure.
         let is_smaller = apart * written.value < 0.0;
-        if is_smaller && apart.abs() < self.last_of(written) {
-            return Some(RoundedEarly::Cut);
-        }
-        let own = 0.5 * written.unit_of(0, i32::MAX) * (1.0 + FUZZ);
-        let is_coarse = (1..FEWEST).contains(&written.digits) && !self.is_direction;
-        (is_coarse && apart.abs() <= own).then_some(RoundedEarly::Coarse)
+        (is_smaller && apart.abs() < self.last_of(written)).then_some(RoundedEarly::Cut)
     }
 
     /// What may have happened, where no earlier figure explains it.

@@ -56,9 +56,9 @@ catalogue! {
         points_head = "points";
         figures_head = "of";
         first_mistake_head = "first mistake";
-        points_of(points: usize, figures: usize, right: usize) =
-            "{points} points of {figures}: {right} figures are right, the others but for rounding or by \
-             what was wrong before.";
+        points_of(points: usize, figures: usize, right: usize, nearly: usize) =
+            "{points} points of {figures}: {right} figures are right, {nearly} but for rounding or for what \
+             was wrong before.";
         first_that_differs(figure: &str, verdict: &str) = "The first that differs is {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "The first mistake is {figure}: {verdict}.";
         no_figures_of_scene(names: &str) = "No figures of this scene: {names}.";

@@ -13,7 +13,7 @@ catalogue! {
         about_columns = "figures by name: units, bounds, sensitivity, ranges";
         about_forces = "what acts, what the joints bear, what the motor must do";
         about_drawings = "drawings and plots, for the terminal and for a report";
-        about_files = "what is written and when, unsaved edits, exit codes";
+        about_files = "what is written and when, unsaved edits, exit codes, exercises";
         about_trust = "assemblies, ends, bounds: what is promised and how it was tried";
         about_terminals = "characters, colours, slow lines, and what a frame costs";
         about_limits = "what krank does not do, and where its answers end";

@@ -55,9 +55,9 @@ catalogue! {
         points_head = "puan";
         figures_head = "toplam";
         first_mistake_head = "ilk hata";
-        points_of(points: usize, figures: usize, right: usize) =
-            "{figures} değerden {points} puan: {right} değer doğru, ötekiler yuvarlama dışında ya da önceki \
-             yanlışa göre doğru.";
+        points_of(points: usize, figures: usize, right: usize, nearly: usize) =
+            "{figures} değerden {points} puan: {right} değer doğru, {nearly} değer yuvarlama dışında ya da \
+             önceki yanlışa göre doğru.";
         first_that_differs(figure: &str, verdict: &str) = "İlk ayrılan {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "İlk hata {figure}: {verdict}.";
         no_figures_of_scene(names: &str) = "Bu sahnede olmayan değerler: {names}.";

@@ -13,7 +13,7 @@ catalogue! {
         about_columns = "adlarıyla büyüklükler: birim, sınır, duyarlık, aralık";
         about_forces = "etki edenler, mafsallar, motorun yapması gereken";
         about_drawings = "terminal ve rapor için çizimler ve grafikler";
-        about_files = "ne zaman ne yazılır, değişiklikler, çıkış kodları";
+        about_files = "ne zaman ne yazılır, değişiklikler, çıkış kodları, ödevler";
         about_trust = "montajlar, uçlar, sınırlar: verilen sözler ve denenmesi";
         about_terminals = "karakterler, renkler, yavaş hatlar, bir karenin bedeli";
         about_limits = "krank'ın yapmadıkları, yanıtlarının bittiği yer";

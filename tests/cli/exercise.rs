@@ -1,0 +1,286 @@
+//! `exercise` and `grade`: a sheet goes out, answers come back.
+
+use super::{done, folder, krank, refused, rows};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn fresh(name: &str) -> PathBuf {
+    let here = folder(name);
+    fs::remove_dir_all(&here).unwrap();
+    fs::create_dir_all(&here).unwrap();
+    here
+}
+
+fn shown(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// The exact value of a column where a scene opens, to six digits.
+fn exact(scene: &Path, at: &str, column: &str) -> String {
+    let args = [
+        "sweep",
+        shown(scene),
+        "--columns",
+        column,
+        "--from",
+        at,
+        "--to",
+        at,
+        "--step",
+        "1",
+    ];
+    let csv = done(&args);
+    let value: f64 = rows(&csv)[0][1].parse().unwrap();
+    format!("{value:.5e}")
+}
+
+/// Where an exercise opens.
+fn angle(scene: &str) -> &str {
+    let mut lines = scene.lines();
+    lines
+        .find_map(|line| line.strip_prefix("angle = "))
+        .unwrap()
+}
+
+#[test]
+fn a_sheet_is_text_and_the_same_for_the_same_seed() {
+    let sheet = done(&["exercise", "four-bar", "--seed", "7"]);
+    assert_eq!(sheet, done(&["exercise", "four-bar", "--seed", "7"]));
+    assert_ne!(sheet, done(&["exercise", "four-bar", "--seed", "8"]));
+    for piece in [
+        "Four-bar crank-rocker: exercise 7",
+        "theta3 = ?",
+        "four-bar-7.csv",
+        "Number:",
+    ] {
+        assert!(sheet.contains(piece), "{piece}\n{sheet}");
+    }
+    assert!(done(&["exercise", "press", "--format", "html"]).starts_with("<!DOCTYPE html>\n"));
+    let turkish = done(&["exercise", "slider-crank", "--language", "tr"]);
+    assert!(
+        turkish.contains("Verilenler") && turkish.is_ascii(),
+        "{turkish}"
+    );
+}
+
+#[test]
+fn a_folder_holds_four_files_of_each_exercise() {
+    let here = fresh("exercise");
+    let path = shown(&here);
+    assert_eq!(
+        done(&[
+            "exercise", "press", "--seed", "3", "--count", "2", "-o", path
+        ]),
+        ""
+    );
+    let mut names: Vec<String> = fs::read_dir(&here)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let expected = [3, 4].map(|n| {
+        let endings = ["-solution.html", ".csv", ".html", ".toml"];
+        endings.map(|end| format!("press-{n}{end}"))
+    });
+    assert_eq!(names, expected.concat());
+    let scene = here.join("press-3.toml");
+    assert!(done(&["check", shown(&scene)]).contains("turns fully"));
+    let blank = fs::read_to_string(here.join("press-3.csv")).unwrap();
+    assert!(
+        blank.starts_with("figure,unit,answer\nsheet,,press-3.toml\nstudent,,\nr3.angle,deg,\n"),
+        "{blank}"
+    );
+    let solution = fs::read_to_string(here.join("press-3-solution.html")).unwrap();
+    let sheet = fs::read_to_string(here.join("press-3.html")).unwrap();
+    let text = fs::read_to_string(&scene).unwrap();
+    let exact: f64 = exact(&scene, angle(&text), "r4.alpha").parse().unwrap();
+    let exact = exact.abs().to_string();
+    assert!(
+        solution.contains(&exact) && !sheet.contains(&exact),
+        "{exact}"
+    );
+    // As often as one likes, while nobody has answered.
+    done(&[
+        "exercise",
+        "press",
+        "--seed",
+        "3",
+        "--decimal",
+        "comma",
+        "-o",
+        path,
+    ]);
+    let blank = fs::read_to_string(here.join("press-3.csv")).unwrap();
+    assert!(blank.starts_with("figure;unit;answer\n"), "{blank}");
+    fs::write(
+        here.join("press-3.csv"),
+        blank.replacen("angle;deg;", "angle;deg;1,5", 1),
+    )
+    .unwrap();
+    let said = refused(
+        1,
+        &[
+            "exercise", "press", "--seed", "2", "--count", "2", "-o", path,
+        ],
+    );
+    assert!(
+        said.contains("press-3.csv") && !here.join("press-2.toml").exists(),
+        "{said}"
+    );
+}
+
+#[test]
+fn what_cannot_be_made_is_told() {
+    assert!(refused(2, &["exercise", "four-bar", "--count", "2"]).contains("-o DIR"));
+    let last = u64::MAX.to_string();
+    let here = folder("exercise-seeds");
+    let args = [
+        "exercise",
+        "four-bar",
+        "--count",
+        "2",
+        "--seed",
+        &last,
+        "-o",
+        shown(&here),
+    ];
+    assert!(refused(2, &args).contains("largest seed"));
+    assert!(refused(2, &["exercise", "no-such"]).contains("no-such"));
+    assert!(refused(2, &["grade", "four-bar"]).contains("ANSWERS"));
+}
+
+/// The notes' figures, which the lecture rounds here and there.
+#[test]
+fn the_notes_are_graded() {
+    let here = fresh("grade-notes");
+    let notes = here.join("week4.csv");
+    let text = "figure;unit;answer\nr4.length;cm;28,0\nr3.angle;deg;345,5\nr3.omega;rad/s;-89,45\n\
+        r4.rate;cm/s;1447,93\nr3.alpha;rad/s^2;8259\nx.y;;1\n";
+    fs::write(&notes, text).unwrap();
+    let told = done(&["grade", "slider-crank", shown(&notes)]);
+    for piece in [
+        "week4\n",
+        "rounded early: r3.angle as 345,5",
+        "wrong in sign",
+        "4 points of 18: 2 figures are right, 2 but for rounding",
+        "The first that differs is r3.omega: rounded early: r3.angle as 345,5.",
+        "The first mistake is r4.rate: wrong in sign.",
+        "No figures of this scene: x.y.",
+    ] {
+        let joined = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(joined.contains(piece.trim_end()), "{piece}\n{told}");
+    }
+    let turkish = done(&["grade", "slider-crank", shown(&notes), "--language", "tr"]);
+    assert!(
+        turkish.contains("erken yuvarlama: r3.angle = 345,5"),
+        "{turkish}"
+    );
+    let elsewhere = krank(&["grade", "slider-crank", shown(&notes), "--at", "40"]);
+    assert_eq!(elsewhere.code, 0);
+    assert!(
+        !elsewhere.out.contains("rounded early: r3.angle"),
+        "{}",
+        elsewhere.out
+    );
+}
+
+/// A class in a folder: every file finds its sheet, and what cannot be graded holds up nobody.
+#[test]
+fn a_class_is_a_table() {
+    let here = fresh("grade-class");
+    let class = here.join("class");
+    done(&[
+        "exercise",
+        "four-bar",
+        "--seed",
+        "1",
+        "--count",
+        "2",
+        "-o",
+        shown(&class),
+    ]);
+    let mut files = Vec::new();
+    for (seed, student) in [("1", "Ayse"), ("2", "=Ali")] {
+        let scene = class.join(format!("four-bar-{seed}.toml"));
+        let text = fs::read_to_string(&scene).unwrap();
+        let at = text
+            .lines()
+            .find_map(|line| line.strip_prefix("angle = "))
+            .unwrap();
+        let blank = fs::read_to_string(class.join(format!("four-bar-{seed}.csv"))).unwrap();
+        let blank = blank.replace("student,,", &format!("student,,{student}"));
+        let lines = blank.lines().map(|line| {
+            let figure = line.split(',').next().unwrap();
+            match figure.contains('.') && (seed == "1" || figure != "r4.angle") {
+                true => line.to_owned() + &exact(&scene, at, figure) + "\n",
+                false => line.to_owned() + "\n",
+            }
+        });
+        let file = here.join(format!("{student}.csv"));
+        fs::write(&file, lines.collect::<String>()).unwrap();
+        files.push(file);
+    }
+    let one = krank(&["grade", shown(&class), shown(&files[0])]);
+    assert_eq!((one.code, one.err.as_str()), (0, ""));
+    assert!(
+        one.out.contains("22 points of 22: 22 figures are right"),
+        "{}",
+        one.out
+    );
+    let args = [
+        "grade",
+        shown(&class),
+        shown(&files[0]),
+        shown(&files[1]),
+        "--format",
+        "csv",
+    ];
+    let csv = done(&args);
+    let table = rows(&csv);
+    let head = "student,sheet,figures,points,right,rounded,followed,sign,unit,assembly,wrong,empty,\
+        first,verdict,mistake,why,answer\n";
+    assert!(csv.starts_with(head), "{csv}");
+    assert_eq!(table[0][..5], ["Ayse", "four-bar-1.toml", "22", "22", "22"]);
+    // A spreadsheet must not run what a student calls himself.
+    assert_eq!(
+        table[1][..5],
+        ["'=Ali", "four-bar-2.toml", "22", "21", "21"]
+    );
+    assert_eq!(
+        table[1][11..],
+        ["1", "r4.angle", "empty", "r4.angle", "empty", ""]
+    );
+
+    let broken = here.join("broken.csv");
+    fs::write(&broken, "no answers").unwrap();
+    let outside = here.join("outside.csv");
+    fs::write(
+        &outside,
+        "sheet,,../class/four-bar-1.toml\nr3.angle,deg,1\n",
+    )
+    .unwrap();
+    let args = [
+        "grade",
+        shown(&class),
+        shown(&broken),
+        shown(&files[0]),
+        shown(&outside),
+    ];
+    let heard = krank(&args);
+    assert_eq!(heard.code, 2);
+    for piece in [
+        "broken.csv",
+        "../class/four-bar-1.toml",
+        "2 of 3 files were not graded",
+    ] {
+        assert!(heard.err.contains(piece), "{}", heard.err);
+    }
+    assert!(heard.out.contains("Ayse"), "{}", heard.out);
+    refused(2, &["grade", shown(&class), shown(&broken)]);
+    let other = krank(&["grade", "four-bar", shown(&files[0])]);
+    assert!(
+        other.code == 0 && other.err.contains("four-bar-1.toml"),
+        "{}",
+        other.err
+    );
+}
