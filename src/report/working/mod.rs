@@ -6,6 +6,7 @@
 //! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
 
 mod check;
+mod collected;
 mod coupled;
 mod draft;
 mod equations;

@@ -43,6 +43,15 @@ catalogue! {
             "Multiplied by {vector}, which removes {removed}:";
         multiplied_across(vector: &str, side: &str) =
             "Multiplied by {vector}, at right angles to {side}, which removes {side}:";
+        collected_by(one: &str, other: &str) =
+            "Multiplied by {one} and by {other}, multiplied out and collected, so that what is \
+             sought stands alone:";
+        collected_with_letters =
+            "Multiplied out and collected, so that what is sought stands alone:";
+        collected_with_numbers = "With their numbers:";
+        collected_equation(number: usize) = "the collected equations of loop {number}";
+        squared_and_added(lost: &str, kept: &str) =
+            "Both components squared and added, {lost} drops out; in {kept} alone:";
 
         // Positions.
         positions_by_groups = "Positions, group by group";

@@ -43,6 +43,13 @@ catalogue! {
             "{vector} ile çarpılır, {removed} gider:";
         multiplied_across(vector: &str, side: &str) =
             "{side} kenarına dik {vector} ile çarpılır, {side} gider:";
+        collected_by(one: &str, other: &str) =
+            "{one} ve {other} ile çarpılır, açılır ve toplanırsa bilinmeyenler yalnız kalır:";
+        collected_with_letters = "Açılır ve toplanırsa bilinmeyenler yalnız kalır:";
+        collected_with_numbers = "Sayılarıyla:";
+        collected_equation(number: usize) = "{number}. döngünün toplanmış denklemleri";
+        squared_and_added(lost: &str, kept: &str) =
+            "İki bileşenin kareleri toplanırsa {lost} düşer; yalnız {kept} ile:";
 
         // Positions.
         positions_by_groups = "Konumlar, grup grup";
