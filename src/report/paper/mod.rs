@@ -120,6 +120,10 @@ impl ReportedState<'_> {
                 page.blocks.extend(blocks);
                 self.diagrams(page);
             }
+            WorkingPart::Centres => {
+                page.blocks.extend(blocks);
+                self.centres(page);
+            }
             WorkingPart::Forces => {
                 page.blocks.extend(blocks);
                 self.forces(page);

@@ -37,12 +37,12 @@ struct Coefficient {
 struct CollectedTerm {
     negative: bool,
     coefficient: Option<usize>,
-    factors: Vec<Factor>,
+    factors: Vec<SoughtFactor>,
 }
 
 /// What is sought, or its sine or cosine.
 #[derive(Clone)]
-struct Factor {
+struct SoughtFactor {
     text: String,
     value: f64,
     /// How large it can be.
@@ -50,35 +50,35 @@ struct Factor {
 }
 
 /// What turns by an angle that is sought: along it and to its left.
-struct Arm {
+struct CollectedArm {
     theta: String,
     degrees: f64,
     along: Expression,
     left: Option<Expression>,
 }
 
-impl Arm {
-    fn sin(&self) -> Factor {
-        Factor::turning("sin", &self.theta, self.degrees.to_radians().sin())
+impl CollectedArm {
+    fn sin(&self) -> SoughtFactor {
+        SoughtFactor::turning("sin", &self.theta, self.degrees.to_radians().sin())
     }
 
-    fn cos(&self) -> Factor {
-        Factor::turning("cos", &self.theta, self.degrees.to_radians().cos())
+    fn cos(&self) -> SoughtFactor {
+        SoughtFactor::turning("cos", &self.theta, self.degrees.to_radians().cos())
     }
 }
 
-impl Factor {
-    fn turning(function: &str, theta: &str, value: f64) -> Factor {
-        Factor {
+impl SoughtFactor {
+    fn turning(function: &str, theta: &str, value: f64) -> SoughtFactor {
+        SoughtFactor {
             text: format!("{function}({theta})"),
             value,
             size: 1.0,
         }
     }
 
-    fn length(member: &LoopSide<'_>) -> Factor {
+    fn length(member: &LoopSide<'_>) -> SoughtFactor {
         let r = member.reading.r;
-        Factor {
+        SoughtFactor {
             text: member.side.name.clone(),
             value: r,
             size: r.abs(),
@@ -104,7 +104,7 @@ pub(super) fn collected(context: &Context<'_>, draft: &mut Draft, number: usize,
     }
     let of = &context.polygon.loops[number];
     let members = context.members(of, stage);
-    let loop_of = Collector {
+    let loop_of = LoopCollector {
         context,
         stage,
         members,
@@ -124,14 +124,14 @@ pub(super) fn collected(context: &Context<'_>, draft: &mut Draft, number: usize,
     }
 }
 
-struct Collector<'a> {
+struct LoopCollector<'a> {
     context: &'a Context<'a>,
     stage: &'a Stage,
     members: Vec<LoopSide<'a>>,
     terms: &'a [Term],
 }
 
-impl Collector<'_> {
+impl LoopCollector<'_> {
     fn figures(&self) -> Figures {
         self.context.figures
     }
@@ -213,10 +213,10 @@ impl Collector<'_> {
     }
 
     /// One side, or several that turn together.
-    fn arm(&self, arm: &[Term]) -> Arm {
+    fn arm(&self, arm: &[Term]) -> CollectedArm {
         let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
         if let [one] = &members[..] {
-            return Arm {
+            return CollectedArm {
                 theta: one.side.theta(),
                 degrees: one.reading.theta,
                 along: self.length(one),
@@ -238,7 +238,7 @@ impl Collector<'_> {
             });
             Expression::total(terms.collect::<Vec<_>>())
         };
-        Arm {
+        CollectedArm {
             along: part(Function::Cos).unwrap_or(Expression::Number(0.0)),
             left: part(Function::Sin),
             theta,
@@ -280,7 +280,7 @@ impl Collector<'_> {
         }
         for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
             let mut terms = Vec::new();
-            let mut push = |negative, coefficient: Option<usize>, factors: Vec<Factor>| {
+            let mut push = |negative, coefficient: Option<usize>, factors: Vec<SoughtFactor>| {
                 terms.extend(coefficient.map(|coefficient| CollectedTerm {
                     negative,
                     coefficient: Some(coefficient),
@@ -332,7 +332,7 @@ impl Collector<'_> {
         ];
         first.extend(across.map(|_| term(false, across, Vec::new())));
         let mut second = vec![
-            term(slide.reversed, None, vec![Factor::length(&slide)]),
+            term(slide.reversed, None, vec![SoughtFactor::length(&slide)]),
             term(false, a, vec![arm.cos()]),
             term(true, b, vec![arm.sin()]),
         ];
@@ -352,7 +352,7 @@ impl Collector<'_> {
         let mut into = Collection::default();
         let member = self.member(own);
         let theta = member.side.theta();
-        let turning = Arm {
+        let turning = CollectedArm {
             theta: theta.clone(),
             degrees: member.reading.theta,
             along: self.length(&member),
@@ -383,16 +383,17 @@ impl Collector<'_> {
         let mut second = vec![CollectedTerm {
             negative: member.reversed,
             coefficient: None,
-            factors: vec![Factor::length(&member)],
+            factors: vec![SoughtFactor::length(&member)],
         }];
-        let mut push = |into: usize, negative, coefficient: Option<usize>, factors: Vec<Factor>| {
-            let term = coefficient.map(|coefficient| CollectedTerm {
-                negative,
-                coefficient: Some(coefficient),
-                factors,
-            });
-            [&mut first, &mut second][into].extend(term);
-        };
+        let mut push =
+            |into: usize, negative, coefficient: Option<usize>, factors: Vec<SoughtFactor>| {
+                let term = coefficient.map(|coefficient| CollectedTerm {
+                    negative,
+                    coefficient: Some(coefficient),
+                    factors,
+                });
+                [&mut first, &mut second][into].extend(term);
+            };
         push(0, false, minus_x, vec![turning.sin()]);
         push(0, false, y, vec![turning.cos()]);
         push(0, false, across, Vec::new());
@@ -416,7 +417,7 @@ impl Collector<'_> {
             let mut terms = vec![CollectedTerm {
                 negative: false,
                 coefficient: Some(factor),
-                factors: vec![Factor::length(&own)],
+                factors: vec![SoughtFactor::length(&own)],
             }];
             terms.extend(rest.map(|rest| CollectedTerm {
                 negative: false,
@@ -447,8 +448,8 @@ impl Collector<'_> {
                     "cos" => member.reading.theta.to_radians().cos(),
                     _ => member.reading.theta.to_radians().sin(),
                 };
-                let turning = Factor::turning(function, &self.argument(member), part);
-                let stretching = Factor::length(member);
+                let turning = SoughtFactor::turning(function, &self.argument(member), part);
+                let stretching = SoughtFactor::length(member);
                 let (coefficient, factors, negative) = match member.sought {
                     [false, false] => continue,
                     [false, true] => {

@@ -34,6 +34,8 @@ catalogue! {
              tangential one.";
 
         // Forces, plots and facts.
+        centres_drawn =
+            "Instant centres, and the lines on which they lie; one that lies far away is not drawn.";
         forces_drawn = "Loads, and the forces that joints and guides bear.";
         plots_part = "Over the whole motion";
         positions_plotted = "Positions";

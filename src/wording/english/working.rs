@@ -146,6 +146,33 @@ catalogue! {
             "{point} along the guide of {slide} on {body}";
         of_under(symbol: &str, body: &str, point: &str) = "{symbol} of {body} under {point}";
 
+        // Instant centres.
+        instant_centres = "Instant centres";
+        instant_centre = "instant centre";
+        instant_centre_is =
+            "The instant centre of a link is the place of it that is at rest at this instant, against \
+             the frame: every other point of it has v = |ω| times its distance from there. By \
+             Kennedy's theorem the three centres of three links lie on one line.";
+        common_centres(joints: &str) =
+            "Two links that are pinned have their joint as common centre: {joints}.";
+        centre_of_link(centre: &str, link: &str) = "{centre} of {link}";
+        on_two_lines(centre: &str, one: &str, other: &str) =
+            "{centre} lies on {one}, at β, and on {other}, at γ:";
+        line_through(one: &str, other: &str) = "the line through {one} and {other}";
+        line_across(joint: &str) = "the line through {joint} at right angles to its path";
+        centre_by_velocity(centre: &str, point: &str, omega: &str) =
+            "No two lines are known that cross clearly at {centre}; by the velocity of {point} and {omega}:";
+        centre_of_guided(link: &str, direction: &str) =
+            "{link} does not turn: its centre lies at infinity, at right angles to its velocity, at \
+             {direction} deg and the other way.";
+        centre_far(link: &str, direction: &str) =
+            "As far as the digits tell, {link} does not turn at this instant: its centre lies at \
+             infinity, at right angles to its velocity, at {direction} deg and the other way.";
+        link_is_at_rest(link: &str) = "{link} is at rest at this instant: all of it is centre.";
+        centre_is_blurred(link: &str, digits: usize) =
+            "{link} hardly turns, and the centre lies far away: of it {digits} digits can be told:";
+        at_infinity = "at infinity";
+
         // The check.
         check_part = "Check";
         nothing_to_check = "Without an assembly there is nothing to check.";

@@ -31,6 +31,8 @@ catalogue! {
             "Ağırlık merkezlerinin ivmeleri, tek kutuptan, ölçekli; n merkezcil, t teğetsel parça.";
 
         // Forces, plots and facts.
+        centres_drawn =
+            "Ani dönme merkezleri ve üzerinde oldukları doğrular; çok uzakta olan çizilmez.";
         forces_drawn = "Yükler, mafsalların ve kılavuzların taşıdığı kuvvetler.";
         plots_part = "Bütün hareket boyunca";
         positions_plotted = "Konumlar";

@@ -141,6 +141,32 @@ catalogue! {
             "{point}, {slide} kılavuzu boyunca, {body} üzerinde";
         of_under(symbol: &str, body: &str, point: &str) = "{symbol}, {body} üzerinde, {point} altında";
 
+        // Instant centres.
+        instant_centres = "Ani dönme merkezleri";
+        instant_centre = "ani dönme merkezi";
+        instant_centre_is =
+            "Bir uzvun ani dönme merkezi, o anda şaseye göre duran yeridir: başka her noktasında \
+             v = |ω| çarpı merkeze uzaklık. Kennedy teoremine göre üç uzvun üç merkezi bir doğru \
+             üzerindedir.";
+        common_centres(joints: &str) =
+            "Mafsalla bağlı iki uzvun ortak merkezi mafsaldır: {joints}.";
+        centre_of_link(centre: &str, link: &str) = "{link} uzvunun {centre} merkezi";
+        on_two_lines(centre: &str, one: &str, other: &str) =
+            "{centre} iki doğrunun kesişimidir: {one}, β açısında, ve {other}, γ açısında:";
+        line_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğru";
+        line_across(joint: &str) = "{joint} noktasından geçip yoluna dik olan doğru";
+        centre_by_velocity(centre: &str, point: &str, omega: &str) =
+            "{centre} noktasında açıkça kesişen iki doğru bilinmiyor; {point} noktasının hızı ve {omega} ile:";
+        centre_of_guided(link: &str, direction: &str) =
+            "{link} dönmez: merkezi sonsuzdadır, hızına dik, {direction} deg ve ters yönünde.";
+        centre_far(link: &str, direction: &str) =
+            "Basamakların gösterdiği kadarıyla {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına \
+             dik, {direction} deg ve ters yönünde.";
+        link_is_at_rest(link: &str) = "{link} bu anda duruyor: her yeri merkezdir.";
+        centre_is_blurred(link: &str, digits: usize) =
+            "{link} neredeyse dönmüyor, merkezi çok uzakta: {digits} basamağı söylenebilir:";
+        at_infinity = "sonsuzda";
+
         // The check.
         check_part = "Sağlama";
         nothing_to_check = "Mekanizma kurulamadıkça sağlanacak bir şey yok.";
