@@ -16,7 +16,13 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
-    let report = Report::new(&scene, &solver, &state, usize::from(args.digits));
+    let report = Report::in_notation(
+        &scene,
+        &solver,
+        &state,
+        usize::from(args.digits),
+        args.notation,
+    );
     let path = args.output.output.as_deref();
     let of_file = || file(path).and_then(ReportFormat::of_ending);
     let format = args.format.or_else(of_file).unwrap_or_default();

@@ -162,7 +162,7 @@ fn check_gives_the_range_as_doubles_and_with_12_decimals() {
 #[test]
 fn check_tells_the_extremes_of_the_transmission_angle() {
     let text = done(&["check", "slider-crank"]);
-    let told = "mu         transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
+    let told = "angle      transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
                 \x20            90.0000 deg, at 0 deg\n";
     assert!(text.contains(told), "{text}");
     let facts = json(&done(&["check", "scotch-yoke", "--format", "json"]));

@@ -35,6 +35,7 @@ struct ReportedState<'a> {
     reach: Reach,
     loops: Vec<LoopVectors>,
     digits: usize,
+    notation: WorkingNotation,
 }
 
 impl Report {
@@ -42,6 +43,18 @@ impl Report {
     /// digits.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
+        Report::in_notation(scene, solver, state, digits, WorkingNotation::Lecture)
+    }
+
+    /// The same in a notation.
+    #[must_use]
+    pub fn in_notation(
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        digits: usize,
+        notation: WorkingNotation,
+    ) -> Report {
         let working = Working::new(scene, solver);
         let reported = ReportedState {
             loops: working.loop_vectors(scene, solver, state, digits),
@@ -51,6 +64,7 @@ impl Report {
             solver,
             state,
             digits,
+            notation,
         };
         Report {
             page: reported.page(),
@@ -75,7 +89,7 @@ impl ReportedState<'_> {
             self.solver,
             self.state,
             self.digits,
-            WorkingNotation::Lecture,
+            self.notation,
         );
         let mut written = std::mem::take(&mut page.blocks).into_iter();
         let begins = parts.iter().map(|(_, begin)| *begin);
@@ -96,7 +110,7 @@ impl ReportedState<'_> {
             WorkingPart::Opening => {
                 page.blocks.extend(blocks);
                 self.drawing(page);
-                definitions(page);
+                definitions(self.notation, page);
             }
             WorkingPart::Polygons => {
                 page.blocks.extend(blocks);
@@ -106,6 +120,8 @@ impl ReportedState<'_> {
             WorkingPart::PositionTable if !self.loops.is_empty() => {
                 page.blocks.extend(blocks.next());
                 self.asked(Order::Position, page);
+                // What stands below the table.
+                page.blocks.extend(blocks.skip(1));
             }
             WorkingPart::PositionTable | WorkingPart::Equations | WorkingPart::Check => {
                 page.blocks.extend(blocks)
@@ -158,18 +174,22 @@ impl ReportedState<'_> {
 }
 
 /// The unit vectors, as the lecture defines them.
-fn definitions(page: &mut Page) {
-    page.text(words().unit_vectors_are());
+fn definitions(notation: WorkingNotation, page: &mut Page) {
+    let (along, across) = (notation.along("θ"), notation.across("θ"));
+    page.text(words().unit_vectors_are(&along, &across));
+    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
+    let rate = |of: &str| format!("d{of}/dt");
     for sides in [
-        ["μ(θ)", "cos(θ) i + sin(θ) j"],
-        ["ν(θ)", "-sin(θ) i + cos(θ) j"],
-        ["dμ/dt", "ω ν(θ)"],
-        ["dν/dt", "-ω μ(θ)"],
+        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
+        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
+        [rate(u), format!("ω {across}")],
+        [rate(n), format!("-ω {along}")],
     ] {
         page.equation(sides);
     }
-    page.equation(["μ(a)·μ(b)", "ν(a)·ν(b)", "cos(a - b)"]);
-    page.equation(["μ(a)·ν(b)", "sin(a - b)"]);
+    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
+    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
+    page.equation([product(u, n), "sin(a - b)".into()]);
 }
 
 /// A picture behind what leads to it.

@@ -5,6 +5,7 @@
 //! points by their parts, and the check. What is known at a step is read from the solver's state; what is
 //! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
 
+mod by_coordinates;
 mod centres;
 mod check;
 mod collected;

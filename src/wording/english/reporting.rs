@@ -8,8 +8,8 @@ catalogue! {
         language_tag = "en";
 
         // How it begins.
-        unit_vectors_are =
-            "With the unit vectors μ(θ) along an angle and ν(θ) at right angles to it, to its left:";
+        unit_vectors_are(along: &str, across: &str) =
+            "With the unit vectors {along} along an angle and {across} at right angles to it, to its left:";
 
         // Vector polygons and their tables.
         polygon_drawn(sum: &str) =
@@ -61,6 +61,10 @@ filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
 pole, to scale; forces where anything acts; plots over the whole motion; and
 what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
+
+        notation_of_working = "What unit vectors are called";
+        notation_lecture = "μ and ν, as the lectures write them";
+        notation_krank = "u and n";
 
         // In the workbench.
         report = "report";

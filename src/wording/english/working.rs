@@ -36,6 +36,8 @@ catalogue! {
         column_ends = "from, to";
         column_is(symbol: &str) = "{symbol} is";
         is_sought = "sought";
+        vectors_by_coordinates =
+            "Vectors between points that are given by coordinates, from these in the frame of their body:";
 
         // Loop equations.
         loop_equations = "Loop equations";
@@ -86,8 +88,9 @@ catalogue! {
              come here.";
 
         // Guides.
-        quadratic_in(arm: &str, sum: &str, theta: &str, name: &str) =
-            "With K the sum of the known sides, {arm} = |{sum}|, u at {theta}: a quadratic in {name}.";
+        quadratic_in(arm: &str, sum: &str, name: &str) =
+            "With K the sum of the known sides the loop asks that {arm} = |{sum}|; squared, this is a \
+             quadratic equation for {name}.";
         either_or(one: &str, other: &str) = "{one} or {other}";
         by_the_assembly = "By the assembly:";
         angle_of_minus(what: &str) = "angle of -({what})";

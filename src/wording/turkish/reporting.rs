@@ -8,8 +8,8 @@ catalogue! {
         language_tag = "tr";
 
         // How it begins.
-        unit_vectors_are =
-            "Birim vektörler: açı boyunca μ(θ), ona dik, soluna ν(θ):";
+        unit_vectors_are(along: &str, across: &str) =
+            "Birim vektörler: açı boyunca {along}, ona dik, soluna {across}:";
 
         // Vector polygons and their tables.
         polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; bilinmeyeni olan kesikli, açılar kuyruklarda.";
@@ -58,6 +58,10 @@ nu birim vektörleriyle `krank explain` çözümü; mafsalların ve ağırlık
 merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; bir şey etki ediyorsa
 kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
 .tex, .md ya da .txt uzantısı biçimi seçer.";
+
+        notation_of_working = "Birim vektörlerin adları";
+        notation_lecture = "Ders notlarındaki gibi μ ve ν";
+        notation_krank = "u ve n";
 
         // In the workbench.
         report = "rapor";

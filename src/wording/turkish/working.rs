@@ -36,6 +36,8 @@ catalogue! {
         column_ends = "uçlar";
         column_is(symbol: &str) = "{symbol} nedir";
         is_sought = "bilinmeyen";
+        vectors_by_coordinates =
+            "Koordinatlarla verilen noktalar arasındaki vektörler, uzvun kendi takımındaki koordinatlardan:";
 
         // Loop equations.
         loop_equations = "Vektörel konum denklemleri";
@@ -81,8 +83,9 @@ catalogue! {
             "Bu üçgen kapanırdı, ama sahnenin montaj biçiminden başlayan hareket buraya gelmez.";
 
         // Guides.
-        quadratic_in(arm: &str, sum: &str, theta: &str, name: &str) =
-            "K bilinen kenarların toplamı, {arm} = |{sum}|, u açısı {theta}: {name} için ikinci derece denklem.";
+        quadratic_in(arm: &str, sum: &str, name: &str) =
+            "K bilinen kenarların toplamı olunca döngüden {arm} = |{sum}|; karesi {name} için ikinci \
+             derece denklemdir.";
         either_or(one: &str, other: &str) = "{one} ya da {other}";
         by_the_assembly = "Montaj biçimine göre:";
         angle_of_minus(what: &str) = "-({what}) açısı";
