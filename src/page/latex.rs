@@ -220,6 +220,7 @@ fn one(piece: &MathPiece) -> String {
         MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
         MathPiece::Power(raised) => format!("^{{{raised}}}"),
         MathPiece::Sign('·') => "\\cdot ".into(),
+        MathPiece::Sign(',') => ",\\penalty900 ".into(),
         MathPiece::Sign('/') => "/\\penalty900 ".into(),
         MathPiece::Sign(sign) if "+-=()[]|/,<>".contains(*sign) => sign.to_string(),
         MathPiece::Sign(sign) => format!("\\text{{{}}}", escaped(&sign.to_string())),

@@ -192,8 +192,8 @@ fn a_near_miss_of_a_change_point_is_noted() {
     for args in [&["table", "-"][..], &["sweep", "-", "--to", "5"]] {
         let heard = run(command(args).write_stdin(scene.as_str()));
         assert_eq!(heard.code, 0, "{}", heard.err);
-        let note = "note: all but a change point or a dead point at 0 deg: sin mu = 0.000365 at C; \
-                    the motion keeps its assembly\n";
+        let note = "note: all but a change point or a dead point at 0 deg: the sine of the \
+                    transmission angle at C is 0.000365; the motion keeps its assembly\n";
         assert!(heard.err.starts_with(note), "{}", heard.err);
         assert_eq!(heard.err.lines().count(), 2, "at 0 and 180: {}", heard.err);
     }

@@ -53,13 +53,13 @@ catalogue! {
 Examples:
   krank report four-bar --at 60 -o four-bar.html
   krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
-  krank report press --format markdown
+  krank report press --format markdown --notation krank
 
 The drawing; the vector polygon of every loop to scale; position, velocity and
 acceleration tables with a column per vector, empty (theta3 = ?) and then
 filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
-pole, to scale; forces where anything acts; plots over the whole motion; and
+pole, to scale; instant centres; forces where anything acts; plots over the whole motion; and
 what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
 
         notation_of_working = "What unit vectors are called";

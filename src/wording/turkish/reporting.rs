@@ -50,13 +50,13 @@ catalogue! {
 Örnekler:
   krank report four-bar --at 60 -o four-bar.html
   krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
-  krank report press --format markdown
+  krank report press --format markdown --notation krank
 
 Çizim; her döngünün ölçekli vektörel poligonu; her vektöre bir sütunla konum,
 hız ve ivme tabloları, önce boş (theta3 = ?), sonra dolu; ders notlarının mu ve
 nu birim vektörleriyle `krank explain` çözümü; mafsalların ve ağırlık
-merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; bir şey etki ediyorsa
-kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
+merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bir
+şey etki ediyorsa kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
 .tex, .md ya da .txt uzantısı biçimi seçer.";
 
         notation_of_working = "Birim vektörlerin adları";
