@@ -63,7 +63,7 @@ pole, to scale; instant centres; forces where anything acts; plots over the whol
 what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
 
         notation_of_working = "What unit vectors are called";
-        notation_lecture = "μ and ν, as the lectures write them";
+        notation_lecture = "mu and nu, as the lectures write them";
         notation_krank = "u and n";
 
         // In the workbench.

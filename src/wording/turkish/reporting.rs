@@ -60,7 +60,7 @@ merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bi
 .tex, .md ya da .txt uzantısı biçimi seçer.";
 
         notation_of_working = "Birim vektörlerin adları";
-        notation_lecture = "Ders notlarındaki gibi μ ve ν";
+        notation_lecture = "Ders notlarındaki gibi mu ve nu";
         notation_krank = "u ve n";
 
         // In the workbench.
