@@ -25,7 +25,7 @@ pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Fail
     let working = Working::new(&scene, &solver);
     let (method, digits) = (args.method.method(), usize::from(args.digits));
     let stand = (&scene, &solver, state.state());
-    let worked = working.by(method, stand, &args.guess, digits);
+    let worked = working.by(method, stand, &args.guess, digits, args.notation);
     let WorkedMethod { mut page, curves } =
         worked.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
     if !curves.is_empty() {

@@ -24,7 +24,7 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     let condition = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
     let digits = usize::from(args.digits);
-    let mut report = Report::new(&scene, &solver, &state, digits);
+    let mut report = Report::in_notation(&scene, &solver, &state, digits, args.notation);
     if let Some(file) = &args.against {
         report.add_beside(&foreign(file)?, (&scene, &solver, state.state()), digits);
     }

@@ -102,6 +102,21 @@ impl Reach {
         reach
     }
 
+    /// The same with room for what is drawn at some places while the driver stands at `at`.
+    #[must_use]
+    pub fn with_places(&self, at: f64, places: impl IntoIterator<Item = Vec2>) -> Reach {
+        let mut room = Bounds::default();
+        let mut count = 0;
+        for place in places {
+            room.include(place);
+            count += 1;
+        }
+        match count {
+            0 => self.clone(),
+            _ => self.with_arrows(&[(at, room)]),
+        }
+    }
+
     /// The same with room for another scene where its driver stands as this one's does; `scale` is how many of this
     /// one's units one of the other's is, of length and, where they are pushed, of their drivers.
     #[must_use]

@@ -128,7 +128,7 @@ fn facts(facts: &Facts) -> String {
 }
 
 fn columns(table: &Table) -> String {
-    let heads = table.heads.iter().map(|head| marked_up(&head.whole()));
+    let heads = table.heads.iter().map(|head| name_of(&head.whole()));
     let heads: String = heads.map(|head| format!("<th>{head}</th>")).collect();
     let title = marked_up(&table.title);
     let mut text = format!(
@@ -137,7 +137,7 @@ fn columns(table: &Table) -> String {
     let count = table.heads.len();
     for row in &table.rows {
         let (mark, name) = row.label(true);
-        let name = marked_up(format!("{mark} {}", name.trim()).trim());
+        let name = name_of(format!("{mark} {}", name.trim()).trim());
         let cells = match row {
             Row::Part(_) => "<td></td>".repeat(count),
             Row::Told { words, .. } => {
@@ -155,6 +155,14 @@ fn columns(table: &Table) -> String {
         let _ = writeln!(text, "<tr><th>{name}</th>{cells}</tr>");
     }
     text + "</tbody></table></div>\n"
+}
+
+/// The name of a row or of a column; a rate is spelled as in the formulas.
+fn name_of(text: &str) -> String {
+    match text.contains("/dt") {
+        true => formula(text),
+        false => marked_up(text),
+    }
 }
 
 /// A cell; one with a symbol of its own is a formula, and what was found or is sought.
@@ -208,6 +216,11 @@ mod tests {
             "\u{2212}<i>r</i><sub>2</sub> <i>ω</i><sub>2</sub><sup>2</sup> cos(<i>θ</i><sub>2</sub>)"
         );
         assert_eq!(formula("5.7e-14 mm"), "5.7·10<sup>\u{2212}14</sup> mm");
+        assert_eq!(
+            name_of("dr/dt [mm/s]"),
+            "<i>r\u{307}</i> [mm/s]",
+            "as in the formulas"
+        );
         assert_eq!(formula("dr4/dt"), "<i>r\u{307}</i><sub>4</sub>");
         assert_eq!(formula("a < b"), "<i>a</i> &lt; <i>b</i>");
     }

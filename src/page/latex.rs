@@ -24,7 +24,7 @@ const HEAD: &str = "\
 ";
 
 /// Characters to a line of the paper; a table of more is made smaller.
-const LINE: usize = 84;
+const LINE: usize = 76;
 
 impl Page {
     /// The page as a LaTeX document.
@@ -155,6 +155,10 @@ fn cell(text: &str) -> String {
     let negative = text
         .strip_prefix('-')
         .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    // A rate is spelled as in the formulas.
+    if text.contains("/dt") && !text.contains(" = ") {
+        return format!("\\({}\\)", formula(text));
+    }
     match (text.contains(" = "), negative) {
         (true, _) => format!("\\boldmath\\({}\\)", formula(text)),
         (false, Some(size)) => format!("\\(-\\){}", escaped(size)),
@@ -216,6 +220,8 @@ fn one(piece: &MathPiece) -> String {
         MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
         MathPiece::Power(raised) => format!("^{{{raised}}}"),
         MathPiece::Sign('·') => "\\cdot ".into(),
+        MathPiece::Sign(',') => ",\\penalty900 ".into(),
+        MathPiece::Sign('/') => "/\\penalty900 ".into(),
         MathPiece::Sign(sign) if "+-=()[]|/,<>".contains(*sign) => sign.to_string(),
         MathPiece::Sign(sign) => format!("\\text{{{}}}", escaped(&sign.to_string())),
         MathPiece::Blank => String::new(),
@@ -232,11 +238,12 @@ fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str
             || matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
     };
     if is_word(before) || is_word(behind) {
-        "\\ "
+        "\\ \\penalty900 "
     } else if is_sign(before) || is_sign(behind) {
         " "
     } else {
-        "\\,"
+        // A product that is longer than a line is broken between its factors, rather than nowhere.
+        "\\,\\penalty900 "
     }
 }
 
@@ -302,11 +309,11 @@ mod tests {
     fn formulas_become_mathematics() {
         assert_eq!(
             formula("-r2 ω2^2 cos(θ2)"),
-            "-r_{\\text{2}}\\,\\omega _{\\text{2}}^{2}\\,\\cos (\\theta _{\\text{2}})"
+            "-r_{\\text{2}}\\,\\penalty900 \\omega _{\\text{2}}^{2}\\,\\penalty900 \\cos (\\theta _{\\text{2}})"
         );
         assert_eq!(
             formula("sqrt(m^2 + (2)) mm"),
-            "\\sqrt{m^{2} + (2)}\\ \\text{mm}"
+            "\\sqrt{m^{2} + (2)}\\ \\penalty900 \\text{mm}"
         );
         assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
         assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");

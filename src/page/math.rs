@@ -126,8 +126,8 @@ fn named(name: &str, order: usize) -> MathPiece {
         let digits = text.trim_end_matches('\'');
         !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
     };
-    let of_point =
-        name.starts_with(['v', 'a']) && rest.starts_with(|c: char| c.is_ascii_uppercase());
+    let of_point = name.starts_with(['v', 'a', 'x', 'y'])
+        && rest.starts_with(|c: char| c.is_ascii_uppercase());
     let (letter, index) = match name.split_once('_') {
         Some((letter, index)) if !letter.is_empty() => (letter.into(), index.replace('_', " ")),
         _ if !name.is_ascii() || is_number(rest) || of_point || COMPONENTS.contains(&name) => {
@@ -189,6 +189,7 @@ mod tests {
             ("α_ram", "α", "ram"),
             ("aB", "a", "B"),
             ("aBt", "a", "Bt"),
+            ("xB", "x", "B"),
             ("a_r3.com_t", "a", "r3.com t"),
             ("mx", "m", "x"),
             ("deg", "deg", ""),

@@ -74,8 +74,8 @@ impl Check {
             words().fact_near_miss(),
             self.near_misses.iter().map(|m| m.text(unit)),
         );
-        let mu = self.transmission.iter().map(|t| mu_text(t, unit));
-        facts.tell(words().fact_mu(), mu);
+        let angles = self.transmission.iter().map(|t| transmission_text(t, unit));
+        facts.tell(words().fact_transmission(), angles);
         facts.tell(words().fact_forces(), self.acting_text());
         if !self.indeterminate.is_empty() {
             facts.tell(words().fact_open(), [self.open_text()]);
@@ -250,7 +250,7 @@ fn joint_text(joint: &JointFacts) -> String {
 }
 
 /// The transmission angle of a dyad: smallest and largest, or what it always is.
-fn mu_text(facts: &TransmissionFacts, unit: &str) -> String {
+fn transmission_text(facts: &TransmissionFacts, unit: &str) -> String {
     let TransmissionFacts {
         group,
         smallest,
@@ -260,10 +260,10 @@ fn mu_text(facts: &TransmissionFacts, unit: &str) -> String {
     let angle = |angle: f64| format!("{angle:.MU_DECIMALS$}");
     let (least, most) = (angle(smallest.angle), angle(largest.angle));
     if least == most {
-        return words().mu_throughout(group, &least);
+        return words().transmission_throughout(group, &least);
     }
     let [at_least, at_most] = [smallest.at, largest.at].map(place);
-    words().mu_between(group, [&least, &at_least, &most, &at_most], unit)
+    words().transmission_between(group, [&least, &at_least, &most, &at_most], unit)
 }
 
 /// Where an extreme stands, as a reader looks for it: the limits have their digits elsewhere.

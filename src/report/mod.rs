@@ -70,8 +70,8 @@ pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, Vecto
 pub use tables_page::TableStyle;
 pub use verdict::{Verdict, VerdictPart};
 pub use working::{
-    Agreement, Guess, GuessError, LoopVector, LoopVectors, PointMotion, PointParts, PositionMethod,
-    VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
+    Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
+    PositionMethod, VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
 pub(crate) use {forces::effort_word, forces_page::missed, number::shortest, number::upwards};

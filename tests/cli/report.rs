@@ -37,7 +37,7 @@ fn as_text_it_is_what_a_plain_terminal_shows() {
     for piece in [
         "theta3 = ?",
         "mu(theta) = cos(theta) i + sin(theta) j",
-        "\n10 Over the",
+        "\n11 Over the",
     ] {
         assert!(text.contains(piece), "{piece}\n{text}");
     }
@@ -184,4 +184,108 @@ fn a_course_stands_beside_krank_s() {
     assert_eq!(off[6], "1", "{text}");
     // A turn more is the same direction.
     assert_eq!(row(&text, "r3.angle")[6], "0", "{text}");
+}
+
+/// One document has one way to write unit vectors, and defines it.
+#[test]
+fn the_notation_is_as_asked() {
+    let of = |command: &str, notation: &str| {
+        let format = ["--format", "text"];
+        done(&[&[command, "four-bar", "--notation", notation], &format[..]].concat())
+    };
+    for command in ["explain", "report"] {
+        let [lecture, own] = ["lecture", "krank"].map(|notation| of(command, notation));
+        for (text, has, has_not) in [
+            (
+                &lecture,
+                ["mu(theta4)", "nu(theta3)"],
+                [" u(theta", " n(theta"],
+            ),
+            (&own, ["u(theta4)", "n(theta3)"], [" mu(theta", " nu(theta"]),
+        ] {
+            for piece in has {
+                assert!(
+                    text.contains(&format!(" {piece}")),
+                    "{command}: {piece}\n{text}"
+                );
+            }
+            for piece in has_not {
+                assert!(!text.contains(piece), "{command}: {piece}\n{text}");
+            }
+        }
+    }
+    assert_eq!(done(&["explain", "four-bar"]), of("explain", "krank"));
+    assert_eq!(
+        done(&["report", "four-bar", "--format", "text"]),
+        of("report", "lecture")
+    );
+    assert!(of("report", "krank").contains("dn/dt = -omega u(theta)"));
+    // Mu is the unit vector alone.
+    assert!(!of("report", "lecture").contains("sin mu"));
+    assert!(refused(2, &["explain", "four-bar", "--notation", "greek"]).contains("lecture"));
+}
+
+/// What the notes print stands in the report of either language, to its nine digits.
+#[test]
+fn the_figures_of_the_notes_stand_in_both_languages() {
+    let figures = [
+        (
+            "four-bar",
+            &[
+                "360.555128",
+                "13.8978862",
+                "43.2773340",
+                "55.3495925",
+                "29.3794478",
+                "290.752521",
+                "-3.91641273",
+                "3.09107322",
+                "42.2670183",
+                "95.5036084",
+                "23875.9021",
+                "2388.68341",
+                "23995.0934",
+                "206.465712",
+                "84.2868095",
+                "22260.2239",
+                "222.677773",
+                "11997.5467",
+            ][..],
+        ),
+        (
+            "slider-crank",
+            &[
+                "28.0251708",
+                "-14.4775122",
+                "345.522488",
+                "-89.4427191",
+                "-1447.21360",
+                "8262.36447",
+                "-460017.673",
+            ],
+        ),
+    ];
+    for (scene, figures) in figures {
+        for language in ["en", "tr"] {
+            let text = done(&[
+                "report",
+                scene,
+                "--format",
+                "text",
+                "--digits",
+                "9",
+                "--language",
+                language,
+            ]);
+            for figure in figures {
+                assert!(
+                    text.contains(figure),
+                    "{scene} in {language}: {figure}\n{text}"
+                );
+            }
+            for piece in ["  A = ", "  B = ", " = 0\n", "I_r3"] {
+                assert!(text.contains(piece), "{scene} in {language}: {piece}");
+            }
+        }
+    }
 }

@@ -180,7 +180,7 @@ fn check_gives_the_range_as_doubles_and_with_12_decimals() {
 #[test]
 fn check_tells_the_extremes_of_the_transmission_angle() {
     let text = done(&["check", "slider-crank"]);
-    let told = "mu         transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
+    let told = "angle      transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
                 \x20            90.0000 deg, at 0 deg\n";
     assert!(text.contains(told), "{text}");
     let facts = json(&done(&["check", "scotch-yoke", "--format", "json"]));
@@ -210,8 +210,8 @@ fn a_near_miss_of_a_change_point_is_noted() {
     for args in [&["table", "-"][..], &["sweep", "-", "--to", "5"]] {
         let heard = run(command(args).write_stdin(scene.as_str()));
         assert_eq!(heard.code, 0, "{}", heard.err);
-        let note = "note: all but a change point or a dead point at 0 deg: sin mu = 0.000365 at C; \
-                    the motion keeps its assembly\n";
+        let note = "note: all but a change point or a dead point at 0 deg: the sine of the \
+                    transmission angle at C is 0.000365; the motion keeps its assembly\n";
         assert!(heard.err.starts_with(note), "{}", heard.err);
         assert_eq!(heard.err.lines().count(), 2, "at 0 and 180: {}", heard.err);
     }

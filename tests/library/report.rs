@@ -97,6 +97,11 @@ fn every_figure_of_the_lecture_stands_in_it() {
         "μ(θ) = cos(θ) i + sin(θ) j",
         "Multiplied by ν(θ3)",
         "Multiplied by μ(θ4)",
+        "A sin(θ4) + B cos(θ4) + C sin(θ3) cos(θ4) - C cos(θ3) sin(θ4) = 0",
+        "A = -r1 cos(θ1) - r2 cos(θ2) = 400 - 50.0000000 = 350.000000 mm",
+        "ω3 = -r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))",
+        "θ_aC = θ4 - β = 290.752521 - 84.2868095 = 206.465712 deg",
+        "x = xB + t cos(β)",
     ] {
         assert!(text.contains(piece), "{piece}");
     }

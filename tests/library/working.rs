@@ -204,6 +204,68 @@ fn every_figure_that_is_worked_out_is_the_solvers() {
     }
 }
 
+/// Where a link stops turning its instant centre goes through infinity: on the way there and at that place the
+/// working stays true, and says of the centre what can be said.
+#[test]
+fn centres_go_through_infinity() {
+    let mut met = 0;
+    for (name, mut bench) in benches() {
+        let links: Vec<_> = bench.scene.mechanism.link_ids().collect();
+        let (low, high) = bench.solver.motion().range.ends();
+        for link in links {
+            let omega = |bench: &mut Bench, at: f64| {
+                let condition = bench.solver.solve(at, Order::Force, &mut bench.state);
+                (condition == Condition::Ok).then(|| bench.state.omega(link).unwrap())
+            };
+            let places: Vec<f64> = (0..=60)
+                .map(|k| low + (high - low) * f64::from(k) / 60.0 + 0.003)
+                .collect();
+            for pair in places.windows(2) {
+                let [mut from, mut to] = [pair[0], pair[1]];
+                let ends = [omega(&mut bench, from), omega(&mut bench, to)];
+                let [Some(begin), Some(end)] = ends else {
+                    continue;
+                };
+                if begin * end >= 0.0 {
+                    continue;
+                }
+                for _ in 0..60 {
+                    let middle = (from + to) / 2.0;
+                    match omega(&mut bench, middle) {
+                        Some(w) if w * begin > 0.0 => from = middle,
+                        _ => to = middle,
+                    }
+                }
+                // Where the whole link stops there is no centre to be found, and nothing but rounding left to compare.
+                let members = bench.scene.mechanism.link(link).members.iter();
+                let speed = |point| bench.state.velocity(point).unwrap().norm();
+                if members.map(|m| speed(m.point)).fold(0.0, f64::max) < 1e-6 {
+                    continue;
+                }
+                for off in [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3, 0.1] {
+                    let worked = bench.at(from - off, 6);
+                    for agreement in &worked.agreements {
+                        let part = agreement.part();
+                        let at = from - off;
+                        assert!(part <= ROUNDING, "{name} at {at}: {agreement:?}: {part:e}");
+                    }
+                    let text = text(&worked);
+                    assert!(!text.contains("NaN") && !text.contains("inf "), "{text}");
+                }
+                met += 1;
+            }
+        }
+    }
+    assert!(met > 20, "{met}");
+}
+
+/// As a student finds it: where the crank's line and the rocker's cross, and the coupler turns about that.
+#[test]
+fn the_four_bars_instant_centre_reads_so() {
+    let text = text(&Bench::of("four-bar").at(60.0, 6));
+    insta::assert_snapshot!("working-centres", part(&text, "8 Instant", "9 Check"));
+}
+
 // ---- complete, finite, plain
 
 #[test]
@@ -556,7 +618,7 @@ fn a_coupled_group_reads_so() {
 #[test]
 fn the_free_body_of_a_loaded_link_reads_so() {
     let text = text(&Bench::of("four-bar-load").at(60.0, 6));
-    insta::assert_snapshot!("working-forces", part(&text, "8 Forces", "8.2 Link"));
+    insta::assert_snapshot!("working-forces", part(&text, "9 Forces", "9.2 Link"));
 }
 
 // ---- states with a name

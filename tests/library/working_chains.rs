@@ -93,9 +93,9 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Counts the chains of points and forces, each of which must be true to its printed digits.
+/// Counts the chains of rates, points and forces, each of which must be true to its printed digits.
 fn hold(page: &Page, context: &str) -> usize {
-    let begins = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("7 "));
+    let begins = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("5 "));
     let ends = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.ends_with("Check"));
     let blocks = page.blocks.iter().skip_while(|b| !begins(b));
     let mut count = 0;
@@ -104,6 +104,10 @@ fn hold(page: &Page, context: &str) -> usize {
             continue;
         };
         for equation in equations {
+            // An equation with unknowns is not a chain of figures.
+            if equation.sides.last().is_some_and(|side| side == "0") {
+                continue;
+            }
             let sides = equation.sides.iter();
             let values: Vec<(f64, f64)> = sides.filter_map(|side| Reader::side(side)).collect();
             for pair in values.windows(2) {

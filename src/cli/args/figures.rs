@@ -1,7 +1,7 @@
 //! Figures: at one place, row by row, and how exact they are.
 
 use super::{AssemblyArgs, CsvArgs, OutputArgs, PlaceArgs, SceneArgs};
-use crate::report::{Guess, PositionMethod, WrittenDecimal};
+use crate::report::{Guess, PositionMethod, WorkingNotation, WrittenDecimal};
 use crate::study::USUAL_POSITIONS;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
@@ -97,6 +97,9 @@ pub(in crate::cli) struct ExplainArgs {
     #[arg(help = words().guess_of_vectors())]
     #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',')]
     pub(in crate::cli) guess: Vec<Guess>,
+    #[arg(help = words().notation_of_working())]
+    #[arg(long, value_enum, default_value_t = WorkingNotation::Krank)]
+    pub(in crate::cli) notation: WorkingNotation,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = TextFormat::Text)]
     pub(in crate::cli) format: TextFormat,

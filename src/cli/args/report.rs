@@ -1,7 +1,7 @@
 //! The report.
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
-use crate::report::ReportFormat;
+use crate::report::{ReportFormat, WorkingNotation};
 use crate::wording::words;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum, ValueHint};
@@ -13,6 +13,9 @@ pub(in crate::cli) struct ReportArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
+    #[arg(help = words().notation_of_working())]
+    #[arg(long, value_enum, default_value_t = WorkingNotation::Lecture)]
+    pub(in crate::cli) notation: WorkingNotation,
     #[arg(help = words().format_of_report())]
     #[arg(long, value_enum)]
     pub(in crate::cli) format: Option<ReportFormat>,
@@ -40,5 +43,21 @@ impl ValueEnum for ReportFormat {
             ReportFormat::Text => words().format_plain(),
         };
         Some(PossibleValue::new(self.name()).help(about))
+    }
+}
+
+/// How the working calls unit vectors.
+impl ValueEnum for WorkingNotation {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[WorkingNotation::Lecture, WorkingNotation::Krank]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            WorkingNotation::Lecture => {
+                PossibleValue::new("lecture").help(words().notation_lecture())
+            }
+            WorkingNotation::Krank => PossibleValue::new("krank").help(words().notation_krank()),
+        })
     }
 }

@@ -1,13 +1,13 @@
 //! The linkage as it stands, and with the forces that act.
 
 use super::{ReportedState, picture};
-use crate::LinkId;
 use crate::drawing::{
-    self, Glyphs, Labels, Layers, Overlay, Wanted, WorldView, legend_lines, render,
+    self, Glyphs, Labels, Layers, Overlay, Role, Shape, Wanted, WorldView, legend_lines, render,
 };
 use crate::page::{Block, Content, Illustration, Page};
 use crate::quantity::Catalogue;
 use crate::wording::words;
+use crate::{LinkId, Vec2};
 use std::sync::Arc;
 
 /// Columns of a picture on paper and in characters, rows at most, and the height of a cell for its width.
@@ -18,6 +18,8 @@ const FREE_CHARACTERS: (u16, u16) = (76, 20);
 const ASPECT: f64 = 2.0;
 /// Each link is drawn by itself, up to this many.
 const MOST_CUT_FREE: usize = 12;
+/// An instant centre further from the middle than this, in parts of the linkage's size, would leave it no room.
+const NEAR: f64 = 1.5;
 
 impl ReportedState<'_> {
     /// The linkage in its state.
@@ -25,7 +27,7 @@ impl ReportedState<'_> {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
         let caption = words().drawing_of(&self.scene.title(), &self.state.at(), unit);
-        self.show(&Wanted::default(), caption, page);
+        self.show(&Wanted::default(), &[], caption, page);
     }
 
     /// What is worked out of forces, with the linkage and all that acts on it, and each link cut free where its
@@ -63,7 +65,7 @@ impl ReportedState<'_> {
                 forces: true,
                 ..Wanted::default()
             };
-            self.show(&wanted, words().forces_drawn().to_owned(), page);
+            self.show(&wanted, &[], words().forces_drawn().to_owned(), page);
         }
     }
 
@@ -92,10 +94,50 @@ impl ReportedState<'_> {
         true
     }
 
-    fn show(&self, wanted: &Wanted, caption: String, page: &mut Page) {
+    /// The same with the instant centres of links that have no pivot, and their lines.
+    pub(super) fn centres(&self, page: &mut Page) {
+        let all = self
+            .working
+            .instant_centres(self.scene, self.solver, self.state);
+        let room = self.reach.bounds();
+        let (middle, size) = ((room.low + room.high) * 0.5, (room.high - room.low).norm());
+        let is_near = |at: Vec2| (at - middle).norm() <= NEAR * size;
+        let mut drawn = Vec::new();
+        for centre in &all {
+            let near = centre.at.filter(|&at| is_near(at));
+            if let (Some(at), false) = (near, centre.lines.is_empty()) {
+                drawn.extend(centre.lines.iter().map(|&from| Shape::Line {
+                    from,
+                    to: at,
+                    role: Role::Echo,
+                }));
+                drawn.push(Shape::Mark {
+                    at,
+                    role: Role::Rider,
+                });
+                drawn.push(Shape::Label {
+                    at,
+                    text: centre.symbol.clone(),
+                    role: Role::Label,
+                });
+            }
+        }
+        if !drawn.is_empty() {
+            let caption = words().centres_drawn().to_owned();
+            self.show(&Wanted::default(), &drawn, caption, page);
+        }
+    }
+
+    /// The linkage with what is wanted of its motion, and with further shapes.
+    fn show(&self, wanted: &Wanted, more: &[Shape], caption: String, page: &mut Page) {
         let overlay = Overlay::of(self.scene, self.solver, &self.reach, wanted);
         let reach = overlay.reach(&self.reach);
         let reach = reach.as_ref().unwrap_or(&self.reach);
+        let places = more.iter().filter_map(|shape| match shape {
+            Shape::Mark { at, .. } => Some(*at),
+            _ => None,
+        });
+        let reach = &reach.with_places(self.state.at(), places);
         let layers = Layers {
             links: true,
             centres: true,
@@ -103,6 +145,7 @@ impl ReportedState<'_> {
         };
         let mut figure = drawing::linkage(self.scene, &self.reach, self.state, layers);
         overlay.add_to(&mut figure, self.scene, self.solver, self.state, 1.0);
+        more.iter().for_each(|shape| figure.add(shape.clone()));
         let view = |(cols, most): (u16, u16)| {
             let of_rows = |rows| WorldView::pose(reach, self.state.at(), cols, rows, ASPECT);
             WorldView::snug(most, of_rows)

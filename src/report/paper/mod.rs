@@ -36,6 +36,7 @@ pub(super) struct ReportedState<'a> {
     reach: Reach,
     loops: Vec<LoopVectors>,
     digits: usize,
+    notation: WorkingNotation,
 }
 
 impl Report {
@@ -43,13 +44,28 @@ impl Report {
     /// digits.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
+        Report::in_notation(scene, solver, state, digits, WorkingNotation::Lecture)
+    }
+
+    /// The same in a notation.
+    #[must_use]
+    pub fn in_notation(
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        digits: usize,
+        notation: WorkingNotation,
+    ) -> Report {
+        let reported = ReportedState::new(scene, solver, state, digits);
+        let reported = ReportedState {
+            notation,
+            ..reported
+        };
         Report {
-            page: ReportedState::new(scene, solver, state, digits).page(),
+            page: reported.page(),
         }
     }
-}
 
-impl Report {
     /// Adds the figures of a lecture's notes or of another program beside krank's: those of the state that is
     /// reported, which was solved with forces, or a table over the driver.
     pub fn add_beside(
@@ -79,6 +95,7 @@ impl<'a> ReportedState<'a> {
             solver,
             state,
             digits,
+            notation: WorkingNotation::Lecture,
         }
     }
 }
@@ -105,7 +122,7 @@ impl ReportedState<'_> {
             self.solver,
             self.state,
             self.digits,
-            WorkingNotation::Lecture,
+            self.notation,
         );
         let mut written = std::mem::take(&mut page.blocks).into_iter();
         let begins = parts.iter().map(|(_, begin)| *begin);
@@ -126,7 +143,7 @@ impl ReportedState<'_> {
             WorkingPart::Opening => {
                 page.blocks.extend(blocks);
                 self.drawing(page);
-                definitions(page);
+                definitions(self.notation, page);
             }
             WorkingPart::Polygons => {
                 page.blocks.extend(blocks);
@@ -136,6 +153,8 @@ impl ReportedState<'_> {
             WorkingPart::PositionTable if !self.loops.is_empty() => {
                 page.blocks.extend(blocks.next());
                 self.asked(Order::Position, page);
+                // What stands below the table.
+                page.blocks.extend(blocks.skip(1));
             }
             WorkingPart::PositionTable | WorkingPart::Equations | WorkingPart::Check => {
                 page.blocks.extend(blocks)
@@ -149,6 +168,10 @@ impl ReportedState<'_> {
             WorkingPart::Points => {
                 page.blocks.extend(blocks);
                 self.diagrams(page);
+            }
+            WorkingPart::Centres => {
+                page.blocks.extend(blocks);
+                self.centres(page);
             }
             WorkingPart::Forces => self.forces(blocks, page),
         }
@@ -181,18 +204,22 @@ impl ReportedState<'_> {
 }
 
 /// The unit vectors, as the lecture defines them.
-fn definitions(page: &mut Page) {
-    page.text(words().unit_vectors_are());
+fn definitions(notation: WorkingNotation, page: &mut Page) {
+    let (along, across) = (notation.along("θ"), notation.across("θ"));
+    page.text(words().unit_vectors_are(&along, &across));
+    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
+    let rate = |of: &str| format!("d{of}/dt");
     for sides in [
-        ["μ(θ)", "cos(θ) i + sin(θ) j"],
-        ["ν(θ)", "-sin(θ) i + cos(θ) j"],
-        ["dμ/dt", "ω ν(θ)"],
-        ["dν/dt", "-ω μ(θ)"],
+        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
+        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
+        [rate(u), format!("ω {across}")],
+        [rate(n), format!("-ω {along}")],
     ] {
         page.equation(sides);
     }
-    page.equation(["μ(a)·μ(b)", "ν(a)·ν(b)", "cos(a - b)"]);
-    page.equation(["μ(a)·ν(b)", "sin(a - b)"]);
+    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
+    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
+    page.equation([product(u, n), "sin(a - b)".into()]);
 }
 
 /// A picture behind what leads to it.

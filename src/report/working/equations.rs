@@ -67,6 +67,8 @@ pub(super) struct EquationTerm {
     pub size: f64,
     /// What is sought in it.
     pub unknown: Option<String>,
+    /// What stands beside what is sought, without its sign: in symbols, and with numbers; 1 where nothing does.
+    beside: [String; 2],
     /// Whether what is sought stands in it as a factor, not as an angle.
     linear: bool,
     /// Whether all of it is given: it has no more digits than it needs.
@@ -326,6 +328,7 @@ impl<'a> LoopSide<'a> {
         let mut size = product.count;
         let mut unknown = None;
         let (mut symbols, mut numbers) = (Vec::new(), Vec::new());
+        let mut beside: [Vec<String>; 2] = [Vec::new(), Vec::new()];
         if product.count != 1.0 {
             symbols.push(figures.given(product.count));
             numbers.push(figures.given(product.count));
@@ -350,6 +353,12 @@ impl<'a> LoopSide<'a> {
             symbols.push(function);
             numbers.push(with_numbers);
         }
+        if let Some(unknown) = &unknown {
+            beside = [&symbols, &numbers].map(|all| {
+                let others = all.iter().filter(|text| *text != unknown);
+                others.cloned().collect()
+            });
+        }
         let negative = product.negative != (minus && !keeps);
         EquationTerm {
             negative,
@@ -361,6 +370,10 @@ impl<'a> LoopSide<'a> {
             unknown: unknown.or((open_angle || is_open).then_some(theta)),
             given: self.side.turns == Turns::Never
                 && product.factors.iter().all(|f| f.given || f.sought),
+            beside: [(0, " "), (1, "·")].map(|(form, between)| match beside[form].as_slice() {
+                [] => "1".to_owned(),
+                factors => factors.join(between),
+            }),
             linear: !open_angle && !is_open,
         }
     }
@@ -400,6 +413,45 @@ pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
         }
     }
     sum.text()
+}
+
+/// The equation solved for a rate that stands in it as a factor: `-r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))`, in
+/// symbols and with numbers.
+pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &str) -> [String; 2] {
+    let is_own = |piece: &&EquationTerm| piece.unknown.as_deref() == Some(symbol);
+    let above: Vec<&EquationTerm> = pieces.iter().filter(|p| !is_own(p)).collect();
+    let below: Vec<&EquationTerm> = pieces.iter().filter(is_own).collect();
+    // A minus of the divisor alone goes before the whole.
+    let is_turned = matches!(below[..], [one] if one.negative);
+    let sum = |of: &[&EquationTerm], turned: bool, text: &dyn Fn(&EquationTerm) -> String| {
+        let mut sum = WrittenSum::default();
+        of.iter()
+            .for_each(|p| sum.push(p.negative != turned, &text(p)));
+        sum.text()
+    };
+    [0, 1].map(|form| {
+        let whole = |p: &EquationTerm| match form {
+            0 => p.symbols.clone(),
+            _ => p.numbers.clone(),
+        };
+        let (above, is_sum) = match above[..] {
+            [] => ("0".to_owned(), false),
+            [_] => (sum(&above, !is_turned, &whole), false),
+            _ => (sum(&above, false, &whole), true),
+        };
+        let divisor = sum(&below, is_turned, &|p| p.beside[form].clone());
+        let above = match (is_sum, is_turned, divisor.as_str()) {
+            (false, ..) | (true, true, "1") => above,
+            (true, true, _) => format!("({above})"),
+            (true, false, _) => format!("-({above})"),
+        };
+        let is_product = divisor.contains([' ', '·']);
+        match divisor.as_str() {
+            "1" => above,
+            _ if is_product => format!("{above}/({divisor})"),
+            _ => format!("{above}/{divisor}"),
+        }
+    })
 }
 
 /// A figure times a symbol; 1 is not written.

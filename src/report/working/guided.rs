@@ -21,11 +21,11 @@ impl Solution<'_> {
         let member = self.member(slide);
         let name = member.side.name.clone();
         let plus = if slide.reversed { "-" } else { "+" };
-        let sum = format!("K {plus} {name} u");
-        let theta = member.side.theta();
+        let unit_vector = self.context.notation.along(&member.side.theta());
+        let sum = format!("K {plus} {name} {unit_vector}");
         draft
             .page
-            .text(words().quadratic_in(&arm.length, &sum, &theta, &name));
+            .text(words().quadratic_in(&arm.length, &sum, &name));
         let size = self.known.norm().max(arm.value);
         self.write_known(draft, size);
         let [p, q] = self.write_coefficients(draft, &arm, slide, size);

@@ -5,8 +5,11 @@
 //! points by their parts, and the check. What is known at a step is read from the solver's state; what is
 //! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
 
+mod by_coordinates;
+mod centres;
 mod chain;
 mod check;
+mod collected;
 mod coupled;
 mod cut_free;
 mod draft;
@@ -16,6 +19,7 @@ mod figures;
 mod forces;
 mod free_body;
 mod guided;
+mod kennedy;
 mod loads;
 mod loop_finder;
 mod methods;
@@ -34,6 +38,7 @@ mod symbols;
 mod triangle;
 mod vectors;
 
+pub use centres::InstantCentre;
 pub use draft::Agreement;
 pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
 pub use point_parts::{PointMotion, PointParts};
@@ -86,6 +91,8 @@ pub enum WorkingPart {
     Accelerations,
     /// Points by their parts.
     Points,
+    /// The instant centres of links.
+    Centres,
     /// Forces, link by link.
     Forces,
     /// What is left of the equations.
@@ -95,7 +102,7 @@ pub enum WorkingPart {
 type WritePart = fn(&Context<'_>, &mut Draft);
 
 /// How every part is written.
-const PARTS: [(WorkingPart, WritePart); 10] = [
+const PARTS: [(WorkingPart, WritePart); 11] = [
     (WorkingPart::Opening, opening::heading),
     (WorkingPart::Polygons, opening::polygons),
     (WorkingPart::PositionTable, opening::position_table),
@@ -108,6 +115,7 @@ const PARTS: [(WorkingPart, WritePart); 10] = [
         rates::rates(context, draft, Order::Acceleration);
     }),
     (WorkingPart::Points, points::points),
+    (WorkingPart::Centres, kennedy::instant_centres),
     (WorkingPart::Forces, forces::forces),
     (WorkingPart::Check, check::check),
 ];

@@ -157,6 +157,7 @@ pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
     let (vector, ends) = (words().vector(), words().column_ends());
     let [r_is, theta_is] = ["r", "θ"].map(|symbol| words().column_is(symbol));
     draft.table([vector, ends, &r, &r_is, "θ [deg]", &theta_is], rows);
+    super::by_coordinates::vectors(context, draft);
 }
 
 fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {

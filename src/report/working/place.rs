@@ -32,6 +32,7 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
                 draft.page.equation([figures, "0".into()]);
             }
             projected(context, draft, stage, &members);
+            super::collected::collected(context, draft, number, stage);
         }
     }
 }

@@ -4,6 +4,7 @@
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::sides::Turns;
+use super::solution::angle_sum;
 use super::symbols::{self, of_point};
 use crate::solver::Sliding;
 use crate::wording::words;
@@ -331,11 +332,34 @@ impl OnLink<'_> {
             return;
         }
         let f = self.context.figures;
-        let [t, n] = [t, n].map(|v| Expression::figure(f.number(v), v));
+        let parts = [t, n].map(|v| Expression::figure(f.number(v), v));
         let whole = of_point("a", self.name);
-        draft.reckoned("β", &Expression::of(Function::Atan, [t / n]), |beta| {
+        let [above, below] = parts;
+        let quotient = Expression::of(Function::Atan, [above / below]);
+        draft.reckoned("β", &quotient, |beta| {
             words().between_normal_part(&f.number(beta), &whole)
         });
+        self.direction(draft, (t / n).atan().to_degrees(), size);
+    }
+
+    /// The direction of an acceleration by that of its normal part: `theta_aC = theta4 - beta`.
+    fn direction(&self, draft: &mut Draft, beta: f64, size: f64) {
+        let (f, state) = (self.context.figures, self.context.state);
+        let own = state.angle(self.link);
+        let ahead = angle::wrapped(angle::degrees(-self.e) - own);
+        let theta = symbols::theta(self.link_name);
+        let mut sum = Expression::known(theta, f.direction(own), own);
+        let by = f.direction(ahead);
+        if by != "0" {
+            sum = sum + Expression::figure(by, ahead);
+        }
+        // Counter-clockwise, the tangential part lies a right angle behind the normal one.
+        let is_behind = state.alpha(self.link) > 0.0;
+        let beta = Expression::known("β", f.number(beta), beta).minus_if(is_behind);
+        let symbol = symbols::theta(&of_point("a", self.name));
+        let worked = draft.worked(&symbol, &(sum + beta), |worked| angle_sum(f, worked));
+        let a = state.acceleration(self.point);
+        draft.agree_angle(&symbol, worked, angle::degrees(a), 1.0 + size / a.norm());
     }
 }
 

@@ -4,7 +4,7 @@
 use super::draft::{Context, Draft};
 use super::equations::{
     EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
-    known,
+    known, solved_for,
 };
 use super::place::loop_heading;
 use super::sides::{SideShape, Turns};
@@ -128,8 +128,6 @@ fn removed(
         .page
         .text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
     draft.page.equation([in_symbols(&pieces), "0".into()]);
-    draft.page.equation([in_numbers(&pieces), "0".into()]);
-    draft.page.equation([in_figures(&pieces, f), "0".into()]);
     let worked = -sum / factor;
     let size = pieces.iter().fold(0.0_f64, |most, p| match p.unknown {
         Some(_) => most,
@@ -144,12 +142,15 @@ fn removed(
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
+        draft.page.equation([in_numbers(&pieces), "0".into()]);
+        draft.page.equation([in_figures(&pieces, f), "0".into()]);
         draft.page.text(words().factor_vanishes(&symbol));
         draft
             .page
             .equation([symbol, format!("{} {unit}", f.number(solved))]);
         return;
     }
+    draft.page.equation([in_figures(&pieces, f), "0".into()]);
     draft.agree(
         &symbol,
         worked,
@@ -157,7 +158,10 @@ fn removed(
         size / factor.abs() * (1.0 + 1.0 / sine),
     );
     let shown = f.beside(worked, size / factor.abs());
-    draft.page.equation([symbol, format!("{shown} {unit}")]);
+    let [in_symbols, in_numbers] = solved_for(&pieces, &symbol);
+    draft
+        .page
+        .equation([symbol, in_symbols, in_numbers, format!("{shown} {unit}")]);
 }
 
 /// Below this sine between both directions the printed quotient has lost half its digits.

@@ -254,6 +254,16 @@ pub(super) fn degrees(figures: Figures, value: f64) -> String {
     format!("{} deg", figures.number(value))
 }
 
+/// A sum of angles as it comes out, and from 0 to below 360 where that differs.
+pub(super) fn angle_sum(figures: Figures, value: f64) -> String {
+    let direction = figures.direction(value);
+    if (0.0..angle::TURN).contains(&value) {
+        format!("{direction} deg")
+    } else {
+        format!("{} deg = {direction} deg", figures.angle(value))
+    }
+}
+
 /// An angle as it comes out, and from 0 to below 360 where that differs.
 pub(super) fn turn(figures: Figures, value: f64) -> String {
     let half = angle::TURN / 2.0;

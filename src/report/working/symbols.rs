@@ -12,7 +12,7 @@ pub enum WorkingNotation {
 
 impl WorkingNotation {
     /// The unit vector along an angle.
-    pub(super) fn along(self, theta: &str) -> String {
+    pub(in crate::report) fn along(self, theta: &str) -> String {
         match self {
             WorkingNotation::Krank => format!("u({theta})"),
             WorkingNotation::Lecture => format!("μ({theta})"),
@@ -20,7 +20,7 @@ impl WorkingNotation {
     }
 
     /// The unit vector at right angles to it, to its left.
-    pub(super) fn across(self, theta: &str) -> String {
+    pub(in crate::report) fn across(self, theta: &str) -> String {
         match self {
             WorkingNotation::Krank => format!("n({theta})"),
             WorkingNotation::Lecture => format!("ν({theta})"),

@@ -24,7 +24,7 @@ catalogue! {
         fact_range = "range";
         fact_change = "change";
         fact_near_miss = "near miss";
-        fact_mu = "mu";
+        fact_transmission = "angle";
         fact_forces = "forces";
         fact_open = "open";
 
@@ -123,11 +123,11 @@ catalogue! {
         equal_within(tolerance: &str, unit: &str) =
             "lengths count as equal within {tolerance} {unit}: coordinates have been rounded";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
-            "all but a change point or a dead point at {at} {unit}: sin mu = {sine} at {group}; the \
-             motion keeps its assembly";
-        mu_throughout(group: &str, angle: &str) =
+            "all but a change point or a dead point at {at} {unit}: the sine of the transmission angle at \
+             {group} is {sine}; the motion keeps its assembly";
+        transmission_throughout(group: &str, angle: &str) =
             "transmission angle at {group}: {angle} deg throughout";
-        mu_between(group: &str, angles: [&str; 4], unit: &str) = {
+        transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
             let [least, at_least, most, at_most] = angles;
             format!(
                 "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; largest \

@@ -8,8 +8,8 @@ catalogue! {
         language_tag = "en";
 
         // How it begins.
-        unit_vectors_are =
-            "With the unit vectors μ(θ) along an angle and ν(θ) at right angles to it, to its left:";
+        unit_vectors_are(along: &str, across: &str) =
+            "With the unit vectors {along} along an angle and {across} at right angles to it, to its left:";
 
         // Vector polygons and their tables.
         polygon_drawn(sum: &str) =
@@ -35,6 +35,8 @@ catalogue! {
 
         // Forces, plots and facts.
         link_cut_free(link: &str) = "{link} cut free, with all that acts on it, its inertia among it.";
+        centres_drawn =
+            "Instant centres, and the lines on which they lie; one that lies far away is not drawn.";
         forces_drawn = "Loads, and the forces that joints and guides bear.";
         plots_part = "Over the whole motion";
         positions_plotted = "Positions";
@@ -52,14 +54,18 @@ catalogue! {
 Examples:
   krank report four-bar --at 60 -o four-bar.html
   krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
-  krank report press --format markdown
+  krank report press --format markdown --notation krank
 
 The drawing; the vector polygon of every loop to scale; position, velocity and
 acceleration tables with a column per vector, empty (theta3 = ?) and then
 filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
-pole, to scale; forces where anything acts; plots over the whole motion; and
+pole, to scale; instant centres; forces where anything acts; plots over the whole motion; and
 what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
+
+        notation_of_working = "What unit vectors are called";
+        notation_lecture = "mu and nu, as the lectures write them";
+        notation_krank = "u and n";
 
         // In the workbench.
         report = "report";

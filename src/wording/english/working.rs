@@ -36,6 +36,8 @@ catalogue! {
         column_ends = "from, to";
         column_is(symbol: &str) = "{symbol} is";
         is_sought = "sought";
+        vectors_by_coordinates =
+            "Vectors between points that are given by coordinates, from these in the frame of their body:";
 
         // Loop equations.
         loop_equations = "Loop equations";
@@ -43,6 +45,15 @@ catalogue! {
             "Multiplied by {vector}, which removes {removed}:";
         multiplied_across(vector: &str, side: &str) =
             "Multiplied by {vector}, at right angles to {side}, which removes {side}:";
+        collected_by(one: &str, other: &str) =
+            "Multiplied by {one} and by {other}, multiplied out and collected, so that what is \
+             sought stands alone:";
+        collected_with_letters =
+            "Multiplied out and collected, so that what is sought stands alone:";
+        collected_with_numbers = "With their numbers:";
+        collected_equation(number: usize) = "the collected equations of loop {number}";
+        squared_and_added(lost: &str, kept: &str) =
+            "Both components squared and added, {lost} drops out; in {kept} alone:";
 
         // Positions.
         positions_by_groups = "Positions, group by group";
@@ -77,8 +88,9 @@ catalogue! {
              come here.";
 
         // Guides.
-        quadratic_in(arm: &str, sum: &str, theta: &str, name: &str) =
-            "With K the sum of the known sides, {arm} = |{sum}|, u at {theta}: a quadratic in {name}.";
+        quadratic_in(arm: &str, sum: &str, name: &str) =
+            "With K the sum of the known sides the loop asks that {arm} = |{sum}|; squared, this is a \
+             quadratic equation for {name}.";
         either_or(one: &str, other: &str) = "{one} or {other}";
         by_the_assembly = "By the assembly:";
         angle_of_minus(what: &str) = "angle of -({what})";
@@ -136,6 +148,33 @@ catalogue! {
         along_guide_of(point: &str, slide: &str, body: &str) =
             "{point} along the guide of {slide} on {body}";
         of_under(symbol: &str, body: &str, point: &str) = "{symbol} of {body} under {point}";
+
+        // Instant centres.
+        instant_centres = "Instant centres";
+        instant_centre = "instant centre";
+        instant_centre_is =
+            "The instant centre of a link is the place of it that is at rest at this instant, against \
+             the frame: every other point of it has v = |ω| times its distance from there. By \
+             Kennedy's theorem the three centres of three links lie on one line.";
+        common_centres(joints: &str) =
+            "Two links that are pinned have their joint as common centre: {joints}.";
+        centre_of_link(centre: &str, link: &str) = "{centre} of {link}";
+        on_two_lines(centre: &str, one: &str, other: &str) =
+            "{centre} lies on {one}, at β, and on {other}, at γ:";
+        line_through(one: &str, other: &str) = "the line through {one} and {other}";
+        line_across(joint: &str) = "the line through {joint} at right angles to its path";
+        centre_by_velocity(centre: &str, point: &str, omega: &str) =
+            "No two lines are known that cross clearly at {centre}; by the velocity of {point} and {omega}:";
+        centre_of_guided(link: &str, direction: &str) =
+            "{link} does not turn: its centre lies at infinity, at right angles to its velocity, at \
+             {direction} deg and the other way.";
+        centre_far(link: &str, direction: &str) =
+            "As far as the digits tell, {link} does not turn at this instant: its centre lies at \
+             infinity, at right angles to its velocity, at {direction} deg and the other way.";
+        link_is_at_rest(link: &str) = "{link} is at rest at this instant: all of it is centre.";
+        centre_is_blurred(link: &str, digits: usize) =
+            "{link} hardly turns, and the centre lies far away: of it {digits} digits can be told:";
+        at_infinity = "at infinity";
 
         // The check.
         check_part = "Check";

@@ -24,7 +24,7 @@ catalogue! {
         fact_range = "aralık";
         fact_change = "değişim";
         fact_near_miss = "yakın geçiş";
-        fact_mu = "mu";
+        fact_transmission = "açı";
         fact_forces = "kuvvetler";
         fact_open = "açık";
 
@@ -122,11 +122,11 @@ catalogue! {
         equal_within(tolerance: &str, unit: &str) =
             "farkı {tolerance} {unit} içinde kalan boylar eşit sayılır: koordinatlar yuvarlanmış";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
-            "neredeyse değişim ya da ölü konum: {at} {unit}, sin mu = {sine}, {group}; hareket montaj \
-             biçimini korur";
-        mu_throughout(group: &str, angle: &str) =
+            "neredeyse değişim ya da ölü konum: {at} {unit}, bağlama açısının sinüsü {sine}, {group}; \
+             hareket montaj biçimini korur";
+        transmission_throughout(group: &str, angle: &str) =
             "bağlama açısı, {group}: her yerde {angle} deg";
-        mu_between(group: &str, angles: [&str; 4], unit: &str) = {
+        transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
             let [least, at_least, most, at_most] = angles;
             format!(
                 "bağlama açısı, {group}: en küçük {least} deg, {at_least} {unit} konumunda; en büyük \

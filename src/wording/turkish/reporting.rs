@@ -8,8 +8,8 @@ catalogue! {
         language_tag = "tr";
 
         // How it begins.
-        unit_vectors_are =
-            "Birim vektörler: açı boyunca μ(θ), ona dik, soluna ν(θ):";
+        unit_vectors_are(along: &str, across: &str) =
+            "Birim vektörler: açı boyunca {along}, ona dik, soluna {across}:";
 
         // Vector polygons and their tables.
         polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; bilinmeyeni olan kesikli, açılar kuyruklarda.";
@@ -32,6 +32,8 @@ catalogue! {
 
         // Forces, plots and facts.
         link_cut_free(link: &str) = "{link} serbest cisim olarak: ataleti de içinde, ona etki eden her şey.";
+        centres_drawn =
+            "Ani dönme merkezleri ve üzerinde oldukları doğrular; çok uzakta olan çizilmez.";
         forces_drawn = "Yükler, mafsalların ve kılavuzların taşıdığı kuvvetler.";
         plots_part = "Bütün hareket boyunca";
         positions_plotted = "Konumlar";
@@ -49,14 +51,18 @@ catalogue! {
 Örnekler:
   krank report four-bar --at 60 -o four-bar.html
   krank report slider-crank --at 30 --digits 9 -o slider-crank.tex
-  krank report press --format markdown
+  krank report press --format markdown --notation krank
 
 Çizim; her döngünün ölçekli vektörel poligonu; her vektöre bir sütunla konum,
 hız ve ivme tabloları, önce boş (theta3 = ?), sonra dolu; ders notlarının mu ve
 nu birim vektörleriyle `krank explain` çözümü; mafsalların ve ağırlık
-merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; bir şey etki ediyorsa
-kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
+merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bir
+şey etki ediyorsa kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
 .tex, .md ya da .txt uzantısı biçimi seçer.";
+
+        notation_of_working = "Birim vektörlerin adları";
+        notation_lecture = "Ders notlarındaki gibi mu ve nu";
+        notation_krank = "u ve n";
 
         // In the workbench.
         report = "rapor";

@@ -36,6 +36,8 @@ catalogue! {
         column_ends = "uçlar";
         column_is(symbol: &str) = "{symbol} nedir";
         is_sought = "bilinmeyen";
+        vectors_by_coordinates =
+            "Koordinatlarla verilen noktalar arasındaki vektörler, uzvun kendi takımındaki koordinatlardan:";
 
         // Loop equations.
         loop_equations = "Vektörel konum denklemleri";
@@ -43,6 +45,13 @@ catalogue! {
             "{vector} ile çarpılır, {removed} gider:";
         multiplied_across(vector: &str, side: &str) =
             "{side} kenarına dik {vector} ile çarpılır, {side} gider:";
+        collected_by(one: &str, other: &str) =
+            "{one} ve {other} ile çarpılır, açılır ve toplanırsa bilinmeyenler yalnız kalır:";
+        collected_with_letters = "Açılır ve toplanırsa bilinmeyenler yalnız kalır:";
+        collected_with_numbers = "Sayılarıyla:";
+        collected_equation(number: usize) = "{number}. döngünün toplanmış denklemleri";
+        squared_and_added(lost: &str, kept: &str) =
+            "İki bileşenin kareleri toplanırsa {lost} düşer; yalnız {kept} ile:";
 
         // Positions.
         positions_by_groups = "Konumlar, grup grup";
@@ -74,8 +83,9 @@ catalogue! {
             "Bu üçgen kapanırdı, ama sahnenin montaj biçiminden başlayan hareket buraya gelmez.";
 
         // Guides.
-        quadratic_in(arm: &str, sum: &str, theta: &str, name: &str) =
-            "K bilinen kenarların toplamı, {arm} = |{sum}|, u açısı {theta}: {name} için ikinci derece denklem.";
+        quadratic_in(arm: &str, sum: &str, name: &str) =
+            "K bilinen kenarların toplamı olunca döngüden {arm} = |{sum}|; karesi {name} için ikinci \
+             derece denklemdir.";
         either_or(one: &str, other: &str) = "{one} ya da {other}";
         by_the_assembly = "Montaj biçimine göre:";
         angle_of_minus(what: &str) = "-({what}) açısı";
@@ -133,6 +143,32 @@ catalogue! {
         along_guide_of(point: &str, slide: &str, body: &str) =
             "{point}, {slide} kılavuzu boyunca, {body} üzerinde";
         of_under(symbol: &str, body: &str, point: &str) = "{symbol}, {body} üzerinde, {point} altında";
+
+        // Instant centres.
+        instant_centres = "Ani dönme merkezleri";
+        instant_centre = "ani dönme merkezi";
+        instant_centre_is =
+            "Bir uzvun ani dönme merkezi, o anda şaseye göre duran yeridir: başka her noktasında \
+             v = |ω| çarpı merkeze uzaklık. Kennedy teoremine göre üç uzvun üç merkezi bir doğru \
+             üzerindedir.";
+        common_centres(joints: &str) =
+            "Mafsalla bağlı iki uzvun ortak merkezi mafsaldır: {joints}.";
+        centre_of_link(centre: &str, link: &str) = "{link} uzvunun {centre} merkezi";
+        on_two_lines(centre: &str, one: &str, other: &str) =
+            "{centre} iki doğrunun kesişimidir: {one}, β açısında, ve {other}, γ açısında:";
+        line_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğru";
+        line_across(joint: &str) = "{joint} noktasından geçip yoluna dik olan doğru";
+        centre_by_velocity(centre: &str, point: &str, omega: &str) =
+            "{centre} noktasında açıkça kesişen iki doğru bilinmiyor; {point} noktasının hızı ve {omega} ile:";
+        centre_of_guided(link: &str, direction: &str) =
+            "{link} dönmez: merkezi sonsuzdadır, hızına dik, {direction} deg ve ters yönünde.";
+        centre_far(link: &str, direction: &str) =
+            "Basamakların gösterdiği kadarıyla {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına \
+             dik, {direction} deg ve ters yönünde.";
+        link_is_at_rest(link: &str) = "{link} bu anda duruyor: her yeri merkezdir.";
+        centre_is_blurred(link: &str, digits: usize) =
+            "{link} neredeyse dönmüyor, merkezi çok uzakta: {digits} basamağı söylenebilir:";
+        at_infinity = "sonsuzda";
 
         // The check.
         check_part = "Sağlama";

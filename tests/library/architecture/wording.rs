@@ -23,11 +23,12 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 11] = [
+const OTHERS: [&[&str]; 12] = [
     // What a shell is told.
     &["cli", "pager"],
     // What a derived type is told, and nobody else.
     &["document", "lenient"],
+    &["scene", "sighted"],
     // Markup, and what it looks like.
     &["page", "html"],
     &["page", "latex"],

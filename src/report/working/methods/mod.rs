@@ -13,7 +13,7 @@ pub(super) use problem::kind;
 
 use super::draft::{Context, Draft};
 use super::stages::{ProblemForm, Stage};
-use super::{Working, opening};
+use super::{Working, WorkingNotation, opening};
 use crate::page::Page;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
@@ -54,11 +54,13 @@ impl Working {
         (scene, solver, state): (&Scene, &Solver, &State),
         guesses: &[Guess],
         digits: usize,
+        notation: WorkingNotation,
     ) -> Result<WorkedMethod, String> {
-        let context = self.context(scene, solver, state, digits);
+        let mut context = self.context(scene, solver, state, digits);
+        context.notation = notation;
         let guesses = Guesses::new(&context, method, guesses)?;
         if method == PositionMethod::Closed {
-            let page = self.of(scene, solver, state, digits).page;
+            let page = self.written(scene, solver, state, digits, notation).page;
             return Ok(WorkedMethod::of(page));
         }
         let mut draft = Draft::default();

@@ -1,0 +1,310 @@
+//! Where the instant centre of every moving link lies, and what tells it: a pivot, two lines by Kennedy's
+//! theorem, or the velocity of a point.
+
+use super::Working;
+use super::draft::Context;
+use super::sides::Turns;
+use super::symbols::of_point;
+use crate::scene::Scene;
+use crate::solver::{Solver, State};
+use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2, angle};
+
+/// Lines that cross at a smaller sine tell no point: by so much the rounding of printed figures is larger.
+const CROSSING: f64 = 1e-3;
+/// A link that turns by less, in parts of the fastest velocity over the longest vector, does not turn as far as
+/// doubles can tell.
+const TURNING: f64 = 1e-12;
+/// What a quotient of two figures of the solver loses: a few roundings.
+const LOSS: f64 = 64.0 * f64::EPSILON;
+
+/// The instant centre of a link against the frame, as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstantCentre {
+    /// Its symbol: `I_r3`.
+    pub symbol: String,
+    /// Where it lies; `None` at infinity.
+    pub at: Option<Vec2>,
+    /// From where the lines come on which it lies: two, where Kennedy's theorem tells it.
+    pub lines: Vec<Vec2>,
+}
+
+/// Where a centre lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum CentrePlace {
+    At(Vec2),
+    /// At infinity, this way and the other.
+    Far(Vec2),
+    /// Nowhere: nothing of the link moves.
+    Rest,
+}
+
+/// What tells where a centre lies.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum CentreBasis {
+    /// A pivot on the ground.
+    Pivot(PointId),
+    /// The link cannot turn.
+    Guided,
+    /// Two lines; the joint of the first is the further one.
+    Lines([CentreLine; 2]),
+    /// The velocity of a point.
+    Velocity(PointId),
+}
+
+/// A line through a joint, at right angles to its velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CentreLine {
+    pub joint: PointId,
+    /// The other link of the joint and its centre; none where the joint slides along a guide of the ground, or
+    /// where the other link's centre lies at infinity.
+    pub through: Option<(LinkId, Vec2)>,
+    /// Its direction.
+    pub u: Vec2,
+}
+
+/// The instant centre of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LinkCentre {
+    pub link: LinkId,
+    pub place: CentrePlace,
+    pub basis: CentreBasis,
+    /// How far a figure can be off that is divided by the angular velocity, in parts of its size.
+    pub loss: f64,
+}
+
+impl Working {
+    /// The instant centres of all moving links; nothing where no rates exist, or nothing moves.
+    #[must_use]
+    pub fn instant_centres(
+        &self,
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+    ) -> Vec<InstantCentre> {
+        let context = self.context(scene, solver, state, 1);
+        let drawn = |centre: LinkCentre| InstantCentre {
+            symbol: symbol(&context, centre.link),
+            at: match centre.place {
+                CentrePlace::At(at) => Some(at),
+                CentrePlace::Far(_) | CentrePlace::Rest => None,
+            },
+            lines: match &centre.basis {
+                CentreBasis::Lines(lines) => lines
+                    .iter()
+                    .map(|line| match line.through {
+                        Some((_, from)) => from,
+                        None => context.state.position(line.joint),
+                    })
+                    .collect(),
+                CentreBasis::Pivot(_) | CentreBasis::Guided | CentreBasis::Velocity(_) => {
+                    Vec::new()
+                }
+            },
+        };
+        centres(&context).into_iter().map(drawn).collect()
+    }
+}
+
+/// `I_r3`.
+pub(super) fn symbol(context: &Context<'_>, link: LinkId) -> String {
+    format!("I_{}", context.scene.link_name(link))
+}
+
+/// `xB`.
+pub(super) fn coordinate(context: &Context<'_>, axis: &str, point: PointId) -> String {
+    of_point(axis, context.scene.point_name(point).unwrap_or_default())
+}
+
+/// The longest vector: what a position is rounded by.
+pub(super) fn longest(context: &Context<'_>) -> f64 {
+    let lengths = context.readings.iter().map(|reading| reading.r.abs());
+    lengths.fold(0.0, f64::max)
+}
+
+/// The centres of all links, in the order in which the plan solves them.
+pub(super) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
+    if !context.has_rates() || !(context.fastest[0] > 0.0) {
+        return Vec::new();
+    }
+    let mut finder = CentreFinder::new(context);
+    for group in &context.solver.plan().groups {
+        finder.group(&group.links);
+    }
+    finder.found
+}
+
+/// What is known while centres are found.
+struct CentreFinder<'a> {
+    context: &'a Context<'a>,
+    longest: f64,
+    /// For every point when it is placed.
+    places: Vec<usize>,
+    /// For every point the guides of the ground along which it slides.
+    guides: Vec<Vec<SlideId>>,
+    found: Vec<LinkCentre>,
+    /// For every link its number among those that are found.
+    numbers: Vec<Option<usize>>,
+}
+
+impl<'a> CentreFinder<'a> {
+    fn new(context: &'a Context<'a>) -> CentreFinder<'a> {
+        let mechanism = &context.scene.mechanism;
+        let mut guides = vec![Vec::new(); mechanism.points().len()];
+        for slide in mechanism.slide_ids() {
+            let given = mechanism.slide(slide);
+            if let (Body::Ground, Slider::Pin(pin)) = (given.on, &given.slider) {
+                guides[pin.index()].push(slide);
+            }
+        }
+        CentreFinder {
+            context,
+            longest: longest(context),
+            places: super::points::places(context),
+            guides,
+            found: Vec::new(),
+            numbers: vec![None; mechanism.links().len()],
+        }
+    }
+
+    /// Pivots and what is guided first: the lines of other links run through them. Then whatever has two lines by
+    /// then; where nothing has, the first one is told by a velocity.
+    fn group(&mut self, links: &[LinkId]) {
+        let mut left: Vec<LinkId> = links.to_vec();
+        left.retain(|link| self.numbers[link.index()].is_none());
+        while !left.is_empty() {
+            let all: Vec<LinkCentre> = left.iter().map(|&link| self.centre(link)).collect();
+            let rank = |centre: &LinkCentre| match centre.basis {
+                CentreBasis::Pivot(_) | CentreBasis::Guided => 0,
+                CentreBasis::Lines(_) => 1,
+                CentreBasis::Velocity(_) => 2,
+            };
+            let best = all.iter().map(rank).min();
+            // Of those that a velocity would tell, the first one may give the others their lines.
+            let take = if best == Some(2) { 1 } else { usize::MAX };
+            let chosen = all.into_iter().filter(|centre| Some(rank(centre)) == best);
+            for centre in chosen.take(take) {
+                left.retain(|link| *link != centre.link);
+                self.numbers[centre.link.index()] = Some(self.found.len());
+                self.found.push(centre);
+            }
+        }
+    }
+
+    fn centre(&self, link: LinkId) -> LinkCentre {
+        let (context, state) = (self.context, self.context.state);
+        let omega = state.omega(link);
+        let turning = omega.abs() * self.longest / context.fastest[0];
+        let of = |place, basis| LinkCentre {
+            link,
+            place,
+            basis,
+            loss: LOSS / turning.max(LOSS),
+        };
+        if let Some(pivot) = pivot(context, link) {
+            let at = state.position(pivot);
+            return of(CentrePlace::At(at), CentreBasis::Pivot(pivot));
+        }
+        // The point that was placed first.
+        let base = named(context, link).min_by_key(|point| self.places[point.index()]);
+        let Some(base) = base else {
+            return of(CentrePlace::Rest, CentreBasis::Guided);
+        };
+        let v = state.velocity(base);
+        let far = match v.norm() > LOSS * context.fastest[0] {
+            true => CentrePlace::Far(v.perp() / v.norm()),
+            false => CentrePlace::Rest,
+        };
+        if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
+            return of(far, CentreBasis::Guided);
+        }
+        if !(turning > TURNING) {
+            return of(far, CentreBasis::Velocity(base));
+        }
+        let lines = self.lines(link);
+        if let Some((at, pair)) = crossing(context, &lines) {
+            return of(CentrePlace::At(at), CentreBasis::Lines(pair));
+        }
+        let at = state.position(base) + v.perp() / omega;
+        of(CentrePlace::At(at), CentreBasis::Velocity(base))
+    }
+
+    /// The lines on which a link's centre lies: through its joints and the centres of what it is pinned to, and
+    /// at right angles to the guides of the ground along which its joints slide.
+    fn lines(&self, link: LinkId) -> Vec<CentreLine> {
+        let (mechanism, state) = (&self.context.scene.mechanism, self.context.state);
+        let mut lines = Vec::new();
+        for joint in named(self.context, link) {
+            let along = |u| CentreLine {
+                joint,
+                through: None,
+                u,
+            };
+            let guides = self.guides[joint.index()].iter();
+            lines.extend(guides.map(|&slide| along(state.travel(slide).guide.perp())));
+            let links = mechanism.point(joint).links.iter();
+            let pinned = links.filter_map(|other| self.found.get(self.numbers[other.index()]?));
+            for other in pinned {
+                let (through, u) = match other.place {
+                    CentrePlace::At(from) => {
+                        (Some((other.link, from)), state.position(joint) - from)
+                    }
+                    CentrePlace::Far(u) => (None, u),
+                    CentrePlace::Rest => continue,
+                };
+                let distance = u.norm();
+                if distance > LOSS * self.longest {
+                    lines.push(CentreLine {
+                        through,
+                        ..along(u / distance)
+                    });
+                }
+            }
+        }
+        lines
+    }
+}
+
+/// The point of the ground about which a link turns.
+fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
+    let mechanism = &context.scene.mechanism;
+    let mut points = mechanism.link(link).members.iter().map(|m| m.point);
+    points.find(|&point| mechanism.point(point).ground.is_some())
+}
+
+/// The points of a link that have names.
+pub(super) fn named<'c>(
+    context: &'c Context<'_>,
+    link: LinkId,
+) -> impl Iterator<Item = PointId> + 'c {
+    let members = context.scene.mechanism.link(link).members.iter();
+    let points = members.map(|member| member.point);
+    points.filter(|&point| context.scene.point_name(point).is_some())
+}
+
+/// Where those two of the lines cross that cross best, the further joint first.
+fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
+    let pairs = lines.iter().enumerate().flat_map(|(k, one)| {
+        let others = lines.iter().skip(k + 1);
+        others.filter_map(move |other| (one.joint != other.joint).then_some([*one, *other]))
+    });
+    let sine = |pair: &[CentreLine; 2]| pair[0].u.cross(pair[1].u).abs();
+    let best = pairs.max_by(|a, b| sine(a).total_cmp(&sine(b)))?;
+    if !(sine(&best) > CROSSING) {
+        return None;
+    }
+    let [p, q] = best.map(|line| context.state.position(line.joint));
+    let [one, other] = best.map(|line| line.u);
+    let at = p + one * ((q - p).cross(other) / one.cross(other));
+    let [first, second] = best;
+    Some(match (at - p).norm() >= (at - q).norm() {
+        true => (at, [first, second]),
+        false => (at, [second, first]),
+    })
+}
+
+impl CentreLine {
+    /// Its direction in degrees.
+    pub(super) fn degrees(&self) -> f64 {
+        angle::degrees(self.u)
+    }
+}
