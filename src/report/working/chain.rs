@@ -309,7 +309,7 @@ mod tests {
     /// Where nothing is given but the driver, the chain finds what the solver has found.
     #[test]
     fn every_figure_of_every_preset_follows_from_the_loops() {
-        let mut chained = 0;
+        let mut without = Vec::new();
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
             let solver = Solver::new(&scene.mechanism).unwrap();
@@ -321,10 +321,9 @@ mod tests {
             );
             let working = Working::new(&scene, &solver);
             let Some(chain) = working.chain(&scene, &solver, &state) else {
-                println!("{}: no chain", preset.name);
+                without.push(preset.name);
                 continue;
             };
-            chained += 1;
             let values = chain.follow(&|_| None).unwrap();
             let catalogue = Catalogue::new(&scene);
             let figures = catalogue.figures();
@@ -349,6 +348,6 @@ mod tests {
                 );
             }
         }
-        assert!(chained >= 20, "{chained}");
+        assert_eq!(without, [""; 0]);
     }
 }
