@@ -85,6 +85,21 @@ impl Quantity {
         value::apart(value, ball, self.is_direction())
     }
 
+    /// Whether it takes the size of something, by a formula.
+    fn has_sizes(&self) -> bool {
+        matches!(&self.source, FigureSource::Derived(derived) if derived.has_sizes())
+    }
+
+    /// Whether it takes the size of what may be 0 in this state, within its bound.
+    fn turns_over(&self, enclosure: &State<Ball>) -> bool {
+        match &self.source {
+            FigureSource::Solved(..) => false,
+            FigureSource::Derived(derived) => {
+                derived.turns_over(|subject, aspect| value::found(subject, aspect, enclosure))
+            }
+        }
+    }
+
     /// What it is about, if that is one thing.
     #[must_use]
     pub fn subject(&self) -> Option<Subject> {

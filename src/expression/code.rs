@@ -1,7 +1,7 @@
 //! A checked formula, as steps over a stack: run over any arithmetic, without allocating.
 
 use super::jet::{Jet, pi};
-use crate::{Constant, Number};
+use crate::{Ball, Constant, Number};
 
 /// A step. It takes its figures from the stack and puts its own there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,19 +126,42 @@ impl Code {
 
     /// The figure, where it exists; `leaf` has those that it is made of, and their rates by degree.
     pub(crate) fn run<T: Number>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
+        self.run_seeing(leaf, |_, _| {})
+    }
+
+    /// Whether a size is taken of what may be 0 within its bound: there it turns over.
+    pub(crate) fn turns_over(&self, leaf: impl Fn(u16, u8) -> Option<Ball>) -> bool {
+        let mut may_turn = false;
+        let _ = self.run_seeing(leaf, |op, of: Ball| {
+            may_turn |= op == Op::Abs && of.radius.is_finite() && of.smallest() == 0.0;
+        });
+        may_turn
+    }
+
+    fn run_seeing<T: Number>(
+        &self,
+        leaf: impl Fn(u16, u8) -> Option<T>,
+        see: impl FnMut(Op, T),
+    ) -> Option<T> {
         match self.rates.iter().max() {
-            None | Some(0) => self.run_to::<T, 1>(leaf),
-            Some(1) => self.run_to::<T, 2>(leaf),
-            Some(_) => self.run_to::<T, 3>(leaf),
+            None | Some(0) => self.run_to::<T, 1>(leaf, see),
+            Some(1) => self.run_to::<T, 2>(leaf, see),
+            Some(_) => self.run_to::<T, 3>(leaf, see),
         }
     }
 
-    fn run_to<T: Number, const N: usize>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
+    /// Runs the steps; `see` is shown the first figure that each takes.
+    fn run_to<T: Number, const N: usize>(
+        &self,
+        leaf: impl Fn(u16, u8) -> Option<T>,
+        mut see: impl FnMut(Op, T),
+    ) -> Option<T> {
         let mut stack = [Jet::<T, N>::default(); STACK];
         let mut top = 0;
         for (&op, &rates) in self.ops.iter().zip(&self.rates) {
             top -= op.takes();
             let [a, b] = [stack[top], stack[(top + 1).min(STACK - 1)]];
+            see(op, a.value());
             stack[top] = match op {
                 Op::Leaf(number) => {
                     let mut known = [T::default(); N];

@@ -1,8 +1,8 @@
 //! Figures that are made of others.
 
 use super::{Aspect, Subject};
-use crate::Number;
 use crate::expression::{Code, Kind, Op, Part};
+use crate::{Ball, Number};
 
 /// How a figure is made of figures that the solver finds.
 ///
@@ -103,6 +103,21 @@ impl Derived {
     /// The figure, where those exist that it is made of: `find` has them.
     pub(super) fn run<T: Number>(&self, find: impl Fn(Subject, Aspect) -> Option<T>) -> Option<T> {
         self.code.run(|leaf, degree| {
+            let leaf = &self.leaves[usize::from(leaf)];
+            find(leaf.subject, leaf.degree(degree)?)
+        })
+    }
+}
+
+impl Derived {
+    /// Whether it takes the size of anything.
+    pub(super) fn has_sizes(&self) -> bool {
+        self.code.ops().contains(&Op::Abs)
+    }
+
+    /// Whether it takes the size of what may be 0.
+    pub(super) fn turns_over(&self, find: impl Fn(Subject, Aspect) -> Option<Ball>) -> bool {
+        self.code.turns_over(|leaf, degree| {
             let leaf = &self.leaves[usize::from(leaf)];
             find(leaf.subject, leaf.degree(degree)?)
         })

@@ -8,7 +8,7 @@
 use super::Quantity;
 use crate::scene::Scene;
 use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace};
-use crate::{CoordinateAxis, Dual, Length};
+use crate::{Ball, CoordinateAxis, Dual, Length};
 use std::collections::HashMap;
 
 /// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
@@ -29,6 +29,8 @@ pub struct Sensitivity {
     demand: Demand,
     order: Order,
     base: Workspace,
+    /// Where a figure takes a size: what may be 0 but for rounding turns over there.
+    enclosure: Option<Workspace<Ball>>,
     /// For every length, once it was asked about and where all of them have room.
     ready: Vec<Option<Ready>>,
 }
@@ -99,6 +101,10 @@ impl Sensitivity {
             demand,
             order,
             base: solver.state(),
+            enclosure: figures
+                .iter()
+                .any(Quantity::has_sizes)
+                .then(|| solver.enclosure()),
         }
     }
 
@@ -141,6 +147,7 @@ impl Sensitivity {
             }
         }
         self.round(&mut numbers);
+        self.turn_over(&numbers, &mut exists);
         Some(Derivatives {
             lengths: count,
             numbers,
@@ -159,6 +166,21 @@ impl Sensitivity {
         let size = mechanism.points().len() + mechanism.links().len();
         if size * self.lengths.len() <= MOST_KEPT {
             self.ready[number] = Some(ready);
+        }
+    }
+
+    /// A size of what is 0 but for rounding follows a length in the same way on both sides only where it does not
+    /// follow it at all.
+    fn turn_over(&mut self, numbers: &[f64], exists: &mut [bool]) {
+        let Some(enclosure) = &mut self.enclosure else {
+            return;
+        };
+        self.solver.enclose(&mut self.base, self.order, enclosure);
+        let count = self.lengths.len().max(1);
+        let all = self.figures.iter().zip(numbers.chunks(count)).zip(exists);
+        for ((figure, slopes), exists) in all {
+            let follows = slopes.iter().any(|slope| *slope != 0.0);
+            *exists &= !(follows && figure.has_sizes() && figure.turns_over(enclosure));
         }
     }
 

@@ -28,7 +28,7 @@ pub(super) type LinkPlaces = Lenient<Entries<LinkPlace>>;
 #[derive(Debug)]
 pub(super) enum WrittenPlace {
     Pair(Vec<Lenient<f64>>),
-    Sighted(SightedTable),
+    Sighted(Box<SightedTable>),
 }
 
 /// A place by length and angle as it is written.
@@ -74,7 +74,7 @@ impl<'de> Visitor<'de> for EitherWay {
                 _ => drop(map.next_value::<Lenient<IgnoredAny>>()?),
             }
         }
-        Ok(WrittenPlace::Sighted(table))
+        Ok(WrittenPlace::Sighted(Box::new(table)))
     }
 }
 

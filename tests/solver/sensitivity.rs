@@ -2,7 +2,7 @@
 
 use krank::quantity::{Catalogue, Derivatives, Quantity, Sensitivity};
 use krank::scene::{Scene, presets};
-use krank::solver::{Order, Solver};
+use krank::solver::{Order, Range, Solver};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -335,7 +335,11 @@ fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
         if !solver.plan().redundant.is_empty() {
             continue;
         }
-        let at = scene.mechanism.driver().start;
+        // Where nothing that moves all but stands still: there a step of the secant leads past that.
+        let at = match solver.motion().range {
+            Range::Full { period } => 0.41 * period,
+            Range::Limited { low, high } => low + 0.41 * (high - low),
+        };
         let figures = Catalogue::new(&scene).unlisted();
         let found = Sensitivity::new(&scene, &solver, &figures).at(at).unwrap();
         for (k, figure) in figures.iter().enumerate() {
@@ -373,6 +377,8 @@ fn at_a_kink_there_is_no_derivative() {
         ("sqrt(B.y / 1 mm)", false, true),
         ("hypot(B.y, B.y)", false, true),
         ("abs(C.y)", true, true),
+        // 0 but for rounding.
+        ("abs(hypot(C.x - D.x, C.y - D.y) - 250 mm)", false, false),
     ] {
         let mut catalogue = Catalogue::new(&scene);
         let figure = catalogue.define(&format!("k = {formula}")).unwrap();
@@ -395,6 +401,13 @@ fn what_stays_nought_on_both_sides_has_a_derivative() {
         .unwrap();
     assert!(found.of(0).unwrap().iter().all(|d| *d == 0.0));
     assert!(found.of(1).unwrap().iter().any(|d| *d != 0.0));
+    // Peaucellier's point goes straight by its lengths alone, and a length that is off bends its path either way.
+    let scene = Scene::parse(presets::find("peaucellier").unwrap().text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let figures = Catalogue::new(&scene).select(&["P.a.n", "P.a.t"]).unwrap();
+    let at = scene.mechanism.driver().start;
+    let found = Sensitivity::new(&scene, &solver, &figures).at(at).unwrap();
+    assert!(found.of(0).is_none() && found.of(1).is_some());
 }
 
 /// Lengths and angles of points are asked about like coordinates, and what is seen from them goes with them.
