@@ -103,7 +103,7 @@ fn the_commands_of_the_readme_run() {
         // The rest opens the workbench, or measures for a while.
         if [
             "list", "check", "table", "explain", "report", "draw", "plot", "sweep", "start",
-            "motor", "help",
+            "motor", "help", "exercise", "grade",
         ]
         .contains(&args[0])
         {
@@ -112,6 +112,6 @@ fn the_commands_of_the_readme_run() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 17);
+    assert_eq!(ran, 18);
     assert!(README.len() <= 15_000, "{} bytes", README.len());
 }
