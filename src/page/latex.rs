@@ -220,6 +220,7 @@ fn one(piece: &MathPiece) -> String {
         MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
         MathPiece::Power(raised) => format!("^{{{raised}}}"),
         MathPiece::Sign('·') => "\\cdot ".into(),
+        MathPiece::Sign('±') => "\\pm ".into(),
         MathPiece::Sign(',') => ",\\penalty900 ".into(),
         MathPiece::Sign('/') => "/\\penalty900 ".into(),
         MathPiece::Sign(sign) if "+-=()[]|/,<>".contains(*sign) => sign.to_string(),
@@ -231,7 +232,10 @@ fn one(piece: &MathPiece) -> String {
 /// Words stand apart, factors hardly; signs make their own room.
 fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str {
     let is_sign = |piece: Option<&MathPiece>| {
-        matches!(piece, None | Some(MathPiece::Sign('+' | '-' | '=' | '·')))
+        matches!(
+            piece,
+            None | Some(MathPiece::Sign('+' | '-' | '±' | '=' | '·'))
+        )
     };
     let is_word = |piece: Option<&MathPiece>| {
         matches!(piece, Some(MathPiece::Unit(_)))

@@ -21,8 +21,9 @@ pub(super) enum MathPiece {
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
 /// Components, which have an index though no figure does.
-const COMPONENTS: [&str; 16] = [
-    "mx", "my", "ax", "ay", "ex", "ey", "fx", "fy", "tx", "ty", "sx", "sy", "nx", "ny", "Fx", "Fy",
+const COMPONENTS: [&str; 18] = [
+    "mx", "my", "ax", "ay", "ex", "ey", "fx", "fy", "tx", "ty", "sx", "sy", "nx", "ny", "Kx", "Ky",
+    "Fx", "Fy",
 ];
 
 /// The pieces of a formula.
@@ -66,6 +67,9 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
                 }
                 false => named(&name, order),
             });
+        } else if c == '+' && chars.get(i + 1) == Some(&'-') {
+            i += 2;
+            pieces.push(MathPiece::Sign('±'));
         } else {
             i += 1;
             pieces.push(MathPiece::Sign(c));
@@ -130,12 +134,21 @@ fn named(name: &str, order: usize) -> MathPiece {
         && rest.starts_with(|c: char| c.is_ascii_uppercase());
     let (letter, index) = match name.split_once('_') {
         Some((letter, index)) if !letter.is_empty() => (letter.into(), index.replace('_', " ")),
-        _ if !name.is_ascii() || is_number(rest) || of_point || COMPONENTS.contains(&name) => {
+        _ if name.starts_with(is_greek)
+            || is_number(rest)
+            || of_point
+            || COMPONENTS.contains(&name) =>
+        {
             split(first)
         }
         _ => (name.to_owned(), String::new()),
     };
     MathPiece::Symbol(letter, index, order)
+}
+
+/// Symbols begin with a Greek letter where no Latin one does; words of a language have letters of their own.
+fn is_greek(c: char) -> bool {
+    ('\u{370}'..='\u{3ff}').contains(&c)
 }
 
 /// Behind the bracket that the one at this place opens, there is what follows it.
@@ -192,6 +205,8 @@ mod tests {
             ("xB", "x", "B"),
             ("a_r3.com_t", "a", "r3.com t"),
             ("mx", "m", "x"),
+            ("Kx", "K", "x"),
+            ("açısı", "açısı", ""),
             ("deg", "deg", ""),
             ("ram", "ram", ""),
             ("at", "at", ""),
@@ -224,6 +239,7 @@ mod tests {
             [symbol("r", "4", 2), Blank, symbol("r", "4", 0)]
         );
         let unit = |name: &str| MathPiece::Unit(name.into());
+        assert_eq!(pieces("p +- q")[2], Sign('±'));
         assert_eq!(pieces("mm/s")[2], unit("s"));
         assert_eq!(pieces("2 N m")[2..], [unit("N"), Blank, unit("m")]);
         assert_eq!(pieces("m/s^2")[0], unit("m"));
