@@ -316,6 +316,13 @@ impl DiagramSheet {
     }
 
     fn name(&mut self, at: Vec2, class: &str, text: &str) {
+        let half = 0.5 * LETTER * text.chars().count() as f64;
+        let size = self.art.size();
+        let inside = |v: f64, room: f64, margin: f64| v.min(room - margin).max(margin);
+        let at = Vec2::new(
+            inside(at.x, size.x, half),
+            inside(at.y, size.y, 2.0 * HALF_TEXT),
+        );
         let base = at + Vec2::new(0.0, HALF_TEXT);
         self.art.text(base, TextAnchor::Middle, class, text);
         self.taken.push(at);

@@ -23,20 +23,21 @@ pub struct FreeForce {
 }
 
 impl FreeForce {
-    /// `B 127 N`, `r4 35.1 N 2.10 N m`.
+    /// `B 127 N`, `r4 35.1 N, 2.10 N m`.
     fn told(&self) -> String {
-        let mut text = self.name.clone();
-        for (size, unit) in [(self.force.norm(), "N"), (self.couple.abs(), "N m")] {
-            if size > 0.0 {
-                text += &format!(" {} {unit}", rounded(size));
-            }
-        }
-        text
+        let sizes = [(self.force.norm(), "N"), (self.couple.abs(), "N m")];
+        let sizes = sizes.into_iter().filter(|(size, _)| *size > 0.0);
+        let sizes: Vec<String> = sizes
+            .map(|(size, unit)| format!("{} {unit}", rounded(size)))
+            .collect();
+        format!("{} {}", self.name, sizes.join(", "))
     }
 }
 
 /// The longest arrow beside the link.
 const LONGEST: f64 = 0.55;
+/// A shorter arrow would hide under the mark of its point.
+const SHORTEST: f64 = 0.2;
 /// A smaller part of the largest force, or of the largest moment, is rounding or too short to be seen.
 const SEEN: f64 = 1e-3;
 
@@ -104,7 +105,8 @@ fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> 
         let at = one.at.unwrap_or(middle);
         let mut outer = at;
         if one.force.norm() > SEEN * most {
-            let arrow = one.force * (LONGEST * size / most);
+            let share = (one.force.norm() / most).max(SHORTEST);
+            let arrow = one.force * (LONGEST * size * share / one.force.norm());
             // What pushes into the link ends where it acts, and what pulls begins there: neither lies upon it.
             let pushes = arrow.dot(middle - at) > 0.0;
             outer = if pushes { at - arrow } else { at + arrow };

@@ -33,6 +33,9 @@ const BARREL: f64 = 6.0;
 const HEAD: f64 = 9.0;
 const MOMENT: f64 = 16.0;
 const SPRING: f64 = 7.0;
+/// A letter of a name at the most, and its height.
+const LETTER: f64 = 7.5;
+const LINE: f64 = 12.0;
 
 /// The figure in this window as a document of its own, with its legend below.
 #[must_use]
@@ -263,6 +266,12 @@ impl Picture<'_> {
             let away = Vec2::new(f64::from(col) - 0.5, f64::from(row) + 0.25);
             let away = Vec2::new(away.x * self.cell.x, away.y * self.cell.y);
             let at = self.place(point) + away;
+            let (size, room) = (self.art.size(), LETTER * text.chars().count() as f64);
+            let inside = |v: f64, least: f64, most: f64| v.min(most).max(least);
+            let at = Vec2::new(
+                inside(at.x, 1.0, size.x - room),
+                inside(at.y, LINE, size.y - 0.3 * LINE),
+            );
             self.art.text(at, TextAnchor::Start, "halo", text);
             self.art.text(at, TextAnchor::Start, "name", text);
         }

@@ -93,6 +93,9 @@ fn is_unit(name: &str, before: &[MathPiece], rest: &[char]) -> bool {
         ("s", [.., MathPiece::Sign('/')]) => true,
         ("N" | "W", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
         ("m", _) if rest.starts_with(&['/', 's']) => true,
+        ("m", [.., MathPiece::Number(..), MathPiece::Blank]) => {
+            matches!(rest, [] | [','] | ['^', _])
+        }
         ("m", [.., newton, MathPiece::Blank]) => is_newton(newton),
         _ => false,
     }

@@ -200,9 +200,9 @@ fn what_every_kind_of_group_bears_is_worked_out() {
         }
         for text in follow(name, &loaded) {
             let ways = [
-                "has no share: ",
+                "sum is free of ",
                 "have no share in two sums",
-                "are solved at once",
+                "The equations of all links",
             ];
             for (count, way) in told.iter_mut().zip(ways) {
                 *count += text.matches(way).count();

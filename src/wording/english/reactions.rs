@@ -19,15 +19,19 @@ catalogue! {
         dyad_by_two_sums(point: &str, first: &str, sums: [&str; 2], second: &str) = {
             let [one, other] = sums;
             format!("F is the force at {point} on {first}; -F acts on {second}, and what acts on the pin itself is \
-                     counted there. The outer reactions have no share in two sums: {one} of {first}, and {other} \
-                     of {second}.")
+                     counted there. The outer reactions have no share in two sums: of {first} {one}, and of \
+                     {second} {other}.")
         };
-        one_sum(sum: &str, outer: &str) =
-            "In one sum what acts as `{outer}` has no share: {sum}.";
+        one_sum(sum: &str, reaction: &str) = "One sum is free of {reaction}: {sum}.";
+        reaction_at(point: &str) = "the reaction at {point}";
+        reaction_of_guide(slide: &str) = "what the guide of {slide} bears";
+        vector_is(letter: char, vector: &str) = "{letter} is {vector}.";
+        arm_from_to(from: &str, to: &str) = "the arm from {from} to {to} in m; x and y count from {from}";
+        unit_vector_along(at: &str) = "the unit vector at {at} deg";
         moments_about(point: &str) = "the moments about {point}";
-        forces_along_guide(slide: &str) = "the forces along {slide}";
+        forces_along_guide(slide: &str, at: &str) = "the forces along the guide of {slide}, at {at} deg";
         moment_about(point: &str) = "about {point}";
-        force_along(slide: &str) = "along {slide}";
+        force_along = "along it";
         known_on(link: &str) = "known on {link}";
         so_that = "Both sums are 0:";
         part_at(part: &str, link: &str, point: &str) = "{part} on {link} at {point}";
@@ -35,13 +39,16 @@ catalogue! {
         along(name: &str) = "{name}, along";
         moment_of(name: &str) = "{name}, moment";
         reactions_at_once(unknowns: usize) =
-            "No sum is left with one or two unknowns; the equations of all links are solved at once, for {unknowns}; \
-             where a load acts on a pin, the balance of that pin, below, is one of them:";
+            "The equations of all links, for {unknowns} unknowns; where a load acts on a pin, the balance of that pin, \
+             below, is one of them:";
         reactions_too_many(links: usize) =
             "The reactions of {links} links are found at once: too many equations to be read.";
         sought_reaction = "unknown";
         what_it_is = "what it is";
-        sums_of_link(link: &str) = "The sums of {link} along x and y, and of moments in N m, arms in m:";
+        sums_of_link(link: &str, about: &str) =
+            "The sums of {link} along x and y, and of the moments about {about} in N m, arms in m:";
+        solved_one_by_one = "Where one unknown is left in a sum it is found, and put into the others:";
+        others_at_once(names: &str) = "The others depend on one another, and are found at once: {names}.";
         sum_on(what: &str, link: &str) = "sum of {what} on {link}";
         no_balance_at_dead_point =
             "At a dead point the mechanical advantage is infinite: no torque of the driver balances \

@@ -34,7 +34,7 @@ catalogue! {
              tangential one.";
 
         // Forces, plots and facts.
-        link_cut_free(link: &str) = "{link} cut free, with all that acts on it, its inertia among it.";
+        link_cut_free(link: &str) = "{link} cut free, with all that acts on it, its inertia among it; short arrows are drawn longer.";
         centres_drawn =
             "Instant centres, and the lines on which they lie; one that lies far away is not drawn.";
         forces_drawn = "Loads, and the forces that joints and guides bear.";

@@ -17,16 +17,20 @@ catalogue! {
              tahrikinki gelir.";
         dyad_by_two_sums(point: &str, first: &str, sums: [&str; 2], second: &str) = {
             let [one, other] = sums;
-            format!("F, {first} uzvuna {point} mafsalında etki eden kuvvettir; {second} uzvuna -F etki eder, pimin \
-                     kendisine etki eden de ona sayılır. Dış tepkilerin payı olmayan iki toplam: {first} için \
+            format!("F, {first} uzvuna {point} mafsalında etki eden kuvvettir; {second} uzvuna -F etki eder, pime \
+                     etki eden yük de ona yazılır. Dış tepkilerin payı olmayan iki toplam: {first} için \
                      {one}, {second} için {other}.")
         };
-        one_sum(sum: &str, outer: &str) =
-            "`{outer}` tepkisinin payı olmayan tek toplam: {sum}.";
+        one_sum(sum: &str, reaction: &str) = "Tek bir toplamda {reaction} yoktur: {sum}.";
+        reaction_at(point: &str) = "{point} noktasındaki tepki";
+        reaction_of_guide(slide: &str) = "{slide} kılavuzunun taşıdığı";
+        vector_is(letter: char, vector: &str) = "{letter}: {vector}.";
+        arm_from_to(from: &str, to: &str) = "{from} noktasından {to} noktasına kol, m olarak; x ve y {from} noktasından sayılır";
+        unit_vector_along(at: &str) = "{at} deg yönünde birim vektör";
         moments_about(point: &str) = "{point} noktasına göre momentler";
-        forces_along_guide(slide: &str) = "{slide} boyunca kuvvetler";
+        forces_along_guide(slide: &str, at: &str) = "{slide} kılavuzu boyunca, {at} deg yönünde kuvvetler";
         moment_about(point: &str) = "{point} noktasına göre";
-        force_along(slide: &str) = "{slide} boyunca";
+        force_along = "boyunca";
         known_on(link: &str) = "{link} üstünde bilinen";
         so_that = "İki toplam da 0'dır:";
         part_at(part: &str, link: &str, point: &str) = "{part}, {link}, {point}";
@@ -34,13 +38,16 @@ catalogue! {
         along(name: &str) = "{name}, boyunca";
         moment_of(name: &str) = "{name}, moment";
         reactions_at_once(unknowns: usize) =
-            "Bir ya da iki bilinmeyenli toplam yoktur; bütün uzuvların denklemleri birlikte çözülür, {unknowns} \
-             bilinmeyen; bir pime yük etki ediyorsa, aşağıdaki pim dengesi de onlardandır:";
+            "{unknowns} bilinmeyen için bütün uzuvların denklemleri; bir pime yük etki ediyorsa, aşağıdaki pim dengesi \
+             de onlardandır:";
         reactions_too_many(links: usize) =
             "{links} uzvun tepkileri birlikte bulunur: okunamayacak kadar çok denklem.";
         sought_reaction = "bilinmeyen";
         what_it_is = "ne olduğu";
-        sums_of_link(link: &str) = "{link} uzvunun x ve y boyunca toplamları, ve N m olarak momentleri, kollar m:";
+        sums_of_link(link: &str, about: &str) =
+            "{link} uzvunun x ve y boyunca toplamları, ve {about} noktasına göre N m olarak momentleri, kollar m:";
+        solved_one_by_one = "Bir toplamda tek bilinmeyen kalınca o bulunur ve ötekilere konur:";
+        others_at_once(names: &str) = "Ötekiler birbirine bağlıdır ve birlikte bulunur: {names}.";
         sum_on(what: &str, link: &str) = "{what} toplamı, {link}";
         no_balance_at_dead_point =
             "Ölü konumda mekanik kazanç sonsuzdur: tahrikin hiçbir torku yükleri dengelemez, tepkiler \
@@ -81,8 +88,8 @@ catalogue! {
              hareket denklemleri:";
         guide_of(slide: &str) = "{slide} kılavuzu";
         slider_of(slide: &str) = "{slide} sürgüsü";
-        pin_by(link: &str, point: &str, by: &str) = "{link}, {point}, etki eden {by}";
-        pin_by_ground(link: &str, point: &str) = "{link}, {point}, etki eden şase";
+        pin_by(link: &str, point: &str, by: &str) = "{link}, {point}: {by} tarafından";
+        pin_by_ground(link: &str, point: &str) = "{link}, {point}: şase tarafından";
 
         // A pin.
         pin_part(name: &str) = "Pim {name}";

@@ -31,7 +31,7 @@ catalogue! {
             "Ağırlık merkezlerinin ivmeleri, tek kutuptan, ölçekli; n merkezcil, t teğetsel parça.";
 
         // Forces, plots and facts.
-        link_cut_free(link: &str) = "{link} serbest cisim olarak: ataleti de içinde, ona etki eden her şey.";
+        link_cut_free(link: &str) = "{link} serbest cisim olarak: ataleti de içinde, ona etki eden her şey; kısa oklar uzatılmıştır.";
         centres_drawn =
             "Ani dönme merkezleri ve üzerinde oldukları doğrular; çok uzakta olan çizilmez.";
         forces_drawn = "Yükler, mafsalların ve kılavuzların taşıdığı kuvvetler.";

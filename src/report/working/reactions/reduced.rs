@@ -26,12 +26,14 @@ struct OuterFree {
     sum: String,
     /// Above the column of its terms.
     about: String,
-    /// In words: moments about B, forces along r6.
+    /// In words: moments about B, forces along the guide of r6.
     told: String,
+    /// What its arm or its unit vector is.
+    vector: String,
 }
 
 /// What is left out by which equation; `None` where a single equation does not leave it out.
-fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize) -> Option<OuterFree> {
+fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) -> Option<OuterFree> {
     match outer.joint? {
         BodyJoint::Pin(point) => {
             let name = point_name(context, point);
@@ -40,6 +42,7 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize) -> Option<Ou
                 sum: format!("M{number}"),
                 about: format!("{} [N m]", words().moment_about(name)),
                 told: words().moments_about(name),
+                vector: words().arm_from_to(name, at),
             })
         }
         BodyJoint::Guide(slide) => {
@@ -49,11 +52,14 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize) -> Option<Ou
                 return None;
             }
             let name = context.scene.slide_name(slide);
+            let guide = context.state.travel(slide).guide;
+            let at = context.figures.direction(crate::angle::degrees(guide));
             Some(OuterFree {
-                reckoning: Reckoning::Along(context.state.travel(slide).guide),
+                reckoning: Reckoning::Along(guide),
                 sum: format!("S{number}"),
-                about: format!("{} [N]", words().force_along(name)),
-                told: words().forces_along_guide(name),
+                about: format!("{} [N]", words().force_along()),
+                told: words().forces_along_guide(name, &at),
+                vector: words().unit_vector_along(&at),
             })
         }
         BodyJoint::Driver => None,
@@ -109,17 +115,15 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     else {
         return false;
     };
-    let equations = [0, 1].map(|k| free_of(context, outer[k], k + 1));
+    let point = point_name(context, inner);
+    let equations = [0, 1].map(|k| free_of(context, outer[k], k + 1, point));
     let [Some(first), Some(second)] = &equations else {
         return false;
     };
     let f = context.figures;
     let metres = context.scene.mechanism.metres();
     let at = context.state.position(inner);
-    let (point, link) = (
-        point_name(context, inner),
-        context.scene.link_name(bodies[0].link),
-    );
+    let link = context.scene.link_name(bodies[0].link);
     let told = [first, second].map(|equation| equation.told.as_str());
     draft.page.text(words().dyad_by_two_sums(
         point,
@@ -134,15 +138,18 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     let mut rows = Vec::new();
     let letters = match (first.reckoning, second.reckoning) {
         (Reckoning::Along(_), Reckoning::Along(_)) => ['t', 's'],
-        (Reckoning::Along(_), Reckoning::About(_)) => ['t', 'f'],
+        (Reckoning::Along(_), Reckoning::About(_)) => ['t', 'e'],
         (Reckoning::About(_), Reckoning::Along(_)) => ['e', 't'],
-        (Reckoning::About(_), Reckoning::About(_)) => ['e', 'f'],
+        (Reckoning::About(_), Reckoning::About(_)) => ['e', 'g'],
     };
     for (k, equation) in [first, second].into_iter().enumerate() {
         let name = (equation.sum.as_str(), equation.reckoning);
         let pin_load = load.iter().filter(|_| k == 1);
         let given: Vec<&BodyForce> = bodies[k].given.iter().chain(pin_load).collect();
         let link = bodies[k].link;
+        draft
+            .page
+            .text(words().vector_is(letters[k], &equation.vector));
         sums[k] = write_known(context, draft, (link, &given), name, &equation.about);
         let (share, v) = shares(f, equation.reckoning, at, letters[k], metres);
         let unit = match equation.reckoning {
@@ -178,9 +185,11 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
             draft.page.equation([sum.text(), right]);
         }
     }
+    let reckonings = [first.reckoning, second.reckoning];
     cramer(
         context,
         draft,
+        unit_of_determinant(reckonings),
         [&rows[0], &rows[1]],
         &right,
         sums,
@@ -243,10 +252,20 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
     })
 }
 
+/// The determinant of two equations.
+const DETERMINANT: &str = "Δ";
+
+/// An arm has a length, a unit vector none.
+fn unit_of_determinant(of: [Reckoning; 2]) -> &'static str {
+    let arms = of.iter().filter(|of| matches!(of, Reckoning::About(_)));
+    ["", " m", " m^2"][arms.count()]
+}
+
 /// The force at the inner pin.
 fn cramer(
     context: &Context<'_>,
     draft: &mut Draft,
+    unit: &str,
     [first, second]: [&([Expression; 2], f64); 2],
     right: &[Expression; 2],
     sums: [KnownSum; 2],
@@ -262,11 +281,11 @@ fn cramer(
     let ([c, d], other) = (second.0.clone(), second.1);
     let [p, q] = right.clone();
     let determinant = product(&a, &d) - product(&c, &b);
-    let value = draft.worked("D", &determinant, |v| f.number(v));
+    let value = draft.worked(DETERMINANT, &determinant, |v| f.number(v) + unit);
     if value == 0.0 {
         return;
     }
-    let below = || Expression::known("D", f.number(value), value);
+    let below = || Expression::known(DETERMINANT, f.number(value), value);
     let x = (product(&p, &d) - product(&q, &b)) / below();
     let y = (product(&a, &q) - product(&c, &p)) / below();
     // Of the determinant all digits are lost that its terms have in common.
@@ -363,6 +382,17 @@ fn balance<'a>(
     }
 }
 
+/// The pin in the slot, if that is what is sought beside the outer reaction.
+fn single_place<'a>(context: &'a Context<'_>, single: &BodyForce) -> &'a str {
+    match single.joint {
+        Some(BodyJoint::Guide(slide)) => {
+            let slider = context.scene.mechanism.slide(slide).slider;
+            point_name(context, slider.point())
+        }
+        _ => "",
+    }
+}
+
 /// A link with an outer reaction and one thing more that is sought: the force of a slot, or the driver's torque.
 fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool {
     let f = context.figures;
@@ -383,12 +413,16 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
         (false, true) => (b, a),
         _ => return false,
     };
-    let Some(equation) = free_of(context, outer, 1) else {
+    let place = single_place(context, single);
+    let Some(equation) = free_of(context, outer, 1, place) else {
         return false;
     };
-    draft
-        .page
-        .text(words().one_sum(&equation.told, &outer.name));
+    let reaction = match outer.joint {
+        Some(BodyJoint::Guide(slide)) => words().reaction_of_guide(context.scene.slide_name(slide)),
+        Some(BodyJoint::Pin(point)) => words().reaction_at(point_name(context, point)),
+        Some(BodyJoint::Driver) | None => return false,
+    };
+    draft.page.text(words().one_sum(&equation.told, &reaction));
     let name = (equation.sum.as_str(), equation.reckoning);
     let given: Vec<&BodyForce> = body.given.iter().collect();
     let sum = write_known(context, draft, (body.link, &given), name, &equation.about);
@@ -407,6 +441,10 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             let Some(at) = single.at else {
                 return false;
             };
+            let across = context.figures.direction(crate::angle::degrees(n));
+            draft
+                .page
+                .text(words().vector_is('n', &words().unit_vector_along(&across)));
             write_vector(context, draft, 'n', n, "");
             let unit =
                 |axis: char, v: f64| Expression::known(format!("n{axis}"), f.beside(v, 1.0), v);
@@ -417,14 +455,15 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             };
             let (share, v) = shares(f, equation.reckoning, at, letter, metres);
             let unit_of_v = if letter == 'e' { " m" } else { "" };
+            draft.page.text(words().vector_is(letter, &equation.vector));
             write_vector(context, draft, letter, v, unit_of_v);
             let [x, y] = share;
             let below = product(&y, &unit('y', n.y)) + product(&x, &unit('x', n.x));
-            let value = draft.worked("D", &below, |v| f.number(v));
+            let value = draft.worked(DETERMINANT, &below, |v| f.number(v) + unit_of_v);
             if value == 0.0 {
                 return true;
             }
-            let formula = -known / Expression::known("D", f.number(value), value);
+            let formula = -known / Expression::known(DETERMINANT, f.number(value), value);
             let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
             let worked = draft.worked("N", &formula, |v| format!("{} N", f.beside(v, size)));
             let solved = n.dot(single.force);

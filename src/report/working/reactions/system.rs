@@ -1,11 +1,12 @@
 //! A group whose reactions depend on one another: the equations of all its links at once, with numbers.
 
 use super::super::draft::{Context, Draft};
-use super::super::figures::WrittenSum;
+use super::super::figures::{WrittenSum, factor};
+use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
 use super::body::{GroupBody, Reckoning, known};
 use crate::wording::words;
-use crate::{Input, Slider, Vec2};
+use crate::{Input, PointId, Slider, Vec2};
 
 /// More equations than this nobody reads.
 const MOST_LINKS: usize = 8;
@@ -42,57 +43,177 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
         ],
         rows,
     );
+    let mut equations = Vec::new();
     for (k, body) in bodies.iter().enumerate() {
+        let Some(about) = centre(context, body) else {
+            continue;
+        };
         let name = context.scene.link_name(body.link);
-        draft.page.text(words().sums_of_link(name));
-        let about = body.sought.iter().chain(&body.given).find_map(|row| row.at);
-        let about = about.unwrap_or(Vec2::ZERO);
+        let at = point_name(context, about);
+        draft.page.text(words().sums_of_link(name, at));
         for (reckoning, what) in [
             (Reckoning::Along(Vec2::new(1.0, 0.0)), "x"),
             (Reckoning::Along(Vec2::new(0.0, 1.0)), "y"),
-            (Reckoning::About(about), "M"),
+            (Reckoning::About(context.state.position(about)), "M"),
         ] {
-            equation(context, draft, (k, body), &sought, (reckoning, what));
+            let equation = SumOfLink::of(context, (k, body), &sought, reckoning);
+            equation.write(context, draft, &sought);
+            let link = context.scene.link_name(body.link);
+            let left = equation.left(&sought);
+            draft.agree(&words().sum_on(what, link), left, 0.0, equation.size);
+            equations.push(equation);
+        }
+    }
+    one_by_one(context, draft, &sought, &equations);
+}
+
+/// About which point moments are taken: a pin of what is sought, so that it has no share.
+fn centre(context: &Context<'_>, body: &GroupBody) -> Option<PointId> {
+    let pins = body.sought.iter().filter_map(|row| match row.joint {
+        Some(BodyJoint::Pin(point)) => Some(point),
+        _ => None,
+    });
+    let members = &context.scene.mechanism.link(body.link).members;
+    pins.chain(members.iter().map(|member| member.point)).next()
+}
+
+/// A sum over all that acts on a link, which is 0.
+struct SumOfLink {
+    /// What is sought by its place, and what a unit of it counts.
+    shares: Vec<(usize, f64)>,
+    known: f64,
+    /// The sum of the sizes of all terms.
+    size: f64,
+}
+
+impl SumOfLink {
+    fn of(
+        context: &Context<'_>,
+        (place, body): (usize, &GroupBody),
+        sought: &[SoughtForce],
+        reckoning: Reckoning,
+    ) -> SumOfLink {
+        let known = known(context, &body.given, reckoning);
+        let mut sum = SumOfLink {
+            shares: Vec::new(),
+            known: known.value,
+            size: known.size,
+        };
+        for (number, one) in sought.iter().enumerate() {
+            for (_, unit) in one.acts.iter().filter(|(k, _)| *k == place) {
+                let share = reckoning.of(context, unit);
+                sum.size += reckoning.most(context, unit) * one.value.abs();
+                // Smaller is rounding of a unit force's arm or direction.
+                if context.figures.beside(share, 1.0) != "0" {
+                    sum.shares.push((number, share));
+                }
+            }
+        }
+        sum
+    }
+
+    /// What is left of it with all values in place.
+    fn left(&self, sought: &[SoughtForce]) -> f64 {
+        let terms = self
+            .shares
+            .iter()
+            .map(|(k, share)| share * sought[*k].value);
+        self.known + terms.sum::<f64>()
+    }
+
+    /// `0.5·F1x - 0.2·F1y + 3.1 = 0`.
+    fn write(&self, context: &Context<'_>, draft: &mut Draft, sought: &[SoughtForce]) {
+        let f = context.figures;
+        let mut written = WrittenSum::default();
+        for &(number, share) in &self.shares {
+            let symbol = &sought[number].symbol;
+            match share {
+                1.0 => written.push(false, symbol),
+                -1.0 => written.push(true, symbol),
+                _ => written.push_figure(&format!("{}·{symbol}", f.number(share))),
+            }
+        }
+        let rest = f.beside(self.known, self.size);
+        if rest != "0" {
+            written.push_figure(&rest);
+        }
+        let text = written.text();
+        if text != "0" {
+            draft.page.equation([text, "0".to_owned()]);
         }
     }
 }
 
-/// `0.5 F1x - 0.2 F1y + 3.1 = 0`.
-fn equation(
+/// Finds what stands alone in a sum, then what does beside that; and says what is left.
+fn one_by_one(
     context: &Context<'_>,
     draft: &mut Draft,
-    (place, body): (usize, &GroupBody),
     sought: &[SoughtForce],
-    (reckoning, what): (Reckoning, &str),
+    equations: &[SumOfLink],
+) {
+    let mut found = vec![false; sought.len()];
+    let mut is_begun = false;
+    loop {
+        let next = equations.iter().find_map(|equation| {
+            let mut open = equation.shares.iter().filter(|(k, _)| !found[*k]);
+            match (open.next(), open.next()) {
+                (Some(&(k, share)), None) => Some((equation, k, share)),
+                _ => None,
+            }
+        });
+        let Some((equation, number, share)) = next else {
+            break;
+        };
+        if !is_begun {
+            draft.page.text(words().solved_one_by_one());
+            is_begun = true;
+        }
+        found[number] = true;
+        alone(context, draft, sought, (equation, number, share));
+    }
+    let rest = sought.iter().zip(&found).filter(|(_, found)| !**found);
+    let rest: Vec<&str> = rest.map(|(one, _)| one.symbol.as_str()).collect();
+    if !rest.is_empty() {
+        draft.page.text(words().others_at_once(&rest.join(", ")));
+    }
+}
+
+/// `N = -(0.5·3.2 - 7.1)/2 = 2.75 N`.
+fn alone(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    sought: &[SoughtForce],
+    (equation, number, share): (&SumOfLink, usize, f64),
 ) {
     let f = context.figures;
-    let mut written = WrittenSum::default();
-    let known = known(context, &body.given, reckoning);
-    let (mut sum, mut size) = (known.value, known.size);
-    for one in sought {
-        for (_, unit) in one.acts.iter().filter(|(k, _)| *k == place) {
-            let share = reckoning.of(context, unit);
-            let figure = f.beside(share, 1.0);
-            sum += share * one.value;
-            size += reckoning.most(context, unit) * one.value.abs();
-            match figure.as_str() {
-                "0" => {}
-                _ if share == 1.0 => written.push(false, &one.symbol),
-                _ if share == -1.0 => written.push(true, &one.symbol),
-                figure => written.push_figure(&format!("{figure}·{}", one.symbol)),
-            }
+    let one = &sought[number];
+    let mut sum = WrittenSum::default();
+    let mut rest = equation.known;
+    for &(k, share) in equation.shares.iter().filter(|(k, _)| *k != number) {
+        let value = sought[k].value;
+        rest += share * value;
+        let figure = f.beside(value, equation.size);
+        match share {
+            _ if figure == "0" => {}
+            1.0 => sum.push_figure(&figure),
+            -1.0 => sum.push_figure(&f.beside(-value, equation.size)),
+            _ => sum.push_figure(&format!("{}·{}", f.number(share), factor(&figure))),
         }
     }
-    let rest = f.beside(known.value, size);
-    if rest != "0" {
-        written.push_figure(&rest);
+    let known = f.beside(equation.known, equation.size);
+    if known != "0" {
+        sum.push_figure(&known);
     }
-    let link = context.scene.link_name(body.link);
-    draft.agree(&words().sum_on(what, link), sum, 0.0, size);
-    let text = written.text();
-    if text != "0" {
-        draft.page.equation([text, "0".to_owned()]);
-    }
+    let worked = -rest / share;
+    let size = equation.size / share.abs();
+    draft.agree(&one.symbol, worked, one.value, size);
+    let formula = match share {
+        1.0 => format!("-({})", sum.text()),
+        -1.0 => sum.text(),
+        _ => format!("-({})/{}", sum.text(), factor(&f.number(share))),
+    };
+    let value = format!("{} {}", f.beside(worked, size), one.unit);
+    draft.page.equation([one.symbol.clone(), formula, value]);
 }
 
 /// All that is sought, each once: what a pin between two links of the group bears acts on both.
