@@ -24,11 +24,16 @@ pub struct FreeForce {
 
 impl FreeForce {
     /// `B 127 N`, `r4 35.1 N, 2.10 N m`.
-    fn told(&self) -> String {
-        let sizes = [(self.force.norm(), "N"), (self.couple.abs(), "N m")];
-        let sizes = sizes.into_iter().filter(|(size, _)| *size > 0.0);
+    ///
+    /// What is too small to be drawn has no size either.
+    fn told(&self, [pushes, turns]: [bool; 2]) -> String {
+        let sizes = [
+            (pushes, self.force.norm(), "N"),
+            (turns, self.couple.abs(), "N m"),
+        ];
+        let sizes = sizes.into_iter().filter(|(is_drawn, ..)| *is_drawn);
         let sizes: Vec<String> = sizes
-            .map(|(size, unit)| format!("{} {unit}", rounded(size)))
+            .map(|(_, size, unit)| format!("{} {unit}", rounded(size)))
             .collect();
         format!("{} {}", self.name, sizes.join(", "))
     }
@@ -126,7 +131,7 @@ fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> 
             figure.add(Shape::Moment { at, is_left });
         }
         if turns || outer != at {
-            let text = one.told();
+            let text = one.told([outer != at, turns]);
             let at = outer;
             figure.add(Shape::Label { at, text, role });
         }
