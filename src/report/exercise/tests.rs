@@ -6,6 +6,7 @@ use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
 use proptest::prelude::*;
+use std::path::Path;
 
 fn key(name: &str, more: &[String]) -> AnswerKey {
     let preset = presets::find(name).unwrap();
@@ -25,7 +26,7 @@ fn graded(name: &str, answers: &str) -> GradedAnswers {
     });
     let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
     let key = key(name, &file.names());
-    GradedAnswers::new(&key, &file, "notes", name)
+    GradedAnswers::new(&key, &file, Path::new("notes.csv"), name)
 }
 
 /// What was answered, and the verdicts in words.
@@ -207,7 +208,7 @@ fn exact_figures_are_right_in_every_preset() {
             format!("{name};;{:.5e}\n", f.exact)
         });
         let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
-        let graded = GradedAnswers::new(&key, &file, "x", "y");
+        let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
         assert_eq!(graded.strangers, [""; 0]);
         for (figure, asked) in graded.figures.iter().zip(&key.figures) {
             // Of a large angle five decimals are left.
@@ -336,7 +337,7 @@ proptest! {
             format!("{figure};;{answer}\n")
         });
         if let Ok(file) = AnswerFile::read(rows.collect::<String>().as_bytes()) {
-            let graded = GradedAnswers::new(&key, &file, "x", "y");
+            let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
             prop_assert_eq!(graded.figures.len(), key.figures.len());
             let _ = graded.page();
             let mut text = Vec::new();

@@ -55,6 +55,7 @@ catalogue! {
         student = "student";
         points_head = "points";
         figures_head = "of";
+        file_head = "file";
         first_mistake_head = "first mistake";
         points_of(points: usize, figures: usize, right: usize, nearly: usize) =
             "{points} points of {figures}: {right} figures are right, {nearly} but for rounding or for what \
@@ -66,17 +67,19 @@ catalogue! {
         // What the commands cannot do.
         no_exercise(seed: u64) =
             "no exercise was found for seed {seed}: its lengths stand in relations that chance does not keep";
+        no_dimensions = "the scene has no lengths that could be drawn by chance";
         no_figures_at(at: &str) = "there are no velocities and accelerations at {at}: nothing can be asked for";
         folder_for_many = "--count makes many files: -o DIR says where";
         seeds_run_out = "--seed and --count lead beyond the largest seed";
-        answers_are_there(file: &str) =
-            "`{file}` holds answers that would be lost; write to another folder";
+        would_be_lost(file: &str) =
+            "`{file}` is not as this exercise writes it: what somebody wrote there would be lost; write to another folder";
         holds_no_answers(file: &str) = "`{file}` holds no answers: it has no row of a figure";
         too_many_answers(file: &str) = "`{file}` is no file of answers: it is too large";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` names no sheet of the folder: `{sheet}`";
         answers_another_sheet(file: &str, named: &str, sheet: &str) =
             "`{file}` says that it answers {named}, and is graded by {sheet}";
+        student_again(student: &str, files: &str) = "{student} is the student of more than one file: {files}";
         some_not_graded(some: usize, files: usize) = "{some} of {files} files were not graded";
 
         // On the command line.

@@ -54,6 +54,7 @@ catalogue! {
         student = "öğrenci";
         points_head = "puan";
         figures_head = "toplam";
+        file_head = "dosya";
         first_mistake_head = "ilk hata";
         points_of(points: usize, figures: usize, right: usize, nearly: usize) =
             "{figures} değerden {points} puan: {right} değer doğru, {nearly} değer yuvarlama dışında ya da \
@@ -65,17 +66,19 @@ catalogue! {
         // What the commands cannot do.
         no_exercise(seed: u64) =
             "{seed} tohumu için ödev bulunamadı: boylar arasında rastlantının bozduğu bağıntılar var";
+        no_dimensions = "sahnede rastgele seçilecek bir boy yok";
         no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: sorulacak bir şey yok";
         folder_for_many = "--count birçok dosya yazar: nereye olduğunu -o DIR söyler";
         seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
-        answers_are_there(file: &str) =
-            "`{file}` içindeki cevaplar kaybolurdu; başka bir klasöre yazın";
+        would_be_lost(file: &str) =
+            "`{file}` bu ödevin yazdığı gibi değil: içine yazılanlar kaybolurdu; başka bir klasöre yazın";
         holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir değerin satırı yok";
         too_many_answers(file: &str) = "`{file}` bir cevap dosyası değil: çok büyük";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` klasördeki hiçbir ödevi söylemiyor: `{sheet}`";
         answers_another_sheet(file: &str, named: &str, sheet: &str) =
             "`{file}` dosyasına göre cevaplanan {named}, notlandıran ise {sheet}";
+        student_again(student: &str, files: &str) = "{student} birden çok dosyanın öğrencisi: {files}";
         some_not_graded(some: usize, files: usize) = "{files} dosyadan {some} tanesi notlandırılmadı";
 
         // On the command line.
