@@ -17,19 +17,30 @@ catalogue! {
         fixed_at(at: &str, unit: &str) = "fixed at {at} {unit}";
         link_from_to(from: &str, to: &str, length: &str, unit: &str) = "from {from} to {to}, {length} {unit}";
         point_on_link(name: &str, at: &str, unit: &str) = "{name} at {at} {unit} in its frame";
+        point_seen_from(name: &str, base: &str, length: &str, unit: &str, angle: &str) =
+            "{name} {length} {unit} from {base}, at {angle} deg to the link's axis";
+        the_origin = "the origin";
         the_frame = "the frame";
-        slides_along(what: &str, on: &str, at: &str, unit: &str, angle: &str) =
-            "{what} slides on {on} through {at} {unit}, at {angle} deg";
+        slides_along(what: &str, on: &str, through: &str, angle: &str) =
+            "{what} slides on {on} through {through}, at {angle} deg";
+        lies_to_guide(what: &str, angle: &str) = "the axis of {what} stays at {angle} deg to the guide";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name} stands at {at}, with {speed} and {acceleration}";
         what_is_asked =
             "Draw the vector polygon of every loop, write the loop equations in sines and cosines, \
              differentiate them twice, and fill the tables. Carry all digits on; round what you write down to four \
              digits or more. A frame on a link has its origin at the link's first end and its x axis along it.";
+        positions_asked = "Positions, given and with a question mark what is sought:";
+        velocities_asked = "Velocities, given and with a question mark what is sought:";
+        accelerations_asked = "Accelerations, given and with a question mark what is sought:";
         points_are_asked = "Velocities and accelerations of the points, by size and direction:";
         where_answers_belong(file: &str) =
             "The answers belong into the file {file}, which a spreadsheet opens; figures have the names and units \
              that stand there.";
+
+        names_in_answers(names: &str) =
+            "In the file of answers stand: {names}. The angle of a link is that of its axis, from its first end to \
+             its second; another side of it lies at a fixed angle to that.";
 
         // Verdicts.
         is_right = "right";

@@ -17,18 +17,29 @@ catalogue! {
         fixed_at(at: &str, unit: &str) = "{at} {unit} konumunda sabit";
         link_from_to(from: &str, to: &str, length: &str, unit: &str) = "{from} noktasından {to} noktasına, {length} {unit}";
         point_on_link(name: &str, at: &str, unit: &str) = "{name}, uzvun ekseninde {at} {unit}";
+        point_seen_from(name: &str, base: &str, length: &str, unit: &str, angle: &str) =
+            "{name}, {base} noktasından {length} {unit}, uzvun eksenine göre {angle} deg";
+        the_origin = "başlangıç";
         the_frame = "şase";
-        slides_along(what: &str, on: &str, at: &str, unit: &str, angle: &str) =
-            "{what} kayar, kızak: {on}, {at} {unit} noktasından {angle} deg ile";
+        slides_along(what: &str, on: &str, through: &str, angle: &str) =
+            "{what} kayar, kızak: {on}, {through} noktasından {angle} deg ile";
+        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kızağa göre hep {angle} deg";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name}: {at}, hız {speed}, ivme {acceleration}";
         what_is_asked =
             "Her döngünün vektörel poligonunu çizin, denklemlerini sinüs ve kosinüsle yazın, iki kez türevini \
              alın ve tabloları doldurun. Ara hesapta bütün haneleri taşıyın; yazdığınızı en az dört haneye \
              yuvarlayın. Uzvun eksen takımı ilk ucundan başlar, x ekseni uzuv boyuncadır.";
+        positions_asked = "Konumlar, verilenler ve soru işaretiyle bilinmeyenler:";
+        velocities_asked = "Hızlar, verilenler ve soru işaretiyle bilinmeyenler:";
+        accelerations_asked = "İvmeler, verilenler ve soru işaretiyle bilinmeyenler:";
         points_are_asked = "Noktaların hız ve ivmeleri, büyüklük ve yön:";
         where_answers_belong(file: &str) =
             "Cevaplar hesap tablosunun açtığı {file} dosyasına yazılır; değerlerin adı ve birimi orada durur.";
+
+        names_in_answers(names: &str) =
+            "Cevap dosyasındakiler: {names}. Bir uzvun açısı, ilk ucundan ikincisine giden ekseninin açısıdır; \
+             uzvun başka bir kenarı onunla sabit bir açı yapar.";
 
         // Verdicts.
         is_right = "doğru";
