@@ -15,6 +15,8 @@ const SOUGHT: &str = "?";
 const DIGITS: usize = 9;
 /// Digits of what is given by more of them than anybody types: it was computed from what was typed.
 const MOST_DIGITS: usize = 12;
+/// How the names of what is asked of a point end.
+const POINT_ENDS: [&str; 4] = [".v", ".a", ".v.angle", ".a.angle"];
 /// Digits of a speed in the unit of the tables, behind the one in which it is given.
 const SPEED_DIGITS: usize = 6;
 
@@ -49,24 +51,45 @@ impl Report {
         }
         points(key, &mut page);
         page.text(words().where_answers_belong(answers));
-        let names: Vec<&str> = key
-            .figures
-            .iter()
-            .map(|f| f.quantity.name.as_str())
-            .collect();
-        page.text(words().names_in_answers(&names.join(", ")));
+        names_in_answers(key, &mut page);
         Report { page }
+    }
+}
+
+/// The points that are asked for.
+fn asked_points(key: &AnswerKey) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for figure in &key.figures {
+        let name = figure.quantity.name.as_str();
+        let point = POINT_ENDS[..2]
+            .iter()
+            .find_map(|end| name.strip_suffix(end));
+        names.extend(point.filter(|point| !names.contains(point)));
+    }
+    names
+}
+
+/// How the file of answers calls what the tables ask for: the points, whose names stand in their table, by an example.
+fn names_in_answers(key: &AnswerKey, page: &mut Page) {
+    let points = asked_points(key);
+    let is_of_point = |name: &str| {
+        let mut all = POINT_ENDS.iter().filter_map(|end| name.strip_suffix(end));
+        all.any(|point| points.contains(&point))
+    };
+    let names = key.figures.iter().map(|f| f.quantity.name.as_str());
+    let others: Vec<&str> = names.filter(|name| !is_of_point(name)).collect();
+    if !others.is_empty() {
+        page.text(words().names_in_answers(&others.join(", ")));
+    }
+    if let Some(point) = points.first() {
+        let names = POINT_ENDS.map(|end| format!("{point}{end}"));
+        page.text(words().names_of_a_point(point, &names.join(", ")));
     }
 }
 
 /// The points that are asked for, with their velocities and accelerations.
 fn points(key: &AnswerKey, page: &mut Page) {
-    let mut names: Vec<&str> = Vec::new();
-    for figure in &key.figures {
-        let name = figure.quantity.name.as_str();
-        let point = [".v", ".a"].iter().find_map(|end| name.strip_suffix(end));
-        names.extend(point.filter(|point| !names.contains(point)));
-    }
+    let names = asked_points(key);
     if names.is_empty() {
         return;
     }

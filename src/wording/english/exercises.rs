@@ -42,6 +42,8 @@ catalogue! {
             "In the file of answers stand: {names}. The angle of a link is that of its axis, from its first end to \
              its second; another side of it lies at a fixed angle to that.";
 
+        names_of_a_point(point: &str, names: &str) = "Of a point stand there, as of {point}: {names}.";
+
         // Verdicts.
         is_right = "right";
         rounded_by(figure: &str, written: &str) = "rounded early: {figure} as {written}";

@@ -62,7 +62,7 @@ filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
 pole, to scale; instant centres; forces where anything acts; plots over the whole motion; and
 what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format;
-any other needs --format.";
+any other needs --format beside it.";
 
         no_report_has_ending(ending: &str) =
             "no report has the ending .{ending}; .html, .tex, .md and .txt have one, and --format writes it to any file";

@@ -41,6 +41,8 @@ catalogue! {
             "Cevap dosyasındakiler: {names}. Bir uzvun açısı, ilk ucundan ikincisine giden ekseninin açısıdır; \
              uzvun başka bir kenarı onunla sabit bir açı yapar.";
 
+        names_of_a_point(point: &str, names: &str) = "Her noktanınkiler, {point} noktasında olduğu gibi: {names}.";
+
         // Verdicts.
         is_right = "doğru";
         rounded_by(figure: &str, written: &str) = "erken yuvarlama: {figure} = {written}";
