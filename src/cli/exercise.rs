@@ -1,18 +1,19 @@
 //! `krank exercise`: a sheet, a file to answer in and a solution, each from a seed.
 
-use super::args::{ExerciseArgs, OutputFormat};
+use super::args::{ExerciseArgs, OutputFormat, SceneArgs};
 use super::failure::Failure;
 use super::output::write_text;
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::files::read_any;
-use crate::report::{AnswerFile, CsvDialect, Report, ReportFormat, answer_key, blank_answers};
+use crate::report::{CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
 use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles};
 use crate::wording::words;
 use crate::{Ball, report};
+use std::io::ErrorKind;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -27,20 +28,28 @@ pub(super) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Result<(), Fa
     let seeds = seeds(args)?;
     let SolvableScene { scene, solver } = args.scene.open()?;
     let maker = ExerciseMaker::new(&scene, &solver);
+    if !maker.has_dimensions() {
+        return Err(Failure::Cannot(words().no_dimensions().into()));
+    }
     let stem = stem(&args.scene.scene);
-    let made = |seed: u64| MadeExercise::new(&maker, &scene, &stem, seed);
+    let typed = as_typed(&args.scene);
+    let made = |seed: u64| MadeExercise::new(&maker, &scene, [&stem, &typed], seed);
     let Some(folder) = &args.output else {
         let made = made(args.seed)?;
         let format = args.format.unwrap_or(ReportFormat::Text);
         let sheet = made.sheet().written(format, screen.ascii);
         return write_text(None, &sheet);
     };
+    let format = args.format.unwrap_or_default();
     for seed in seeds.clone() {
-        nothing_lost(&folder.join(format!("{stem}-{seed}.csv")))?;
+        let names = endings(format).map(|ending| format!("{stem}-{seed}{ending}"));
+        // Where there is nothing yet, nothing can be lost.
+        if names.iter().any(|name| folder.join(name).exists()) {
+            made(seed)?.nothing_lost(folder, format, dialect, screen)?;
+        }
     }
     let unwritable = |e| Failure::Output(Some(folder.clone()), e);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
-    let format = args.format.unwrap_or_default();
     let mut progress = Progress::new(args.count.into(), words().parts(), screen, false);
     for (done, seed) in (1..).zip(seeds) {
         made(seed)?.write(folder, format, dialect, screen)?;
@@ -66,19 +75,27 @@ fn stem(scene: &Path) -> String {
     stem.map_or_else(|| UNNAMED.into(), |stem| stem.to_string_lossy().into())
 }
 
-/// Refuses to write over a file in which somebody has answered.
-fn nothing_lost(path: &Path) -> Result<(), Failure> {
-    let Ok(bytes) = read_any(path, LARGEST_FILE) else {
-        // What cannot be read is told when it cannot be written.
-        return Ok(());
-    };
-    let file = AnswerFile::read(&bytes).unwrap_or_default();
-    let is_answered = file.answers.iter().any(|(_, answer)| !answer.is_empty());
-    match is_answered || file.student.is_some() {
-        true => Err(Failure::Cannot(
-            words().answers_are_there(&path.display().to_string()),
-        )),
-        false => Ok(()),
+/// The scene and its assembly as they stand on the command line, for a shell.
+fn as_typed(args: &SceneArgs) -> String {
+    let scene = for_shell(&args.scene.to_string_lossy());
+    let wishes: Vec<String> = args
+        .assembly
+        .wishes
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    match wishes.is_empty() {
+        true => scene,
+        false => format!("{scene} --assembly {}", for_shell(&wishes.join(","))),
+    }
+}
+
+/// A word as a shell reads it: in quotes where it is more than letters, digits and what stands in paths.
+fn for_shell(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./,=+:@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
     }
 }
 
@@ -123,15 +140,16 @@ struct MadeExercise {
 }
 
 impl MadeExercise {
+    /// The exercise of a seed; its files begin with the stem, and it is made again from the scene as it was typed.
     fn new(
         maker: &ExerciseMaker<'_>,
         scene: &Scene,
-        stem: &str,
+        [stem, typed]: [&str; 2],
         seed: u64,
     ) -> Result<MadeExercise, Failure> {
         let titles = ExerciseTitles {
             name: words().exercise_called(&scene.name, seed),
-            source: words().exercise_made_by(stem, seed),
+            source: words().exercise_made_by(typed, seed),
             note: words().made_by_chance().into(),
         };
         let exercise = maker.exercise(seed, &titles);
@@ -157,7 +175,54 @@ impl MadeExercise {
         report::Report::new(scene, solver, self.asked.state(), DIGITS)
     }
 
-    /// Its four files.
+    /// Its four files: how the name of each ends, and what it holds. Only the file of answers is ever filled.
+    fn files(
+        &self,
+        format: ReportFormat,
+        dialect: CsvDialect,
+        screen: TextScreen,
+    ) -> Result<[(String, String); 4], Failure> {
+        let mut blank = Vec::new();
+        let written = blank_answers(&self.key, &self.scene_file(), dialect, &mut blank);
+        written.map_err(|e| Failure::Output(None, e))?;
+        let [scene, answers, sheet, solution] = endings(format);
+        Ok([
+            (scene, self.exercise.scene.text().to_owned()),
+            (answers, String::from_utf8_lossy(&blank).into_owned()),
+            (sheet, self.sheet().written(format, screen.ascii)),
+            (solution, self.solution().written(format, screen.ascii)),
+        ])
+    }
+
+    fn scene_file(&self) -> String {
+        format!("{}.toml", self.name)
+    }
+
+    /// Refuses to write over what somebody has written: a file of answers may only be as empty as it was handed out,
+    /// and another file what it would become.
+    fn nothing_lost(
+        &self,
+        folder: &Path,
+        format: ReportFormat,
+        dialect: CsvDialect,
+        screen: TextScreen,
+    ) -> Result<(), Failure> {
+        for (ending, text) in self.files(format, dialect, screen)? {
+            let path = folder.join(format!("{}{ending}", self.name));
+            let is_lost = match read_any(&path, LARGEST_REPORT) {
+                Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
+                Ok(bytes) => bytes != text.as_bytes(),
+                Err(error) => error.kind() != ErrorKind::NotFound,
+            };
+            if is_lost {
+                let shown = path.display().to_string();
+                return Err(Failure::Cannot(words().would_be_lost(&shown)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes its four files.
     fn write(
         &self,
         folder: &Path,
@@ -165,29 +230,26 @@ impl MadeExercise {
         dialect: CsvDialect,
         screen: TextScreen,
     ) -> Result<(), Failure> {
-        let name = &self.name;
-        let scene_file = format!("{name}.toml");
-        let mut blank = Vec::new();
-        let written = blank_answers(&self.key, &scene_file, dialect, &mut blank);
-        written.map_err(|e| Failure::Output(None, e))?;
-        let ending = format.ending();
-        for (file, text) in [
-            (scene_file, self.exercise.scene.text().to_owned()),
-            (
-                format!("{name}.{ending}"),
-                self.sheet().written(format, screen.ascii),
-            ),
-            (
-                format!("{name}.csv"),
-                String::from_utf8_lossy(&blank).into_owned(),
-            ),
-            (
-                format!("{name}-solution.{ending}"),
-                self.solution().written(format, screen.ascii),
-            ),
-        ] {
-            write_text(Some(&folder.join(file)), &text)?;
+        for (ending, text) in self.files(format, dialect, screen)? {
+            let path = folder.join(format!("{}{ending}", self.name));
+            write_text(Some(&path), &text)?;
         }
         Ok(())
     }
+}
+
+/// How the file of answers ends.
+const ANSWERS: &str = ".csv";
+/// A file that is larger than this is no report of ours.
+const LARGEST_REPORT: usize = 16 * LARGEST_FILE;
+
+/// How the names of the four files end: the scene, the answers, the sheet and the solution.
+fn endings(format: ReportFormat) -> [String; 4] {
+    let ending = format.ending();
+    [
+        ".toml".into(),
+        ANSWERS.into(),
+        format!(".{ending}"),
+        format!("-solution.{ending}"),
+    ]
 }

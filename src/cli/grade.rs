@@ -6,10 +6,10 @@ use super::exercise::AskedState;
 use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
-use super::source::{SolvableScene, find, load};
+use super::source::{SolvableScene, find, keep_apart, keep_file_apart, load};
 use crate::files::read_any;
 use crate::page::TextStyle;
-use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page};
+use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
 use crate::scene::LARGEST_FILE;
 use crate::wording::words;
 use std::path::{Path, PathBuf, is_separator};
@@ -24,8 +24,14 @@ pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure>
         args,
         screen,
         sheets: Vec::new(),
+        named: Vec::new(),
     };
+    let path = args.output.output.as_deref();
+    for file in &args.answers {
+        keep_file_apart(file, path)?;
+    }
     if !args.sheet.is_dir() {
+        keep_apart(&find(&args.sheet)?, path)?;
         grader.sheet(&args.sheet)?;
     }
     let mut class = Vec::new();
@@ -40,7 +46,12 @@ pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure>
             }
         }
     }
-    let path = args.output.output.as_deref();
+    for sheet in &grader.named {
+        keep_file_apart(sheet, path)?;
+    }
+    for (student, files) in named_again(&class) {
+        note(&words().student_again(student, &files.join(", ")), screen);
+    }
     let style = TextStyle::plain(screen.ascii);
     match (args.format, &class[..]) {
         (GradeFormat::Csv, class) => write_to(path, |out| class_csv(class, dialect, out))?,
@@ -60,6 +71,8 @@ struct Grader<'a> {
     args: &'a GradeArgs,
     screen: TextScreen,
     sheets: Vec<OpenSheet>,
+    /// The sheets of a folder that files name, whether they can be opened or not.
+    named: Vec<PathBuf>,
 }
 
 /// A sheet that was opened.
@@ -97,7 +110,11 @@ impl Grader<'_> {
         let file = answers(path, &shown)?;
         let is_folder = self.args.sheet.is_dir();
         let sheet = match is_folder {
-            true => named_sheet(&self.args.sheet, path, &file)?,
+            true => {
+                let sheet = named_sheet(&self.args.sheet, path, &file)?;
+                self.named.push(sheet.clone());
+                sheet
+            }
             false => self.args.sheet.clone(),
         };
         let name = sheet.file_name().unwrap_or(sheet.as_os_str());
@@ -114,8 +131,7 @@ impl Grader<'_> {
         }
         let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
         let key = asked.key(&scene.scene, &scene.solver, &file.names());
-        let student = path.file_stem().unwrap_or_default().to_string_lossy();
-        Ok(GradedAnswers::new(&key, &file, &student, &name))
+        Ok(GradedAnswers::new(&key, &file, path, &name))
     }
 }
 

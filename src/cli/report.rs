@@ -5,7 +5,7 @@ use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
 use super::failure::Failure;
 use super::output::{file, write_text};
 use super::screen::TextScreen;
-use super::source::SolvableScene;
+use super::source::{SolvableScene, keep_file_apart};
 use crate::files::read_any;
 use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat};
 use crate::scene::LARGEST_FILE;
@@ -18,7 +18,12 @@ const LARGEST_FOREIGN: usize = 16 * LARGEST_FILE;
 
 /// Writes the report; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
+    let path = args.output.output.as_deref();
+    let format = format(args.format, path)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    if let Some(file) = &args.against {
+        keep_file_apart(file, path)?;
+    }
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
@@ -28,15 +33,26 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     if let Some(file) = &args.against {
         report.add_beside(&foreign(file)?, (&scene, &solver, state.state()), digits);
     }
-    let path = args.output.output.as_deref();
-    let of_file = || file(path).and_then(ReportFormat::of_ending);
-    let format = args.format.or_else(of_file).unwrap_or_default();
     write_text(path, &report.written(format, screen.ascii))?;
     if condition == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
     tell_of_near_misses(&scene, &solver, screen);
     nothing_hidden(&scene, &state)
+}
+
+/// The format that is asked for, or that of the ending of the file; HTML where it has none. An ending of something
+/// else would promise what the file does not hold.
+fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportFormat, Failure> {
+    let ending = file(path).and_then(Path::extension);
+    match (asked, file(path), ending) {
+        (Some(asked), ..) => Ok(asked),
+        (None, Some(path), Some(ending)) => ReportFormat::of_ending(path).ok_or_else(|| {
+            let ending = ending.to_string_lossy();
+            Failure::Usage(words().no_report_has_ending(&ending))
+        }),
+        _ => Ok(ReportFormat::default()),
+    }
 }
 
 /// The figures in a file that somebody else wrote.

@@ -106,7 +106,7 @@ fn read(source: &SceneSource) -> Result<Scene, Failure> {
 }
 
 /// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.
-fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure> {
+pub(super) fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure> {
     let read = match source {
         SceneSource::Preset(_) => return Ok(()),
         SceneSource::Stdin => None,
@@ -115,6 +115,16 @@ fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure
     match is_same_file(read, output::file(output)) {
         false => Ok(()),
         true => Err(Failure::Usage(words().output_is_the_scene().into())),
+    }
+}
+
+/// The same for a file of figures that is read.
+pub(super) fn keep_file_apart(read: &Path, output: Option<&Path>) -> Result<(), Failure> {
+    match is_same_file(Some(read), output::file(output)) {
+        false => Ok(()),
+        true => Err(Failure::Usage(
+            words().output_is_read(&read.display().to_string()),
+        )),
     }
 }
 

@@ -238,7 +238,7 @@ fn a_class_is_a_table() {
     let csv = done(&args);
     let table = rows(&csv);
     let head = "student,sheet,figures,points,right,rounded,followed,sign,unit,assembly,wrong,empty,\
-        first,verdict,mistake,why,answer\n";
+        first,verdict,mistake,why,answer,file\n";
     assert!(csv.starts_with(head), "{csv}");
     assert_eq!(table[0][..5], ["Ayse", "four-bar-1.toml", "22", "22", "22"]);
     // A spreadsheet must not run what a student calls himself.
@@ -248,7 +248,15 @@ fn a_class_is_a_table() {
     );
     assert_eq!(
         table[1][11..],
-        ["1", "r4.angle", "empty", "r4.angle", "empty", ""]
+        [
+            "1",
+            "r4.angle",
+            "empty",
+            "r4.angle",
+            "empty",
+            "",
+            shown(&files[1])
+        ]
     );
 
     let broken = here.join("broken.csv");
@@ -283,4 +291,157 @@ fn a_class_is_a_table() {
         "{}",
         other.err
     );
+}
+
+/// What is read is not written over, under whatever name.
+#[test]
+fn answers_and_sheets_are_not_written_over() {
+    let here = fresh("grade-over");
+    let class = here.join("class");
+    done(&["exercise", "four-bar", "--seed", "1", "-o", shown(&class)]);
+    let [sheet, answers] = ["toml", "csv"].map(|end| class.join(format!("four-bar-1.{end}")));
+    let other = here.join("other.csv");
+    fs::copy(&answers, &other).unwrap();
+    let link = here.join("linked.txt");
+    std::os::unix::fs::symlink(&other, &link).unwrap();
+    let before = [&sheet, &answers, &other].map(|file| fs::read(file).unwrap());
+    for (of, to) in [
+        (&sheet, &answers),
+        (&sheet, &sheet),
+        (&sheet, &other),
+        (&sheet, &link),
+        (&class, &sheet),
+        (&class, &other),
+    ] {
+        let args = [
+            "grade",
+            shown(of),
+            shown(&answers),
+            shown(&other),
+            "-o",
+            shown(to),
+        ];
+        let said = refused(2, &args);
+        assert!(said.contains("would be lost"), "{said}");
+        let after = [&sheet, &answers, &other].map(|file| fs::read(file).unwrap());
+        assert_eq!(before, after, "{}", to.display());
+    }
+    let points = here.join("points.txt");
+    done(&["grade", shown(&class), shown(&other), "-o", shown(&points)]);
+    assert!(fs::read_to_string(points).unwrap().contains("0 points"));
+}
+
+/// A file of answers that is not as empty as it was handed out stays, whatever is in it; so does every other file that
+/// somebody has changed.
+#[test]
+fn what_somebody_wrote_is_never_lost() {
+    let here = fresh("exercise-lost");
+    let make = ["exercise", "four-bar", "--seed", "7", "-o", shown(&here)];
+    let again = ["--count", "2", "--seed", "6", "-o", shown(&here)];
+    let again = [&["exercise", "four-bar"][..], &again[..]].concat();
+    done(&make);
+    let file = |end: &str| here.join(format!("four-bar-7{end}"));
+    let blank = fs::read_to_string(file(".csv")).unwrap();
+    let long = blank.clone() + &"\n".repeat(20) + &"r3.angle,deg,1\n".repeat(10_001);
+    let filled = blank.replacen("angle,deg,", "angle,deg,29.4", 1);
+    let texts: [(&str, &[u8]); 11] = [
+        (".csv", filled.as_bytes()),
+        (".csv", long.as_bytes()),
+        (".csv", b"r3.angle deg 29.4\nC.v mm/s 12\n"),
+        (".csv", b"r3.angle|deg|29.4\n"),
+        (".csv", b"\"r3.angle,deg,29.4\nC.v,mm/s,12\n"),
+        (".csv", b"r3.angle,\"deg,29.4\nC.v,mm/s,12\n"),
+        (".csv", b"Dear Sir. I could not find the crank.\n"),
+        (".csv", b"PK\x03\x04\x14\0\x06\0\x08\0\xff\xfe"),
+        (".csv", b"figure,unit,answer\nstudent,,Ayse\n"),
+        (".toml", b"name = \"mine\"\n"),
+        (".html", b"<p>My own sheet.</p>\n"),
+    ];
+    for (end, text) in texts {
+        let before = fs::read(file(end)).unwrap();
+        fs::write(file(end), text).unwrap();
+        let said = refused(1, &again);
+        let name = format!("four-bar-7{end}");
+        assert!(said.contains(&name) && said.contains("lost"), "{said}");
+        assert_eq!(fs::read(file(end)).unwrap(), text, "{said}");
+        assert!(!here.join("four-bar-6.toml").exists(), "{said}");
+        fs::write(file(end), before).unwrap();
+    }
+    // Spreadsheets save an empty file with other separators, ends of lines and cells beside.
+    let saved = blank.replace(',', ";").replace('\n', ";;\r\n");
+    fs::write(file(".csv"), format!("\u{feff}{saved}")).unwrap();
+    done(&again);
+    assert_eq!(fs::read_to_string(file(".csv")).unwrap(), blank);
+    // Another assembly is another exercise.
+    let other = [&make[..], &["--assembly", "C=-"][..]].concat();
+    assert!(refused(1, &other).contains("four-bar-7.toml"));
+}
+
+/// The remark of where an exercise comes from is the command that makes it again.
+#[test]
+fn an_exercise_tells_how_it_is_made_again() {
+    let here = fresh("exercise-again");
+    let scene = here.join("my bar.toml");
+    fs::write(&scene, done(&["start", "four-bar"])).unwrap();
+    let args = [
+        "exercise",
+        shown(&scene),
+        "--assembly",
+        "C=-",
+        "--seed",
+        "4",
+        "-o",
+        shown(&here),
+    ];
+    done(&args);
+    let made = fs::read_to_string(here.join("my bar-4.toml")).unwrap();
+    let source = format!(
+        "source = \"krank exercise '{}' --assembly C=- --seed 4\"",
+        shown(&scene)
+    );
+    assert!(made.contains(&source), "{made}");
+}
+
+#[test]
+fn a_scene_without_lengths_is_told_from_one_without_luck() {
+    let here = fresh("exercise-none");
+    let scene = here.join("point.toml");
+    let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
+        [links]\nr = { points = { A = [0, 0] } }\n";
+    fs::write(&scene, text).unwrap();
+    let said = refused(1, &["exercise", shown(&scene)]);
+    assert!(said.contains("no lengths"), "{said}");
+}
+
+/// Each row tells its file; a student who comes twice is told, and no name acts on a terminal.
+#[test]
+fn a_class_tells_its_files() {
+    let here = fresh("grade-files");
+    let mut files = Vec::new();
+    for (file, student) in [
+        ("a.csv", "Ayse"),
+        ("b.csv", "Ayse"),
+        ("c.csv", "\u{1b}[31mAli"),
+    ] {
+        let path = here.join(file);
+        fs::write(&path, format!("student,,{student}\nr3.angle,deg,\u{7}2\n")).unwrap();
+        files.push(path);
+    }
+    let paths: Vec<&str> = files.iter().map(|file| shown(file)).collect();
+    let heard = krank(&[&["grade", "four-bar", "--format", "csv"][..], &paths].concat());
+    assert_eq!(heard.code, 0);
+    let table = rows(&heard.out);
+    for (row, path) in table.iter().zip(&paths) {
+        assert_eq!(row[17], *path);
+    }
+    assert!(!heard.out.contains(['\u{1b}', '\u{7}']), "{}", heard.out);
+    assert!(heard.out.contains("[31mAli"), "{}", heard.out);
+    let twice = format!(
+        "Ayse is the student of more than one file: {}, {}",
+        paths[0], paths[1]
+    );
+    assert!(heard.err.contains(&twice), "{}", heard.err);
+    let text = krank(&[&["grade", "four-bar"][..], &paths[..1], &paths[2..]].concat());
+    assert_eq!((text.code, text.err.as_str()), (0, ""));
+    assert!(text.out.contains("c.csv"), "{}", text.out);
 }

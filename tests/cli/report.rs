@@ -289,3 +289,38 @@ fn the_figures_of_the_notes_stand_in_both_languages() {
         }
     }
 }
+
+/// An ending of something else would promise what the file does not hold.
+#[test]
+fn an_unknown_ending_is_refused() {
+    let here = folder("report-ending");
+    let file = here.join("four-bar.pdf");
+    let _ = std::fs::remove_file(&file);
+    let path = file.to_str().unwrap();
+    let said = refused(2, &["report", "four-bar", "-o", path]);
+    assert!(said.contains(".pdf") && said.contains(".tex"), "{said}");
+    assert!(!file.exists());
+    done(&["report", "four-bar", "--format", "text", "-o", path]);
+    assert!(file.exists());
+}
+
+#[test]
+fn figures_of_another_program_are_not_written_over() {
+    let here = folder("report-over");
+    let file = here.join("notes.csv");
+    let figures = "figure;unit;value\nr3.angle;deg;29,3795\n";
+    std::fs::write(&file, figures).unwrap();
+    let path = file.to_str().unwrap();
+    let args = [
+        "report",
+        "four-bar",
+        "--against",
+        path,
+        "--format",
+        "html",
+        "-o",
+        path,
+    ];
+    assert!(refused(2, &args).contains("would be lost"));
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), figures);
+}

@@ -32,6 +32,32 @@ pub fn blank_answers(
     rows.finish()
 }
 
+/// Whether a file holds no more than an empty file of answers to this sheet does, in any dialect: no row of it is
+/// another than those that were handed out.
+#[must_use]
+pub fn is_blank(bytes: &[u8], key: &AnswerKey, sheet: &str) -> bool {
+    let is_asked = |name: &str, unit: &str| {
+        let mut figures = key.figures.iter();
+        figures.any(|of| of.quantity.name == name && of.quantity.unit == unit)
+    };
+    // Rows come without the empty cells at their end.
+    let is_ours = |row: &[&str]| match row {
+        [] | [STUDENT] => true,
+        [SHEET, "", name] => *name == sheet,
+        [figure] => is_asked(figure, ""),
+        [figure, unit] => is_asked(figure, unit),
+        row => *row == HEADS,
+    };
+    // What has too many rows to be read is not ours either.
+    ReadCells::read(bytes, MOST_ROWS).is_some_and(|read| {
+        read.rows.iter().all(|row| {
+            let cells: Vec<&str> = row.iter().map(String::as_str).collect();
+            let last = cells.iter().rposition(|cell| !cell.is_empty());
+            is_ours(&cells[..last.map_or(0, |last| last + 1)])
+        })
+    })
+}
+
 /// A file of answers as it was read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct AnswerFile {

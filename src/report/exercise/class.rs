@@ -3,14 +3,15 @@
 use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
 use crate::page::{Page, Table};
 use crate::report::csv_dialect::{CsvDialect, CsvSheet};
+use crate::scene::sanitized;
 use crate::study::FigureVerdict;
 use crate::wording::words;
 use std::io::{self, Write};
 
 /// The columns: a promise.
-const HEADS: [&str; 17] = [
+const HEADS: [&str; 18] = [
     "student", "sheet", "figures", "points", "right", "rounded", "followed", "sign", "unit",
-    "assembly", "wrong", "empty", "first", "verdict", "mistake", "why", "answer",
+    "assembly", "wrong", "empty", "first", "verdict", "mistake", "why", "answer", "file",
 ];
 
 /// Writes a row for each student: who, how many figures of each verdict, the first figure that is not right and the
@@ -41,6 +42,7 @@ pub fn class_csv(
             one.mistake()
                 .map_or_else(String::new, |f| f.written.clone()),
         );
+        cells.push(one.file.clone());
         rows.record(cells.iter().map(|cell| harmless(cell)))?;
     }
     rows.finish()
@@ -55,6 +57,7 @@ pub fn class_page(class: &[GradedAnswers]) -> Page {
         words().figures_head(),
         words().first_mistake_head(),
         words().judged(),
+        words().file_head(),
     ];
     let mut table = Table::new(words().student(), heads);
     for one in class {
@@ -65,10 +68,26 @@ pub fn class_page(class: &[GradedAnswers]) -> Page {
             None => ["-".to_owned(), "-".to_owned()],
         };
         let figures = one.figures.len().to_string();
-        table.row(one.student.clone(), [points, figures, name, verdict]);
+        let file = one.file.clone();
+        table.row(one.student.clone(), [points, figures, name, verdict, file]);
     }
     page.table(table);
     page
+}
+
+/// The students who come more than once, each with the files that say so: one of them may be an older one, or name
+/// somebody else.
+#[must_use]
+pub fn named_again(class: &[GradedAnswers]) -> Vec<(&str, Vec<&str>)> {
+    let mut all: Vec<(&str, Vec<&str>)> = Vec::new();
+    for one in class {
+        match all.iter_mut().find(|(student, _)| *student == one.student) {
+            Some((_, files)) => files.push(&one.file),
+            None => all.push((&one.student, vec![&one.file])),
+        }
+    }
+    all.retain(|(_, files)| files.len() > 1);
+    all
 }
 
 fn numbers(one: &GradedAnswers) -> [usize; 10] {
@@ -111,11 +130,13 @@ fn code(verdict: FigureVerdict) -> &'static str {
     }
 }
 
-/// A cell that a spreadsheet takes for no formula: students write into their files what they like.
+/// A cell that a spreadsheet takes for no formula, and in which nothing acts on a terminal: students write into their
+/// files what they like.
 fn harmless(cell: &str) -> String {
     let is_number = cell.replace(',', ".").parse::<f64>().is_ok();
+    let cell = sanitized(cell, false);
     match cell.starts_with(['=', '+', '-', '@']) && !is_number {
         true => format!("'{cell}"),
-        false => cell.to_owned(),
+        false => cell,
     }
 }

@@ -6,6 +6,7 @@ use crate::quantity::Quantity;
 use crate::report::number::{direction, significant};
 use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
 use crate::wording::words;
+use std::path::Path;
 
 /// The answers of one student with their verdicts.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct GradedAnswers {
     pub student: String,
     /// The sheet that was answered.
     pub sheet: String,
+    /// The file in which the answers stand, as it was named.
+    pub file: String,
     /// What was asked for, in the order in which it is found.
     pub figures: Vec<GradedFigure>,
     /// Names in the file that are no figures of the scene.
@@ -58,17 +61,25 @@ const DIGITS: usize = 6;
 const LONGEST: usize = 24;
 
 impl GradedAnswers {
-    /// Grades a file of answers; `student` is what it is called where it does not say whose it is.
+    /// Grades answers that were read from the file of this path; where they do not say whose they are, they are those of
+    /// the file's name without folder and ending.
     #[must_use]
-    pub fn new(key: &AnswerKey, file: &AnswerFile, student: &str, sheet: &str) -> GradedAnswers {
+    pub fn new(key: &AnswerKey, file: &AnswerFile, path: &Path, sheet: &str) -> GradedAnswers {
+        let own_name = || {
+            path.file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into()
+        };
         let given = file.given(key);
         let answers: Vec<_> = given.iter().map(|(_, answer)| *answer).collect();
         let verdicts = key.graded(&answers);
         let figures = key.figures.iter().zip(given).zip(verdicts);
         let is_known = |name: &String| key.figures.iter().any(|f| f.quantity.name == *name);
         GradedAnswers {
-            student: file.student.clone().unwrap_or_else(|| student.to_owned()),
+            student: file.student.clone().unwrap_or_else(own_name),
             sheet: sheet.to_owned(),
+            file: path.display().to_string(),
             figures: figures
                 .map(|((figure, (written, _)), verdict)| GradedFigure {
                     quantity: figure.quantity.clone(),

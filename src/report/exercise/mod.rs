@@ -7,9 +7,8 @@ mod graded;
 mod sheet;
 
 pub use asked::answer_key;
-pub use blank::{AnswerFile, NoAnswers, blank_answers};
-pub use class::class_csv;
-pub use class::class_page;
+pub use blank::{AnswerFile, NoAnswers, blank_answers, is_blank};
+pub use class::{class_csv, class_page, named_again};
 pub use graded::{GradedAnswers, GradedFigure};
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::page::{Content, Facts, Page, Table};
 use crate::report::number::concise;
 use crate::report::paper::{Report, ReportedState};
-use crate::scene::Scene;
+use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Order, Solver, State};
 use crate::study::AnswerKey;
 use crate::wording::words;
@@ -13,6 +13,12 @@ use crate::{Body, Input, LinkId, SlideId, Slider, Vec2};
 const SOUGHT: &str = "?";
 /// Digits of given figures that are no shorter: of a frame's length, say.
 const DIGITS: usize = 9;
+/// Digits of what is given by more of them than anybody types: it was computed from what was typed.
+const MOST_DIGITS: usize = 12;
+/// How the names of what is asked of a point end.
+const POINT_ENDS: [&str; 4] = [".v", ".a", ".v.angle", ".a.angle"];
+/// Digits of a speed in the unit of the tables, behind the one in which it is given.
+const SPEED_DIGITS: usize = 6;
 
 impl Report {
     /// The sheet of an exercise on a state that was solved with all rates; answers belong into a file of this name.
@@ -30,28 +36,60 @@ impl Report {
         page.text(words().name_and_number());
         reported.drawing(&mut page);
         page.part(words().given_part());
-        page.add(Content::Facts(given(scene, state)));
+        page.add(Content::Facts(given(scene, state, &reported)));
         page.part(words().asked_part());
         page.text(words().what_is_asked());
         if reported.has_loops() {
-            for order in [Order::Position, Order::Velocity, Order::Acceleration] {
-                reported.asked(order, &mut page);
+            for (order, told) in [
+                (Order::Position, words().positions_asked()),
+                (Order::Velocity, words().velocities_asked()),
+                (Order::Acceleration, words().accelerations_asked()),
+            ] {
+                page.text(told);
+                reported.asked_tables(order, &mut page);
             }
         }
         points(key, &mut page);
         page.text(words().where_answers_belong(answers));
+        names_in_answers(key, &mut page);
         Report { page }
+    }
+}
+
+/// The points that are asked for.
+fn asked_points(key: &AnswerKey) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for figure in &key.figures {
+        let name = figure.quantity.name.as_str();
+        let point = POINT_ENDS[..2]
+            .iter()
+            .find_map(|end| name.strip_suffix(end));
+        names.extend(point.filter(|point| !names.contains(point)));
+    }
+    names
+}
+
+/// How the file of answers calls what the tables ask for: the points, whose names stand in their table, by an example.
+fn names_in_answers(key: &AnswerKey, page: &mut Page) {
+    let points = asked_points(key);
+    let is_of_point = |name: &str| {
+        let mut all = POINT_ENDS.iter().filter_map(|end| name.strip_suffix(end));
+        all.any(|point| points.contains(&point))
+    };
+    let names = key.figures.iter().map(|f| f.quantity.name.as_str());
+    let others: Vec<&str> = names.filter(|name| !is_of_point(name)).collect();
+    if !others.is_empty() {
+        page.text(words().names_in_answers(&others.join(", ")));
+    }
+    if let Some(point) = points.first() {
+        let names = POINT_ENDS.map(|end| format!("{point}{end}"));
+        page.text(words().names_of_a_point(point, &names.join(", ")));
     }
 }
 
 /// The points that are asked for, with their velocities and accelerations.
 fn points(key: &AnswerKey, page: &mut Page) {
-    let mut names: Vec<&str> = Vec::new();
-    for figure in &key.figures {
-        let name = figure.quantity.name.as_str();
-        let point = [".v", ".a"].iter().find_map(|end| name.strip_suffix(end));
-        names.extend(point.filter(|point| !names.contains(point)));
-    }
+    let names = asked_points(key);
     if names.is_empty() {
         return;
     }
@@ -78,7 +116,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
 }
 
 /// All dimensions, and how the driver moves.
-fn given(scene: &Scene, state: &State) -> Facts {
+fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
     let mechanism = &scene.mechanism;
     let mut facts = Facts::default();
     let unit = scene.unit.symbol();
@@ -91,10 +129,16 @@ fn given(scene: &Scene, state: &State) -> Facts {
         facts.tell(scene.link_name(link), link_told(scene, link));
     }
     for slide in mechanism.slide_ids() {
-        facts.tell(scene.slide_name(slide), [slide_told(scene, slide)]);
+        facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
-    let figure = |value: f64| concise(value, usize::MAX);
-    let (name, units) = match mechanism.driver().input {
+    facts.tell(words().driver(), [driver_told(scene, state)]);
+    facts
+}
+
+/// Where the driver stands, and how fast it is.
+fn driver_told(scene: &Scene, state: &State) -> String {
+    let unit = scene.unit.symbol();
+    let (name, [at, speed, acceleration]) = match scene.mechanism.driver().input {
         Input::Turn(link) => (
             scene.link_name(link),
             ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
@@ -104,20 +148,38 @@ fn given(scene: &Scene, state: &State) -> Facts {
             ["", "/s", "/s^2"].map(|per| format!("{unit}{per}")),
         ),
     };
-    let [at, speed, acceleration] = units;
-    let told = words().driver_stands(
+    let rates = [Measure::TurnSpeed, Measure::PushSpeed];
+    let second = [Measure::TurnAcceleration, Measure::PushAcceleration];
+    words().driver_stands(
         name,
         &format!("{} {at}", figure(state.at())),
-        &format!("{} {speed}", figure(state.driver_speed())),
-        &format!("{} {acceleration}", figure(state.driver_acceleration())),
-    );
-    facts.tell(words().driver(), [told]);
-    facts
+        &rate_told(scene, rates, state.driver_speed(), &speed),
+        &rate_told(scene, second, state.driver_acceleration(), &acceleration),
+    )
+}
+
+/// A rate of the driver as it is given, and in the unit of the tables where that is another one.
+fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> String {
+    let is_it = |v: &Value| v.owner == ValueOwner::Driver && measures.contains(&v.measure);
+    match scene.values().into_iter().find(is_it) {
+        Some(given) if given.unit != unit => {
+            format!("{} ({} {unit})", given.text(), concise(value, SPEED_DIGITS))
+        }
+        _ => format!("{} {unit}", figure(value)),
+    }
+}
+
+/// A given figure, with all digits that anybody has typed.
+fn figure(value: f64) -> String {
+    let text = concise(value, MOST_DIGITS);
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }
 
 /// A place by its coordinates.
 fn place(at: Vec2) -> String {
-    let figure = |value: f64| concise(value, usize::MAX);
     format!("({}, {})", figure(at.x), figure(at.y))
 }
 
@@ -130,30 +192,47 @@ fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
     if let Some((from, to)) = of.ends
         && let Some(local) = of.local(to)
     {
-        let length = concise(local.norm(), usize::MAX);
+        let length = figure(local.norm());
         told.push(words().link_from_to(name(from), name(to), &length, unit));
     }
     for member in &of.members {
         let is_end = of.ends.is_some_and(|(a, b)| [a, b].contains(&member.point));
-        let name = name(member.point);
-        if !is_end && !name.is_empty() {
-            told.push(words().point_on_link(name, &place(member.local), unit));
+        let its = name(member.point);
+        if is_end || its.is_empty() {
+            continue;
         }
+        told.push(match member.polar {
+            Some(polar) => {
+                let base = polar.from.or(of.ends.map(|(from, _)| from)).map(name);
+                let base = base.unwrap_or_else(|| words().the_origin());
+                let [length, angle] = [polar.length, polar.angle].map(figure);
+                words().point_seen_from(its, base, &length, unit, &angle)
+            }
+            None => words().point_on_link(its, &place(member.local), unit),
+        });
     }
     told
 }
 
-/// A slide: what moves along what.
-fn slide_told(scene: &Scene, slide: SlideId) -> String {
+/// A slide: what moves along what, and how a link that does not turn on its guide lies to it.
+fn slide_told(scene: &Scene, slide: SlideId, reported: &ReportedState<'_>) -> Vec<String> {
     let of = scene.mechanism.slide(slide);
-    let what = match of.slider {
-        Slider::Pin(point) => scene.point_name(point).unwrap_or_default(),
-        Slider::Link { link, .. } => scene.link_name(link),
+    let (what, turn) = match of.slider {
+        Slider::Pin(point) => (scene.point_name(point).unwrap_or_default(), 0.0),
+        Slider::Link { link, turn, .. } => (scene.link_name(link), turn),
     };
     let on = match of.on {
         Body::Ground => words().the_frame(),
         Body::Link(link) => scene.link_name(link),
     };
-    let at = concise(of.angle, usize::MAX);
-    words().slides_along(what, on, &place(of.through), scene.unit.symbol(), &at)
+    let point = reported.guide_point(slide).unwrap_or_default();
+    let through = match of.named {
+        Some(_) => point.to_owned(),
+        None => format!("{point} {} {}", place(of.through), scene.unit.symbol()),
+    };
+    let mut told = vec![words().slides_along(what, on, through.trim_start(), &figure(of.angle))];
+    if turn != 0.0 {
+        told.push(words().lies_to_guide(what, &figure(turn)));
+    }
+    told
 }

@@ -6,6 +6,7 @@ use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
 use proptest::prelude::*;
+use std::path::Path;
 
 fn key(name: &str, more: &[String]) -> AnswerKey {
     let preset = presets::find(name).unwrap();
@@ -25,7 +26,7 @@ fn graded(name: &str, answers: &str) -> GradedAnswers {
     });
     let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
     let key = key(name, &file.names());
-    GradedAnswers::new(&key, &file, "notes", name)
+    GradedAnswers::new(&key, &file, Path::new("notes.csv"), name)
 }
 
 /// What was answered, and the verdicts in words.
@@ -207,7 +208,7 @@ fn exact_figures_are_right_in_every_preset() {
             format!("{name};;{:.5e}\n", f.exact)
         });
         let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
-        let graded = GradedAnswers::new(&key, &file, "x", "y");
+        let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
         assert_eq!(graded.strangers, [""; 0]);
         for (figure, asked) in graded.figures.iter().zip(&key.figures) {
             // Of a large angle five decimals are left.
@@ -323,6 +324,98 @@ fn a_sheet_asks_and_does_not_tell() {
     }
 }
 
+/// The sheet of a scene where it opens, on one line: sentences are broken elsewhere on other media.
+fn sheet_of(scene: &Scene) -> String {
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut enclosure);
+    let key = answer_key(scene, &solver, state.state(), enclosure.state(), &[]);
+    let sheet = Report::sheet(scene, &solver, state.state(), &key, "answers.csv");
+    let text = sheet.written(ReportFormat::Text, false);
+    let (_, told) = text.split_once("1 Given").unwrap();
+    told.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What a scene gives in its own way is told in that way, in full and with no digit that nobody typed.
+#[test]
+fn what_is_given_is_told_as_it_is_given() {
+    let text = r#"
+        [ground]
+        A = [0, 0]
+        [driver]
+        link = "r2"
+        angle = 40
+        speed = "35 rpm"
+        [links]
+        r2 = { from = "A", to = "B", length = 100 }
+        r3 = { from = "B", to = "C", length = 300, com = { length = 150, angle = 4 }, points = { E = { from = "C", length = 200, angle = 72 }, F = [30, 40.5] } }
+        ram = { points = { C = [0, 0], T = [-20, 0] } }
+        [slides]
+        r4 = { link = "ram", turn = 90, on = "ground", through = [0, 20], angle = 0 }
+        [start]
+        C = [380, 20]
+    "#;
+    let scene = Scene::parse(text, "test").unwrap();
+    let sheet = sheet_of(&scene);
+    for piece in [
+        "r2 stands at 40 deg, with 35 rpm (3.66519 rad/s) and 0 rad/s^2",
+        "E 200 mm from C, at 72 deg to the link's axis",
+        "r3.com 150 mm from B, at 4 deg to the link's axis",
+        "F at (30, 40.5) mm in its frame",
+        "ram slides on the frame through Q (0, 20) mm, at 0 deg",
+        "the axis of ram stays at 90 deg to the guide",
+        "Positions, given",
+        "Velocities, given",
+        "Accelerations, given",
+    ] {
+        assert!(sheet.contains(piece), "{piece}: {sheet}");
+    }
+    assert!(longest_number(&sheet) <= 12, "{sheet}");
+}
+
+/// How many digits the longest number has.
+fn longest_number(text: &str) -> usize {
+    let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+    let digits = numbers.map(|n| n.chars().filter(char::is_ascii_digit).count());
+    digits.max().unwrap_or(0)
+}
+
+/// Tables may ask by other names than the file of answers has: both stand on the sheet, and so does every point from
+/// which a slide is counted.
+#[test]
+fn a_sheet_names_all_that_it_asks() {
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let sheet = sheet_of(&scene);
+        let words: Vec<&str> = sheet
+            .split(' ')
+            .map(|word| word.trim_end_matches(['.', ',']))
+            .collect();
+        for figure in key(preset.name, &[]).figures {
+            let name = figure.quantity.name.as_str();
+            // Points stand in a table of their own, and one of them tells how all are called.
+            let ends = [".v", ".a", ".v.angle", ".a.angle"];
+            let mut points = ends.iter().filter_map(|end| name.strip_suffix(end));
+            let is_in_table = sheet.contains("Of a point stand there")
+                && points.any(|point| sheet.contains(&format!(" {point} ? ")));
+            assert!(
+                is_in_table || words.contains(&name),
+                "{}: {name}\n{sheet}",
+                preset.name
+            );
+        }
+        assert!(longest_number(&sheet) <= 12, "{}: {sheet}", preset.name);
+        let (given, asked) = sheet.split_once("2 Asked").unwrap();
+        for made_up in ["Q", "Q1", "Q2"] {
+            let ends = |word: &&str| word.ends_with(made_up) || word.starts_with(made_up);
+            let is_used = asked.split(' ').any(|word| ends(&word));
+            let is_given = given.contains(&format!("through {made_up} ("));
+            assert!(is_given || !is_used, "{}: {made_up}\n{sheet}", preset.name);
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     /// Whatever stands in a file of answers, there is a verdict for every figure.
@@ -336,7 +429,7 @@ proptest! {
             format!("{figure};;{answer}\n")
         });
         if let Ok(file) = AnswerFile::read(rows.collect::<String>().as_bytes()) {
-            let graded = GradedAnswers::new(&key, &file, "x", "y");
+            let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
             prop_assert_eq!(graded.figures.len(), key.figures.len());
             let _ = graded.page();
             let mut text = Vec::new();

@@ -8,8 +8,13 @@ use crate::wording::words;
 
 impl ReportedState<'_> {
     /// The tables of an order before anything is found.
-    pub(in crate::report) fn asked(&self, order: Order, page: &mut Page) {
+    pub(super) fn asked(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
+        self.asked_tables(order, page);
+    }
+
+    /// The same without a word before them.
+    pub(in crate::report) fn asked_tables(&self, order: Order, page: &mut Page) {
         self.tables(order, VectorFigure::asked, page);
     }
 

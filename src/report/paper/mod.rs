@@ -14,6 +14,7 @@ pub use format::ReportFormat;
 use super::beside::ForeignFigures;
 use super::check::Check;
 use super::working::{LoopVectors, Worked, Working, WorkingNotation, WorkingPart};
+use crate::SlideId;
 use crate::drawing::Reach;
 use crate::page::{Block, Content, Illustration, Page};
 use crate::scene::Scene;
@@ -104,6 +105,11 @@ impl ReportedState<'_> {
     /// Whether there are tables with a column per vector.
     pub(super) fn has_loops(&self) -> bool {
         !self.loops.is_empty()
+    }
+
+    /// What the loops call the point from which a slide's position is counted.
+    pub(super) fn guide_point(&self, slide: SlideId) -> Option<&str> {
+        self.working.guide_point(slide)
     }
 
     fn has_positions(&self) -> bool {

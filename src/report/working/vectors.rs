@@ -5,11 +5,11 @@ use super::Working;
 use super::draft::Context;
 use super::opening::sum_text;
 use super::polygon::Term;
-use super::sides::{Side, SideReading};
+use super::sides::{Side, SideReading, SideShape};
 use super::symbols;
-use crate::Vec2;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
+use crate::{SlideId, Vec2};
 
 /// A loop of vectors.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +69,14 @@ impl VectorFigure {
 }
 
 impl Working {
+    /// What the point is called from which a slide's position is counted: as in the scene, or made up for the loops.
+    #[must_use]
+    pub fn guide_point(&self, slide: SlideId) -> Option<&str> {
+        let mut sides = self.polygon.sides.iter();
+        let side = sides.find(|side| side.shape == SideShape::Slide(slide));
+        side.map(|side| side.head.as_str())
+    }
+
     /// The vectors of every loop in a state.
     #[must_use]
     pub fn loop_vectors(

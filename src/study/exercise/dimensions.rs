@@ -72,7 +72,7 @@ impl Dimensions {
                 .map(|(_, length)| *length)
         };
         // Lengths and points of the ground first: what lies on a link may follow from them.
-        let is_local = |value: &Value| value.measure == Measure::Coordinate && is_on(value, scene);
+        let is_local = |value: &Value| is_on(value, scene);
         for value in values.iter().filter(|v| !is_local(v)) {
             let rule = match value.owner {
                 ValueOwner::Driver => DimensionRule::Whole,
@@ -104,7 +104,7 @@ impl Dimensions {
         })
     }
 
-    /// A coordinate on a link, which may have a length.
+    /// A coordinate on a link, or a distance on it; the link may have a length.
     fn local(&mut self, value: &Value, length: Option<f64>) -> DimensionRule {
         let of_length = length.and_then(|length| Some((length, self.find(length)?)));
         let Some((length, size)) = of_length else {
@@ -182,12 +182,13 @@ fn is_dimension(value: &Value) -> bool {
     is_length && is_of_part && value.number != 0.0 && !value.name.contains(" knot ")
 }
 
-/// Whether a value is a coordinate on a link.
+/// Whether a value tells of a place on a link: a coordinate, or how far it is from another place. A link's own length
+/// does not.
 fn is_on(value: &Value, scene: &Scene) -> bool {
     let mut links = scene.mechanism.link_ids();
     links.any(|link| {
         let behind = value.name.strip_prefix(scene.link_name(link));
-        behind.is_some_and(|behind| behind.starts_with(' '))
+        behind.is_some_and(|behind| behind.starts_with(' ') && behind != " length")
     })
 }
 
@@ -236,6 +237,30 @@ mod tests {
         assert_eq!(number(&list, "r2 length"), number(&list, "r5 length"));
         assert_eq!(number(&list, "D x"), number(&list, "r3 length"));
         assert_eq!(number(&list, "H x"), number(&list, "r3 K x"));
+    }
+
+    /// Lengths of points on a link are those of the link, by whatever they are given.
+    #[test]
+    fn a_centre_by_length_and_angle_stays_at_mid_length() {
+        let text = "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+            r2 = { from = \"A\", to = \"B\", length = 100 }\n\
+            r3 = { from = \"B\", to = \"C\", length = 300, com = { length = 150, angle = 0 } }\n\
+            r4 = { from = \"C\", to = \"D\", length = 250, points = { E = { from = \"D\", length = 125, angle = 72 } } }\n\
+            [start]\nC = [310, 230]\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let dimensions = Dimensions::of(&scene);
+        for seed in 0..20 {
+            let mut chance = SeededChance::new(seed);
+            let list = dimensions.changed(&mut chance, DrawnApart::Each(25));
+            let list: Vec<(String, String)> = list
+                .unwrap()
+                .into_iter()
+                .map(|(v, t)| (v.name, t))
+                .collect();
+            let half = |name: &str| number(&list, name) / 2.0;
+            assert_eq!(number(&list, "r3 com length"), half("r3 length"));
+            assert_eq!(number(&list, "r4 E length"), half("r4 length"));
+        }
     }
 
     #[test]

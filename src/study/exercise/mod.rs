@@ -88,10 +88,16 @@ impl<'a> ExerciseMaker<'a> {
         }
     }
 
+    /// Whether there are lengths that chance can change.
+    #[must_use]
+    pub fn has_dimensions(&self) -> bool {
+        !self.dimensions.is_empty()
+    }
+
     /// The exercise of a seed; `None` where no dimensions were found with which the scene still moves as it did.
     #[must_use]
     pub fn exercise(&self, seed: u64, titles: &ExerciseTitles) -> Option<Exercise> {
-        if self.dimensions.is_empty() {
+        if !self.has_dimensions() {
             return None;
         }
         let mut chance = SeededChance::new(seed);

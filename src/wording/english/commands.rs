@@ -21,6 +21,8 @@ catalogue! {
             "`{name}` was cut off while it was written, and is whole again";
         output_is_the_scene =
             "the output is the scene that is read: it would be lost; write to another file";
+        output_is_read(file: &str) =
+            "the output is `{file}`, which is read: it would be lost; write to another file";
         no_pictures =
             "this krank was built without pictures (the feature `pictures`); to have them: \
              cargo install --path . --features pictures";

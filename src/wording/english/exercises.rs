@@ -17,19 +17,32 @@ catalogue! {
         fixed_at(at: &str, unit: &str) = "fixed at {at} {unit}";
         link_from_to(from: &str, to: &str, length: &str, unit: &str) = "from {from} to {to}, {length} {unit}";
         point_on_link(name: &str, at: &str, unit: &str) = "{name} at {at} {unit} in its frame";
+        point_seen_from(name: &str, base: &str, length: &str, unit: &str, angle: &str) =
+            "{name} {length} {unit} from {base}, at {angle} deg to the link's axis";
+        the_origin = "the origin";
         the_frame = "the frame";
-        slides_along(what: &str, on: &str, at: &str, unit: &str, angle: &str) =
-            "{what} slides on {on} through {at} {unit}, at {angle} deg";
+        slides_along(what: &str, on: &str, through: &str, angle: &str) =
+            "{what} slides on {on} through {through}, at {angle} deg";
+        lies_to_guide(what: &str, angle: &str) = "the axis of {what} stays at {angle} deg to the guide";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name} stands at {at}, with {speed} and {acceleration}";
         what_is_asked =
             "Draw the vector polygon of every loop, write the loop equations in sines and cosines, \
              differentiate them twice, and fill the tables. Carry all digits on; round what you write down to four \
              digits or more. A frame on a link has its origin at the link's first end and its x axis along it.";
+        positions_asked = "Positions, given and with a question mark what is sought:";
+        velocities_asked = "Velocities, given and with a question mark what is sought:";
+        accelerations_asked = "Accelerations, given and with a question mark what is sought:";
         points_are_asked = "Velocities and accelerations of the points, by size and direction:";
         where_answers_belong(file: &str) =
             "The answers belong into the file {file}, which a spreadsheet opens; figures have the names and units \
              that stand there.";
+
+        names_in_answers(names: &str) =
+            "In the file of answers stand: {names}. The angle of a link is that of its axis, from its first end to \
+             its second; another side of it lies at a fixed angle to that.";
+
+        names_of_a_point(point: &str, names: &str) = "Of a point stand there, as of {point}: {names}.";
 
         // Verdicts.
         is_right = "right";
@@ -55,6 +68,7 @@ catalogue! {
         student = "student";
         points_head = "points";
         figures_head = "of";
+        file_head = "file";
         first_mistake_head = "first mistake";
         points_of(points: usize, figures: usize, right: usize, nearly: usize) =
             "{points} points of {figures}: {right} figures are right, {nearly} but for rounding or for what \
@@ -66,17 +80,19 @@ catalogue! {
         // What the commands cannot do.
         no_exercise(seed: u64) =
             "no exercise was found for seed {seed}: its lengths stand in relations that chance does not keep";
+        no_dimensions = "the scene has no lengths that could be drawn by chance";
         no_figures_at(at: &str) = "there are no velocities and accelerations at {at}: nothing can be asked for";
         folder_for_many = "--count makes many files: -o DIR says where";
         seeds_run_out = "--seed and --count lead beyond the largest seed";
-        answers_are_there(file: &str) =
-            "`{file}` holds answers that would be lost; write to another folder";
+        would_be_lost(file: &str) =
+            "`{file}` is not as this exercise writes it: what somebody wrote there would be lost; write to another folder";
         holds_no_answers(file: &str) = "`{file}` holds no answers: it has no row of a figure";
         too_many_answers(file: &str) = "`{file}` is no file of answers: it is too large";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` names no sheet of the folder: `{sheet}`";
         answers_another_sheet(file: &str, named: &str, sheet: &str) =
             "`{file}` says that it answers {named}, and is graded by {sheet}";
+        student_again(student: &str, files: &str) = "{student} is the student of more than one file: {files}";
         some_not_graded(some: usize, files: usize) = "{some} of {files} files were not graded";
 
         // On the command line.

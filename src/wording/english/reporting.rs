@@ -61,8 +61,11 @@ acceleration tables with a column per vector, empty (theta3 = ?) and then
 filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
 pole, to scale; instant centres; forces where anything acts; plots over the whole motion; and
-what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format.";
+what `krank check` tells. An ending .html, .tex, .md or .txt chooses the format;
+any other needs --format beside it.";
 
+        no_report_has_ending(ending: &str) =
+            "no report has the ending .{ending}; .html, .tex, .md and .txt have one, and --format writes it to any file";
         notation_of_working = "What unit vectors are called";
         notation_lecture = "mu and nu, as the lectures write them";
         notation_krank = "u and n";

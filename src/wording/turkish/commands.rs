@@ -27,6 +27,8 @@ catalogue! {
             "`{name}` yazılırken yarım kalmıştı, şimdi yine tam";
         output_is_the_scene =
             "çıktı, okunan sahnenin kendisi: sahne yok olurdu; başka bir dosyaya yaz";
+        output_is_read(file: &str) =
+            "çıktı, okunan `{file}` dosyasının kendisi: yok olurdu; başka bir dosyaya yaz";
         no_pictures =
             "bu krank resimler olmadan derlenmiş (özellik `pictures`); resimler için: \
              cargo install --path . --features pictures";

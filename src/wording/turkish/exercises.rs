@@ -17,18 +17,31 @@ catalogue! {
         fixed_at(at: &str, unit: &str) = "{at} {unit} konumunda sabit";
         link_from_to(from: &str, to: &str, length: &str, unit: &str) = "{from} noktasından {to} noktasına, {length} {unit}";
         point_on_link(name: &str, at: &str, unit: &str) = "{name}, uzvun ekseninde {at} {unit}";
+        point_seen_from(name: &str, base: &str, length: &str, unit: &str, angle: &str) =
+            "{name}, {base} noktasından {length} {unit}, uzvun eksenine göre {angle} deg";
+        the_origin = "başlangıç";
         the_frame = "şase";
-        slides_along(what: &str, on: &str, at: &str, unit: &str, angle: &str) =
-            "{what} kayar, kızak: {on}, {at} {unit} noktasından {angle} deg ile";
+        slides_along(what: &str, on: &str, through: &str, angle: &str) =
+            "{what} kayar, kızak: {on}, {through} noktasından {angle} deg ile";
+        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kızağa göre hep {angle} deg";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name}: {at}, hız {speed}, ivme {acceleration}";
         what_is_asked =
             "Her döngünün vektörel poligonunu çizin, denklemlerini sinüs ve kosinüsle yazın, iki kez türevini \
              alın ve tabloları doldurun. Ara hesapta bütün haneleri taşıyın; yazdığınızı en az dört haneye \
              yuvarlayın. Uzvun eksen takımı ilk ucundan başlar, x ekseni uzuv boyuncadır.";
+        positions_asked = "Konumlar, verilenler ve soru işaretiyle bilinmeyenler:";
+        velocities_asked = "Hızlar, verilenler ve soru işaretiyle bilinmeyenler:";
+        accelerations_asked = "İvmeler, verilenler ve soru işaretiyle bilinmeyenler:";
         points_are_asked = "Noktaların hız ve ivmeleri, büyüklük ve yön:";
         where_answers_belong(file: &str) =
             "Cevaplar hesap tablosunun açtığı {file} dosyasına yazılır; değerlerin adı ve birimi orada durur.";
+
+        names_in_answers(names: &str) =
+            "Cevap dosyasındakiler: {names}. Bir uzvun açısı, ilk ucundan ikincisine giden ekseninin açısıdır; \
+             uzvun başka bir kenarı onunla sabit bir açı yapar.";
+
+        names_of_a_point(point: &str, names: &str) = "Her noktanınkiler, {point} noktasında olduğu gibi: {names}.";
 
         // Verdicts.
         is_right = "doğru";
@@ -54,6 +67,7 @@ catalogue! {
         student = "öğrenci";
         points_head = "puan";
         figures_head = "toplam";
+        file_head = "dosya";
         first_mistake_head = "ilk hata";
         points_of(points: usize, figures: usize, right: usize, nearly: usize) =
             "{figures} değerden {points} puan: {right} değer doğru, {nearly} değer yuvarlama dışında ya da \
@@ -65,17 +79,19 @@ catalogue! {
         // What the commands cannot do.
         no_exercise(seed: u64) =
             "{seed} tohumu için ödev bulunamadı: boylar arasında rastlantının bozduğu bağıntılar var";
+        no_dimensions = "sahnede rastgele seçilecek bir boy yok";
         no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: sorulacak bir şey yok";
         folder_for_many = "--count birçok dosya yazar: nereye olduğunu -o DIR söyler";
         seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
-        answers_are_there(file: &str) =
-            "`{file}` içindeki cevaplar kaybolurdu; başka bir klasöre yazın";
+        would_be_lost(file: &str) =
+            "`{file}` bu ödevin yazdığı gibi değil: içine yazılanlar kaybolurdu; başka bir klasöre yazın";
         holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir değerin satırı yok";
         too_many_answers(file: &str) = "`{file}` bir cevap dosyası değil: çok büyük";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` klasördeki hiçbir ödevi söylemiyor: `{sheet}`";
         answers_another_sheet(file: &str, named: &str, sheet: &str) =
             "`{file}` dosyasına göre cevaplanan {named}, notlandıran ise {sheet}";
+        student_again(student: &str, files: &str) = "{student} birden çok dosyanın öğrencisi: {files}";
         some_not_graded(some: usize, files: usize) = "{files} dosyadan {some} tanesi notlandırılmadı";
 
         // On the command line.

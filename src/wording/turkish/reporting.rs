@@ -58,8 +58,10 @@ hız ve ivme tabloları, önce boş (theta3 = ?), sonra dolu; ders notlarının 
 nu birim vektörleriyle `krank explain` çözümü; mafsalların ve ağırlık
 merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bir
 şey etki ediyorsa kuvvetler; bütün hareket boyunca grafikler; `krank check` ne diyorsa. .html,
-.tex, .md ya da .txt uzantısı biçimi seçer.";
+.tex, .md ya da .txt uzantısı biçimi seçer; başkası için --format gerekir.";
 
+        no_report_has_ending(ending: &str) =
+            ".{ending} uzantılı bir rapor yok; .html, .tex, .md ve .txt var, --format ise her dosyaya yazar";
         notation_of_working = "Birim vektörlerin adları";
         notation_lecture = "Ders notlarındaki gibi mu ve nu";
         notation_krank = "u ve n";
