@@ -73,7 +73,7 @@ fn nothing_lost(path: &Path) -> Result<(), Failure> {
         return Ok(());
     };
     let file = AnswerFile::read(&bytes).unwrap_or_default();
-    let is_answered = file.answers.iter().any(|(_, answer)| !answer.is_empty());
+    let is_answered = file.answers.iter().any(|row| !row.answer.is_empty());
     match is_answered || file.student.is_some() {
         true => Err(Failure::Cannot(
             words().answers_are_there(&path.display().to_string()),

@@ -115,7 +115,11 @@ impl Grader<'_> {
         let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
         let key = asked.key(&scene.scene, &scene.solver, &file.names());
         let student = path.file_stem().unwrap_or_default().to_string_lossy();
-        Ok(GradedAnswers::new(&key, &file, &student, &name))
+        let graded = GradedAnswers::new(&key, &file, &student, &name);
+        match graded.strangers.len() < file.answers.len() {
+            true => Ok(graded),
+            false => Err(Failure::Usage(words().names_no_figure(&shown, &name))),
+        }
     }
 }
 

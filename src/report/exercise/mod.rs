@@ -7,7 +7,7 @@ mod graded;
 mod sheet;
 
 pub use asked::answer_key;
-pub use blank::{AnswerFile, NoAnswers, blank_answers};
+pub use blank::{AnswerFile, AnsweredRow, NoAnswers, blank_answers};
 pub use class::class_csv;
 pub use class::class_page;
 pub use graded::{GradedAnswers, GradedFigure};
