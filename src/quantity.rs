@@ -12,6 +12,7 @@ mod magnitude;
 mod named;
 mod sensitivity;
 mod subject;
+mod units;
 mod value;
 
 pub use catalogue::{Catalogue, UnknownColumn};
@@ -22,6 +23,7 @@ pub use formulas::check_figures;
 pub use hidden::{Hidden, Reason};
 pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
 pub use subject::{Aspect, Share, Subject};
+pub use units::{known_unit, other_units, unit_factor};
 pub use value::{bound, state_word, value};
 
 use crate::expression::{LengthScale, Revolution};

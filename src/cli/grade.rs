@@ -131,7 +131,11 @@ impl Grader<'_> {
         }
         let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
         let key = asked.key(&scene.scene, &scene.solver, &file.names());
-        Ok(GradedAnswers::new(&key, &file, path, &name))
+        let graded = GradedAnswers::new(&key, &file, path, &name);
+        match graded.strangers.len() < file.answers.len() {
+            true => Ok(graded),
+            false => Err(Failure::Usage(words().names_no_figure(&shown, &name))),
+        }
     }
 }
 

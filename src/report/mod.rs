@@ -55,8 +55,8 @@ pub use curves::curves_csv;
 pub use difference::Pairing;
 pub use errors::Missing;
 pub use exercise::{
-    AnswerFile, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers, class_csv,
-    class_page, is_blank, named_again,
+    AnswerFile, AnsweredRow, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers,
+    class_csv, class_page, is_blank, named_again,
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};

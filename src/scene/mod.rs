@@ -80,7 +80,7 @@ pub use keys::reference;
 pub use measure::Measure;
 pub use motor::Motor;
 pub(crate) use names::{is_figure_name, reserved_for_figures};
-pub(crate) use numeral::with_point;
+pub(crate) use numeral::{are_thousands, with_point};
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;

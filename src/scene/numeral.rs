@@ -19,7 +19,7 @@ pub(crate) fn with_point(text: &str) -> Option<Cow<'_, str>> {
 }
 
 /// Whether the comma of a number may stand between thousands and hundreds.
-pub(super) fn are_thousands(number: &str) -> bool {
+pub(crate) fn are_thousands(number: &str) -> bool {
     let digits = number.trim_start_matches(['+', '-']);
     let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
     digits.split_once(',').is_some_and(|(thousands, hundreds)| {

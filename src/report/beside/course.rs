@@ -35,10 +35,11 @@ pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver
             let (Some(foreign), Some(own)) = (value, quantity.value(&state)) else {
                 continue;
             };
+            let foreign = foreign.nearer(|value| apart(quantity, value, own));
             let off = apart(quantity, foreign.value, own);
             one.rows += 1;
             one.most = one.most.max(own.abs());
-            one.beyond += usize::from(!is_rounding(*foreign, (own, off)));
+            one.beyond += usize::from(!is_rounding(foreign, (own, off)));
             if off.abs() > one.off.abs() {
                 (one.off, one.at) = (off, *at);
             }

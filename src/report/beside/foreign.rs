@@ -1,8 +1,7 @@
 //! A table of cells that somebody else wrote: what of it are figures that krank knows.
 
-use crate::quantity::{Catalogue, Quantity};
+use crate::quantity::{Catalogue, Quantity, unit_factor};
 use crate::report::cells::ReadCells;
-use crate::scene::Unit;
 use crate::study::WrittenFigure;
 
 /// What is read at the most.
@@ -47,6 +46,8 @@ pub(super) struct ForeignValue {
     pub(super) value: f64,
     /// Half a unit of its last digit.
     pub(super) rounding: f64,
+    /// By how much it is more where its mark stands behind thousands.
+    thousands: Option<f64>,
 }
 
 /// Columns over the driver's coordinate.
@@ -113,7 +114,7 @@ impl ForeignFigures {
             let found = catalogue.find(name);
             let factor = found
                 .as_ref()
-                .and_then(|quantity| factor(unit, &quantity.unit));
+                .and_then(|quantity| unit_factor(unit, &quantity.unit));
             match (found, factor) {
                 (Some(quantity), Some(factor)) => columns.push((k, factor, quantity)),
                 // A column of words is none of figures.
@@ -127,7 +128,7 @@ impl ForeignFigures {
                 _ => {}
             }
         }
-        let turned = factor(&heads[place].1, &driver.unit).unwrap_or(1.0);
+        let turned = unit_factor(&heads[place].1, &driver.unit).unwrap_or(1.0);
         let row = |cells: &Vec<String>| {
             let at = number(cells.get(place)?)?.value * turned;
             let value = |(k, factor, _): &(usize, f64, Quantity)| {
@@ -157,7 +158,7 @@ fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
         None => unit,
     };
     let figure = catalogue.find(&name).and_then(|quantity| {
-        let value = number(&rest[place])?.times(factor(&unit, &quantity.unit)?);
+        let value = number(&rest[place])?.times(unit_factor(&unit, &quantity.unit)?);
         Some((quantity, value))
     });
     (!name.is_empty()).then(|| ForeignRow {
@@ -175,62 +176,52 @@ fn head(cell: &str) -> (String, String) {
     }
 }
 
+/// A number without a unit; a degree sign may stand behind it.
 fn number(cell: &str) -> Option<ForeignValue> {
-    let written = WrittenFigure::read(cell, "")?;
-    Some(ForeignValue {
+    let (written, unit) = WrittenFigure::read(cell)?;
+    let is_bare = unit.is_empty() || unit == "°";
+    is_bare.then(|| ForeignValue {
         value: written.value,
-        rounding: 0.5 * written.unit_of(1, 17),
+        rounding: 0.5 * written.unit_of(0, 17),
+        thousands: written.with_thousands().map(|_| THOUSAND),
     })
 }
+
+const THOUSAND: f64 = 1000.0;
 
 impl ForeignValue {
     fn times(self, factor: f64) -> ForeignValue {
         ForeignValue {
             value: self.value * factor,
             rounding: self.rounding * factor,
+            ..self
         }
     }
-}
 
-/// What a figure of one unit is multiplied by for another; `None` where they measure different things. Without a
-/// unit it is taken for krank's.
-fn factor(from: &str, to: &str) -> Option<f64> {
-    let plain = from
-        .replace('²', "^2")
-        .replace("s2", "s^2")
-        .replace('°', "deg");
-    if plain.is_empty() || plain == to {
-        return Some(1.0);
+    /// Nobody knows whether `8,259` are thousands: as what it is nearer to krank's figure, `apart` from it.
+    pub(super) fn nearer(self, apart: impl Fn(f64) -> f64) -> ForeignValue {
+        let whole = self.thousands.map(|factor| self.times(factor));
+        let is_nearer = |whole: &ForeignValue| apart(whole.value).abs() < apart(self.value).abs();
+        whole.filter(is_nearer).unwrap_or(self)
     }
-    let (from, from_rate) = plain.split_once('/').unwrap_or((&plain, ""));
-    let (to, to_rate) = to.split_once('/').unwrap_or((to, ""));
-    let length = |symbol: &str| {
-        let unit = Unit::ALL.into_iter().find(|unit| unit.symbol() == symbol);
-        unit.map(Unit::metres)
-    };
-    let factor = match (from, to) {
-        ("rad", "deg") => 1_f64.to_degrees(),
-        ("deg", "rad") => 1_f64.to_radians(),
-        ("rd", "rad") => 1.0,
-        (from, to) if from == to => 1.0,
-        (from, to) => length(from)? / length(to)?,
-    };
-    (from_rate == to_rate).then_some(factor)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Three decimals may be hundreds, and no digit of a nought is the tenth of one.
     #[test]
-    fn units_are_turned_into_each_other_where_they_measure_the_same() {
-        assert_eq!(factor("", "mm"), Some(1.0));
-        assert_eq!(factor("cm/s2", "mm/s^2"), Some(10.0));
-        assert_eq!(factor("m/s²", "mm/s^2"), Some(1000.0));
-        assert_eq!(factor("rd/s", "rad/s"), Some(1.0));
-        assert_eq!(factor("rad", "deg"), Some(1_f64.to_degrees()));
-        assert_eq!(factor("mm", "mm/s"), None);
-        assert_eq!(factor("deg", "mm"), None);
+    fn a_figure_is_read_as_it_is_nearer() {
+        let hundreds = number("8,259").unwrap();
+        assert_eq!(hundreds.nearer(|value| value - 8262.4).value, 8259.0);
+        assert_eq!(hundreds.nearer(|value| value - 8.2624).value, 8.259);
+        let metres = number("28,160").unwrap().times(1000.0);
+        let near = metres.nearer(|value| value - 28_163.0);
+        assert!((near.value - 28_160.0).abs() < 1e-9 && (near.rounding - 0.5).abs() < 1e-9);
+        let nought = number("0.000").unwrap();
+        assert!((nought.rounding - 0.0005).abs() < 1e-12, "{nought:?}");
+        assert_eq!(number("1,2,3"), None);
     }
 
     #[test]

@@ -36,12 +36,13 @@ pub(super) fn add_to(
             continue;
         };
         is_any = true;
+        let foreign = foreign.nearer(|value| apart(quantity, value, own));
         let own_text = match quantity.is_direction() {
             true => direction(own, digits),
             false => significant(own, digits),
         };
         let off = apart(quantity, foreign.value, own);
-        let [difference, part] = told(quantity, *foreign, (own, off));
+        let [difference, part] = told(quantity, foreign, (own, off));
         let name = format!("{} [{}]", row.name, quantity.unit);
         table.row(name, [own_text, row.written.clone(), difference, part]);
     }

@@ -24,25 +24,37 @@ pub fn answer_key(
     let tables = Tables::bounded(scene, state, enclosure);
     let of_name = |name: &String| catalogue.find(name);
     let mut quantities: Vec<Quantity> = Vec::new();
+    let scales = FigureScales::new(&catalogue, state, scene.unit.symbol());
     for quantity in names(scene, &tables).iter().filter_map(of_name) {
-        if !is_nought(&quantity, &catalogue, state) {
+        if !scales.is_nought(&quantity, enclosure) {
             quantities.push(quantity);
         }
     }
+    let asked = quantities.len();
     for quantity in more.iter().filter_map(of_name) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
         }
     }
-    let figures = quantities.into_iter().filter_map(|quantity| {
-        Some(AskedFigure {
-            exact: quantity.value(state)?,
+    let mut asked_for = Vec::new();
+    let mut besides = Vec::new();
+    for (number, quantity) in quantities.into_iter().enumerate() {
+        let Some(exact) = quantity.value(state) else {
+            continue;
+        };
+        let figure = AskedFigure {
+            exact,
             bound: quantity.bound(state, enclosure),
-            scale: scale(&quantity, &catalogue, state),
+            scale: scales.of(&quantity),
             quantity,
-        })
-    });
-    let figures = figures.collect();
+        };
+        match number < asked {
+            true => asked_for.push(figure),
+            false => besides.push(figure),
+        }
+    }
+    let asked = asked_for.len();
+    asked_for.extend(besides);
     let working = Working::new(scene, solver);
     let chain = working.chain(scene, solver, state);
     let others = chain.as_ref().map(|chain| {
@@ -54,7 +66,8 @@ pub fn answer_key(
         values.collect()
     });
     AnswerKey {
-        figures,
+        figures: asked_for,
+        asked,
         others: others.unwrap_or_default(),
         chain,
     }
@@ -113,26 +126,83 @@ fn is_rigid(scene: &Scene, kind: Option<VectorKind>) -> bool {
     }
 }
 
-/// Whether a size is so small beside others of its kind that it is 0.
-fn is_nought(quantity: &Quantity, catalogue: &Catalogue, state: &State) -> bool {
-    // A direction that exists is as good as any; that of nothing is none.
-    let size_of = quantity.name.strip_suffix(".angle");
-    let size = size_of.and_then(|name| catalogue.find(name));
-    let of = match (&size, quantity.is_direction()) {
-        (Some(size), _) => size,
-        (None, true) => return false,
-        (None, false) => quantity,
-    };
-    let value = of.value(state).unwrap_or(0.0);
-    value.abs() <= NOUGHT * scale(of, catalogue, state)
+/// How large figures of each unit are in a state.
+struct FigureScales<'a> {
+    catalogue: &'a Catalogue,
+    state: &'a State,
+    /// The largest of each unit.
+    largest: Vec<(String, f64)>,
 }
 
-/// The largest figure with the same unit.
-fn scale(quantity: &Quantity, catalogue: &Catalogue, state: &State) -> f64 {
-    let same = catalogue.all().iter().filter(|q| q.unit == quantity.unit);
-    let sizes = same.filter_map(|q| q.value(state)).map(f64::abs);
-    let own = quantity.value(state).map_or(0.0, f64::abs);
-    sizes.fold(own, f64::max)
+impl FigureScales<'_> {
+    fn new<'a>(catalogue: &'a Catalogue, state: &'a State, length: &str) -> FigureScales<'a> {
+        let mut largest: Vec<(String, f64)> = Vec::new();
+        for quantity in catalogue.all() {
+            let size = quantity.value(state).map_or(0.0, f64::abs);
+            match largest.iter_mut().find(|(unit, _)| *unit == quantity.unit) {
+                Some((_, known)) => *known = known.max(size),
+                None => largest.push((quantity.unit.clone(), size)),
+            }
+        }
+        let mut scales = FigureScales {
+            catalogue,
+            state,
+            largest,
+        };
+        scales.raise(length);
+        scales
+    }
+
+    /// Where everything of a kind is 0, rounding is the largest of it: rates are no smaller than what the speeds make
+    /// of angles and lengths.
+    fn raise(&mut self, length: &str) {
+        let of = |unit: &str| self.of_unit(unit);
+        let size = of(length);
+        let by_velocity = match size > 0.0 {
+            true => of(&format!("{length}/s")) / size,
+            false => 0.0,
+        };
+        // Per second, and per second of that.
+        let pace = of("rad/s").max(by_velocity);
+        let floors = [
+            ("rad/s".to_owned(), pace),
+            ("rad/s^2".to_owned(), pace * pace),
+            (format!("{length}/s"), pace * size),
+            (format!("{length}/s^2"), pace * pace * size),
+        ];
+        for (unit, floor) in floors {
+            let known = self.largest.iter_mut().find(|(own, _)| *own == unit);
+            if let Some((_, known)) = known {
+                *known = known.max(floor);
+            }
+        }
+    }
+
+    fn of_unit(&self, unit: &str) -> f64 {
+        let known = self.largest.iter().find(|(own, _)| own == unit);
+        known.map_or(0.0, |(_, size)| *size)
+    }
+
+    /// The largest figure with the same unit.
+    fn of(&self, quantity: &Quantity) -> f64 {
+        let own = quantity.value(self.state).map_or(0.0, f64::abs);
+        own.max(self.of_unit(&quantity.unit))
+    }
+
+    /// Whether a size is 0: so small beside others of its kind, or no larger than its error may be.
+    fn is_nought(&self, quantity: &Quantity, enclosure: &State<Ball>) -> bool {
+        // A direction that exists is as good as any; that of nothing is none.
+        let size_of = quantity.name.strip_suffix(".angle");
+        let size = size_of.and_then(|name| self.catalogue.find(name));
+        let of = match (&size, quantity.is_direction()) {
+            (Some(size), _) => size,
+            (None, true) => return false,
+            (None, false) => quantity,
+        };
+        let value = of.value(self.state).unwrap_or(0.0);
+        let bound = of.bound(self.state, enclosure).unwrap_or(0.0);
+        value.abs() <= (NOUGHT * self.of(of)).max(bound)
+    }
 }
 
 /// The positions of the other assemblies that close: one group at a time has another way.

@@ -19,8 +19,12 @@ pub struct GradedAnswers {
     pub file: String,
     /// What was asked for, in the order in which it is found.
     pub figures: Vec<GradedFigure>,
+    /// What was not asked for and is judged all the same, without points.
+    pub besides: Vec<GradedFigure>,
     /// Names in the file that are no figures of the scene.
     pub strangers: Vec<String>,
+    /// Figures whose unit in the file is none of theirs, and that unit.
+    pub strange_units: Vec<(String, String)>,
 }
 
 /// A figure with its verdict.
@@ -76,19 +80,23 @@ impl GradedAnswers {
         let verdicts = key.graded(&answers);
         let figures = key.figures.iter().zip(given).zip(verdicts);
         let is_known = |name: &String| key.figures.iter().any(|f| f.quantity.name == *name);
+        let mut figures: Vec<GradedFigure> = figures
+            .map(|((figure, (written, _)), verdict)| GradedFigure {
+                quantity: figure.quantity.clone(),
+                exact: figure.exact,
+                written,
+                verdict,
+            })
+            .collect();
+        let besides = figures.split_off(key.asked.min(figures.len()));
         GradedAnswers {
             student: file.student.clone().unwrap_or_else(own_name),
             sheet: sheet.to_owned(),
             file: path.display().to_string(),
-            figures: figures
-                .map(|((figure, (written, _)), verdict)| GradedFigure {
-                    quantity: figure.quantity.clone(),
-                    exact: figure.exact,
-                    written,
-                    verdict,
-                })
-                .collect(),
+            figures,
+            besides,
             strangers: file.names().into_iter().filter(|n| !is_known(n)).collect(),
+            strange_units: file.strange_units(key),
         }
     }
 
@@ -103,7 +111,7 @@ impl GradedAnswers {
     #[must_use]
     pub fn mistake(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();
-        figures.find(|figure| !figure.is_worth_a_point())
+        figures.find(|figure| !figure.verdict.is_worth_a_point())
     }
 
     pub(super) fn counts(&self) -> VerdictCounts {
@@ -130,17 +138,7 @@ impl GradedAnswers {
         let mut page = Page::default();
         page.title(&self.student);
         page.text(words().answers_to(&self.sheet));
-        let heads = [words().answer(), words().exact_figure(), words().judged()];
-        let mut table = Table::new(words().figure(), heads).set(Setting::default());
-        for figure in &self.figures {
-            let written = match figure.written.as_str() {
-                "" => "-".to_owned(),
-                text => shortened(text),
-            };
-            let name = format!("{} [{}]", figure.quantity.name, figure.quantity.unit);
-            table.row(name, [written, figure.exact_text(), self.told(figure)]);
-        }
-        page.table(table);
+        page.table(self.table(&self.figures));
         let counts = self.counts();
         let points = counts.points();
         page.text(words().points_of(
@@ -154,16 +152,40 @@ impl GradedAnswers {
                 page.text_below(say(&figure.quantity.name, &self.told(figure)));
             }
         }
+        if !self.besides.is_empty() {
+            page.text(words().judged_besides());
+            page.table(self.table(&self.besides));
+        }
+        if !self.strange_units.is_empty() {
+            let units = self.strange_units.iter();
+            let units = units.map(|(name, unit)| format!("{name} [{}]", shortened(unit)));
+            let units: Vec<String> = units.collect();
+            page.text(words().strange_units(&units.join(", ")));
+        }
         if !self.strangers.is_empty() {
             page.text(words().no_figures_of_scene(&self.strangers.join(", ")));
         }
         page
     }
 
+    fn table(&self, figures: &[GradedFigure]) -> Table {
+        let heads = [words().answer(), words().exact_figure(), words().judged()];
+        let mut table = Table::new(words().figure(), heads).set(Setting::default());
+        for figure in figures {
+            let written = match figure.written.as_str() {
+                "" => "-".to_owned(),
+                text => shortened(text),
+            };
+            let name = format!("{} [{}]", figure.quantity.name, figure.quantity.unit);
+            table.row(name, [written, figure.exact_text(), self.told(figure)]);
+        }
+        table
+    }
+
     /// A verdict in words.
     pub(super) fn told(&self, figure: &GradedFigure) -> String {
         let name = |number: usize| {
-            let of = self.figures.get(number);
+            let of = self.figures.iter().chain(&self.besides).nth(number);
             of.map_or_else(Default::default, |f| {
                 (f.quantity.name.clone(), shortened(&f.written))
             })
@@ -194,13 +216,6 @@ const FIRST: SayOfFigure = |name, verdict| words().first_that_differs(name, verd
 const MISTAKE: SayOfFigure = |name, verdict| words().first_mistake(name, verdict);
 
 impl GradedFigure {
-    fn is_worth_a_point(&self) -> bool {
-        matches!(
-            self.verdict,
-            FigureVerdict::Right | FigureVerdict::Rounded(_) | FigureVerdict::Followed(_)
-        )
-    }
-
     fn exact_text(&self) -> String {
         match self.quantity.is_direction() {
             true => direction(self.exact, DIGITS),

@@ -7,7 +7,7 @@ mod graded;
 mod sheet;
 
 pub use asked::answer_key;
-pub use blank::{AnswerFile, NoAnswers, blank_answers, is_blank};
+pub use blank::{AnswerFile, AnsweredRow, NoAnswers, blank_answers, is_blank};
 pub use class::{class_csv, class_page, named_again};
 pub use graded::{GradedAnswers, GradedFigure};
 

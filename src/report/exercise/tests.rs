@@ -9,11 +9,16 @@ use proptest::prelude::*;
 use std::path::Path;
 
 fn key(name: &str, more: &[String]) -> AnswerKey {
+    key_at(name, None, more)
+}
+
+fn key_at(name: &str, at: Option<f64>, more: &[String]) -> AnswerKey {
     let preset = presets::find(name).unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
+    let at = at.unwrap_or(scene.mechanism.driver().start);
+    let _ = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut enclosure);
     answer_key(&scene, &solver, state.state(), enclosure.state(), more)
 }
@@ -24,15 +29,23 @@ fn graded(name: &str, answers: &str) -> GradedAnswers {
         let (figure, answer) = line.trim().split_once(' ').unwrap();
         format!("{figure};;{answer}\n")
     });
-    let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
-    let key = key(name, &file.names());
+    graded_rows(name, None, &rows.collect::<String>())
+}
+
+/// A file of answers, graded.
+fn graded_rows(name: &str, at: Option<f64>, rows: &str) -> GradedAnswers {
+    let file = AnswerFile::read(rows.as_bytes()).unwrap();
+    let key = key_at(name, at, &file.names());
     GradedAnswers::new(&key, &file, Path::new("notes.csv"), name)
 }
 
 /// What was answered, and the verdicts in words.
 fn told(name: &str, answers: &str) -> Vec<String> {
-    let graded = graded(name, answers);
-    let all = graded.figures.iter();
+    told_of(&graded(name, answers))
+}
+
+fn told_of(graded: &GradedAnswers) -> Vec<String> {
+    let all = graded.figures.iter().chain(&graded.besides);
     let answered = all.filter(|figure| figure.verdict != FigureVerdict::Empty);
     answered
         .map(|figure| {
@@ -135,12 +148,21 @@ fn each_mistake_has_its_name() {
         ("r3.omega -37.40", "in rpm"),
         ("r3.omega -224.4", "in deg/s"),
         ("r3.omega 3.916", "wrong in sign"),
-        ("r3.omega -4", "too few digits"),
+        ("r3.omega -4", "wrong"),
+        ("r3.omega -3.9", "too few digits"),
+        ("r3.omega -37.4 rpm", "right"),
+        ("r3.omega -3.9164 rd/s", "right"),
+        ("r3.omega -3.9164 mm", "no figure"),
         ("r3.alpha 2421.7", "in deg/s^2"),
         ("C.v 0.77277", "in m/s"),
         ("C.v 77.277", "in cm/s"),
         ("C.a 23995.1", "right"),
         ("C.a 2.40e4", "right"),
+        ("C.a 24000", "right"),
+        ("C.a 24,000", "right"),
+        ("C.a 23.995", "right"),
+        ("C.a 24.0 m/s²", "right"),
+        ("C.a 2e4", "wrong"),
         ("C.a 23990", "rounded early"),
     ] {
         let told = told("four-bar", answer);
@@ -181,6 +203,166 @@ fn what_follows_from_a_mistake_is_right_by_it() {
         verdict("r4.angle"),
         FigureVerdict::Right | FigureVerdict::Rounded(RoundedEarly::Near)
     ));
+}
+
+/// Who carries all digits of a mistake on, and writes down four of them, goes on from more than can be read.
+#[test]
+fn what_was_carried_on_with_all_digits_is_right_by_it() {
+    let (w2, t2, t3, t4) = (15.0, 60_f64, 39.375_123_f64, 290.752_506_f64);
+    let sin = |degrees: f64| degrees.to_radians().sin();
+    let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
+    let w4 = -100.0 * w2 * sin(t2 - t3) / (250.0 * sin(t4 - t3));
+    let answers = format!("r3.angle 39.38\nr4.angle 290.75\nr3.omega {w3:.5}\nr4.omega {w4:.5}");
+    let told = told("four-bar", &answers);
+    for line in &told[2..] {
+        assert!(line.ends_with(": right by r3.angle"), "{told:#?}");
+    }
+}
+
+/// A last digit of degrees is none: what is larger than every direction is right for none.
+#[test]
+fn sizes_without_digits_earn_nothing() {
+    let key = key("press", &[]);
+    for nonsense in ["1.00e5", "0e9", "1e9", "-7e12", "1", "-1", "5e3", "1e4"] {
+        let rows = key.figures.iter();
+        let rows: String = rows
+            .map(|f| format!("{};;{nonsense}\n", f.quantity.name))
+            .collect();
+        let graded = graded_rows("press", None, &rows);
+        let worth = graded
+            .figures
+            .iter()
+            .filter(|f| f.verdict.is_worth_a_point());
+        let worth: Vec<_> = worth
+            .map(|f| (&f.quantity.name, f.exact, f.verdict))
+            .collect();
+        assert!(worth.is_empty(), "{nonsense}: {worth:?}");
+    }
+}
+
+/// Points are for what is asked; what else is answered is judged without.
+#[test]
+fn what_is_not_asked_is_worth_no_point() {
+    let graded = graded(
+        "four-bar",
+        "A.x 0\nr2.omega 15\nC.a.t 22495\nr3.angle 29.38",
+    );
+    assert_eq!((graded.figures.len(), graded.counts().points()), (22, 1));
+    assert_eq!(graded.besides.len(), 3);
+    assert_eq!(
+        told_of(&graded),
+        [
+            "r3.angle 29.38: right",
+            "A.x 0: right",
+            "r2.omega 15: right",
+            "C.a.t 22495: wrong"
+        ]
+    );
+    let page = graded.page().to_text(crate::page::TextStyle::plain(true));
+    let (asked, besides) = page.split_once("not asked").unwrap();
+    assert!(
+        asked.contains("1 points of 22") && !asked.contains("A.x"),
+        "{page}"
+    );
+    assert!(
+        besides.contains("A.x [mm]") && besides.contains("C.a.t"),
+        "{page}"
+    );
+}
+
+/// The cell of the unit is read.
+#[test]
+fn a_unit_beside_a_figure_is_meant() {
+    for (row, verdict) in [
+        ("C.v;m/s;0,77277", "right"),
+        ("C.v;m/s;772,77", "in mm/s"),
+        ("C.v;mm/s;0,77277", "in m/s"),
+        ("C.v;mm/s;0,77277 m/s", "right"),
+        ("C.v;furlong/s;772,77", "right"),
+        ("r3.angle;rad;0,51277", "right"),
+        ("r3.angle;rad;29,379", "in deg"),
+        ("r3.omega;rpm;-37,40", "right"),
+        ("C.v;m/s;5", "wrong"),
+    ] {
+        let graded = graded_rows("four-bar", None, row);
+        let told = told_of(&graded);
+        assert!(
+            told[0].ends_with(&format!(": {verdict}")),
+            "{row}: {told:?}"
+        );
+        let strange: Vec<_> = graded.strange_units.iter().map(|(_, unit)| unit).collect();
+        let is_strange = row.contains("furlong");
+        assert_eq!(strange, vec!["furlong/s"; usize::from(is_strange)], "{row}");
+        let page = graded.page().to_text(crate::page::TextStyle::plain(true));
+        assert_eq!(page.contains("C.v [furlong/s]"), is_strange, "{page}");
+    }
+}
+
+/// Near 0 the other sign and radians are as near as rounding: what fits them exactly is told first.
+#[test]
+fn a_small_direction_has_a_sign_and_a_unit() {
+    let at = Some(0.1);
+    let key = key_at("slider-crank", at, &[]);
+    let small = key.figures[0].exact - 360.0;
+    assert!(small.abs() < 0.03, "{small}");
+    for (answer, verdict) in [
+        (format!("{small:.6}"), "right"),
+        (format!("{:.6}", -small), "wrong in sign"),
+        (format!("{:.8}", small.to_radians()), "in rad"),
+        (format!("{:.6}", 1.4 * small), "rounded early"),
+    ] {
+        let told = told_of(&graded_rows(
+            "slider-crank",
+            at,
+            &format!("r3.angle;;{answer}\n"),
+        ));
+        assert_eq!(told, [format!("r3.angle {answer}: {verdict}")]);
+    }
+}
+
+/// The lecture parts thousands with a comma.
+#[test]
+fn a_comma_may_stand_behind_thousands() {
+    let told = told(
+        "slider-crank",
+        "r3.angle 345,5\nr3.alpha 8,259\nr4.accel -459.978",
+    );
+    assert_eq!(
+        told[1..],
+        [
+            "r3.alpha 8,259: rounded early: r3.angle as 345,5",
+            "r4.accel -459.978: rounded early: r3.angle as 345,5"
+        ]
+    );
+}
+
+/// What is 0 but for rounding is asked of nobody.
+#[test]
+fn rounding_is_not_asked_for() {
+    for preset in presets::all() {
+        for at in 1..9 {
+            let at = Some(f64::from(at) * 40.0);
+            for figure in key_at(preset.name, at, &[]).figures {
+                let size = figure.exact.abs();
+                let is_rounding = !figure.quantity.is_direction() && size < 1e-12;
+                assert!(!is_rounding, "{} {at:?}: {figure:?}", preset.name);
+            }
+        }
+    }
+}
+
+/// A figure hangs on the loops before it alone.
+#[test]
+fn a_figure_hangs_on_what_comes_before_it() {
+    let hangs_on = |name: &str, figure: &str| {
+        let key = key(name, &[]);
+        let asked = key.figures.iter().find(|f| f.quantity.name == figure);
+        let chain = key.chain.unwrap();
+        chain.variables_of(&asked.unwrap().quantity).len()
+    };
+    // r3 and r4, and the crank; the ram hangs on its own loop, too.
+    assert_eq!(hangs_on("press", "r3.angle"), 3);
+    assert_eq!(hangs_on("press", "F.a"), 5);
 }
 
 #[test]

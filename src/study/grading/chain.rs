@@ -92,9 +92,21 @@ impl SolutionChain {
     /// All variables, where some are given: `given` tells which, and as what. `None` where nothing follows.
     #[must_use]
     pub fn follow(&self, given: &dyn Fn(ChainSlot) -> Option<f64>) -> Option<ChainValues> {
+        let all: Vec<usize> = (0..self.kinds.len()).collect();
+        self.follow_for(&all, given)
+    }
+
+    /// The same where only these variables are wanted, with all that they hang on; the others stay as they are.
+    pub(super) fn follow_for(
+        &self,
+        wanted: &[usize],
+        given: &dyn Fn(ChainSlot) -> Option<f64>,
+    ) -> Option<ChainValues> {
         let mut values = self.exact.clone();
+        let is_wanted = |group: &&ChainGroup| group.sought.iter().any(|own| wanted.contains(own));
+        let groups: Vec<&ChainGroup> = self.groups.iter().filter(is_wanted).collect();
         for order in 0..3 {
-            for group in &self.groups {
+            for group in &groups {
                 let mut open = Vec::new();
                 for &variable in &group.sought {
                     match given(ChainSlot { order, variable }) {
@@ -102,10 +114,65 @@ impl SolutionChain {
                         None => open.push(variable),
                     }
                 }
-                self.solve(group, order, &open, &mut values)?;
+                if !self.is_exact(group, order, &values) {
+                    self.solve(group, order, &open, &mut values)?;
+                }
             }
         }
         Some(values)
+    }
+
+    /// Whether nothing in the loops of a group is other than it truly is: then nothing is to be solved.
+    fn is_exact(&self, group: &ChainGroup, order: usize, values: &[[f64; 3]]) -> bool {
+        group.loops.iter().flat_map(variables).all(|variable| {
+            let up_to =
+                |values: &[[f64; 3]]| values.get(variable).map(|own| own[..=order].to_vec());
+            up_to(values) == up_to(&self.exact)
+        })
+    }
+
+    /// The variables that a figure hangs on, by their numbers.
+    #[must_use]
+    pub fn variables_of(&self, figure: &Quantity) -> Vec<usize> {
+        let parts = std::cell::RefCell::new(Vec::new());
+        // Whatever the values are: what it is made of is asked for.
+        let _ = figure.made_of(|subject, aspect| {
+            parts.borrow_mut().extend(self.parts_of(subject, aspect));
+            Some(1.0)
+        });
+        let mut found = parts.into_inner();
+        for group in self.groups.iter().rev() {
+            if group.sought.iter().any(|own| found.contains(own)) {
+                found.extend(&group.sought);
+                found.extend(group.loops.iter().flat_map(variables));
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The variables that a part of a figure is told by.
+    fn parts_of(&self, subject: Subject, aspect: Aspect) -> Vec<usize> {
+        let sought = |part: Option<VectorPart>| match part {
+            Some(VectorPart::Sought(variable, _)) => vec![variable],
+            _ => Vec::new(),
+        };
+        let way = |point: crate::PointId| match self.points.get(point.index()) {
+            Some(Some(way)) => variables(way),
+            _ => Vec::new(),
+        };
+        match subject {
+            Subject::Driver => vec![0],
+            Subject::Link(link) => sought(self.links.get(link.index()).copied()),
+            Subject::Slide(slide) => {
+                let part = usize::from(Aspect::TURNING.contains(&aspect));
+                sought(self.slides.get(slide.index()).map(|parts| parts[part]))
+            }
+            Subject::Point(point) => way(point),
+            Subject::Between(tail, head) => [way(tail), way(head)].concat(),
+            _ => Vec::new(),
+        }
     }
 
     /// Rates for these positions, all of them solved.
@@ -211,6 +278,19 @@ impl SolutionChain {
             _ => None,
         }
     }
+}
+
+/// The variables in a sum.
+fn variables(of: &LoopSum) -> Vec<usize> {
+    let parts = of
+        .sought
+        .iter()
+        .flat_map(|vector| [vector.length, vector.angle]);
+    let own = parts.filter_map(|part| match part {
+        VectorPart::Sought(variable, _) => Some(variable),
+        VectorPart::Known(_) => None,
+    });
+    own.collect()
 }
 
 /// What solves the open variables of a group to first order.

@@ -4,6 +4,7 @@
 //! or it is right by what was wrong before. Which of them explains it is told.
 
 mod chain;
+mod explained;
 mod verdict;
 mod written;
 
@@ -11,8 +12,8 @@ pub use chain::{ChainGroup, ChainSlot, ChainValues, SolutionChain};
 pub use verdict::{FigureVerdict, RoundedEarly};
 pub use written::WrittenFigure;
 
-use crate::quantity::Quantity;
-use verdict::{FEWEST, MOST, Truth, unit_factors};
+use crate::quantity::{Quantity, known_unit, unit_factor};
+use verdict::{FEWEST, Truth};
 
 /// A figure that is asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +31,10 @@ pub struct AskedFigure {
 /// All that grading one state takes.
 #[derive(Clone, Debug)]
 pub struct AnswerKey {
-    /// What is asked for, positions first, then velocities, then accelerations.
+    /// What is asked for, positions first, then velocities, then accelerations; then what else is judged.
     pub figures: Vec<AskedFigure>,
+    /// So many of them are asked for.
+    pub asked: usize,
     /// How the figures follow from each other, where that is known.
     pub chain: Option<SolutionChain>,
     /// The variables of the chain in other assemblies.
@@ -47,6 +50,20 @@ pub enum GivenAnswer {
     Unreadable,
     /// A figure.
     Figure(WrittenFigure),
+    /// A figure in another unit than it was asked for, which it says.
+    Converted {
+        /// In the unit that was asked for.
+        figure: WrittenFigure,
+        /// As it stands there.
+        face: WrittenFigure,
+    },
+}
+
+/// One way to read an answer, and what is to be said of it then.
+#[derive(Clone, Copy)]
+struct JudgedReading {
+    written: WrittenFigure,
+    verdict: FigureVerdict,
 }
 
 /// What a figure that was graded tells of the variables.
@@ -55,6 +72,10 @@ struct FacedSlot {
     figure: usize,
     slot: ChainSlot,
     value: f64,
+    /// Half of its last digit.
+    half: f64,
+    /// The number that was written.
+    number: f64,
     is_sound: bool,
 }
 
@@ -66,18 +87,68 @@ impl AnswerKey {
         let mut faced = Vec::new();
         for (number, figure) in self.figures.iter().enumerate() {
             let answer = answers.get(number).copied().unwrap_or(GivenAnswer::Empty);
-            let verdict = match answer {
-                GivenAnswer::Empty => FigureVerdict::Empty,
-                GivenAnswer::Unreadable => FigureVerdict::Unreadable,
-                GivenAnswer::Figure(written) => {
-                    let verdict = self.verdict(figure, written, &faced);
-                    faced.extend(self.faced(number, figure, written, verdict));
-                    verdict
+            let judged = match answer {
+                GivenAnswer::Empty => Err(FigureVerdict::Empty),
+                GivenAnswer::Unreadable => Err(FigureVerdict::Unreadable),
+                GivenAnswer::Figure(written) => Ok(self.judged(figure, written, &faced)),
+                GivenAnswer::Converted { figure: own, face } => {
+                    Ok(self.of_two_units(figure, (own, face), &faced))
                 }
             };
-            verdicts.push(verdict);
+            if let Ok(reading) = judged {
+                faced.extend(self.faced(number, figure, reading));
+            }
+            verdicts.push(judged.map_or_else(|verdict| verdict, |reading| reading.verdict));
         }
         verdicts
+    }
+
+    /// An answer as it is meant: of all that it may mean what is right, or nearest to that.
+    fn judged(
+        &self,
+        figure: &AskedFigure,
+        written: WrittenFigure,
+        faced: &[FacedSlot],
+    ) -> JudgedReading {
+        let judge = |written| JudgedReading {
+            written,
+            verdict: self.verdict(figure, written, faced),
+        };
+        let apart = |one: &JudgedReading| Truth::of(figure).apart(one.written.value).abs();
+        let mut best = judge(written);
+        for other in written.readings().skip(1) {
+            if best.verdict == FigureVerdict::Right {
+                break;
+            }
+            let other = judge(other);
+            let (rank, own) = (other.verdict.rank(), best.verdict.rank());
+            if rank < own || rank == own && apart(&other) < apart(&best) {
+                best = other;
+            }
+        }
+        best
+    }
+
+    /// An answer that says its unit; what is right but for that stands in the unit that was asked for.
+    fn of_two_units(
+        &self,
+        figure: &AskedFigure,
+        (own, face): (WrittenFigure, WrittenFigure),
+        faced: &[FacedSlot],
+    ) -> JudgedReading {
+        let reading = self.judged(figure, own, faced);
+        let unit = known_unit(&figure.quantity.unit);
+        let meant = face.readings().find(|face| {
+            let truth = Truth::of(figure);
+            truth.is_right(*face) || truth.is_near(face.value)
+        });
+        match (unit, meant) {
+            (Some(unit), Some(written)) if !reading.verdict.is_worth_a_point() => JudgedReading {
+                written,
+                verdict: FigureVerdict::OtherUnit(unit),
+            },
+            _ => reading,
+        }
     }
 
     /// What an answer tells of the variables; one in another unit is meant as what it is in its own.
@@ -85,22 +156,24 @@ impl AnswerKey {
         &self,
         number: usize,
         figure: &AskedFigure,
-        written: WrittenFigure,
-        verdict: FigureVerdict,
+        JudgedReading { written, verdict }: JudgedReading,
     ) -> Option<FacedSlot> {
         let (slot, more) = self.chain.as_ref()?.slot_of(&figure.quantity)?;
-        let mut value = written.value;
+        let mut meant = written;
         if let FigureVerdict::OtherUnit(unit) = verdict {
-            let mut factors = unit_factors(&figure.quantity.unit).into_iter();
-            value *= factors.find(|(own, _)| *own == unit)?.1;
+            meant = meant.times(unit_factor(unit, &figure.quantity.unit)?);
         }
+        let mut value = meant.value;
+        let mut half = 0.5 * meant.unit_of(FEWEST, i32::MAX);
         if figure.quantity.is_direction() {
-            value = value.to_radians() - more;
+            (value, half) = (value.to_radians() - more, half.to_radians());
         }
         Some(FacedSlot {
             figure: number,
             slot,
             value,
+            half,
+            number: written.value,
             is_sound: matches!(verdict, FigureVerdict::Right | FigureVerdict::Rounded(_)),
         })
     }
@@ -112,6 +185,9 @@ impl AnswerKey {
         faced: &[FacedSlot],
     ) -> FigureVerdict {
         let truth = Truth::of(figure);
+        if truth.is_out_of_reach(written) {
+            return FigureVerdict::Wrong;
+        }
         if truth.is_right(written) {
             return FigureVerdict::Right;
         }
@@ -146,78 +222,6 @@ impl AnswerKey {
                 let there = Truth::of(figure).with(exact);
                 there.is_right(written) || there.is_near(written.value)
             })
-        })
-    }
-
-    /// The figure as it follows from earlier ones, all that were written so far or one of them alone.
-    fn explained(
-        &self,
-        figure: &AskedFigure,
-        written: WrittenFigure,
-        faced: &[FacedSlot],
-    ) -> Option<FigureVerdict> {
-        let chain = self.chain.as_ref()?;
-        let slots = chain.slots();
-        let place = |slot: ChainSlot| slots.iter().position(|own| *own == slot);
-        let own = chain
-            .slot_of(&figure.quantity)
-            .and_then(|(slot, _)| place(slot));
-        let order = figure.quantity.order() as usize;
-        let is_earlier = |face: &&FacedSlot| match own {
-            Some(own) => place(face.slot).is_some_and(|place| place < own),
-            None => face.slot.order <= order,
-        };
-        let mut earlier: Vec<&FacedSlot> = faced.iter().filter(is_earlier).collect();
-        earlier.sort_by_key(|face| place(face.slot));
-        // Who writes figures down goes on with them; but some carry the last ones on with all digits.
-        let sets = (1..=earlier.len()).rev().map(|count| &earlier[..count]);
-        let mut sets = sets.chain(earlier.chunks(1));
-        sets.find_map(|set| self.explanation(chain, figure, written, set))
-    }
-
-    /// The figure as it follows from some at their face value, where that is what was written.
-    fn explanation(
-        &self,
-        chain: &SolutionChain,
-        figure: &AskedFigure,
-        written: WrittenFigure,
-        set: &[&FacedSlot],
-    ) -> Option<FigureVerdict> {
-        let truth = Truth::of(figure);
-        let by = |face: &dyn Fn(&FacedSlot) -> Option<f64>| {
-            let given = |slot| {
-                let mut faces = set.iter();
-                face(faces.find(|face| face.slot == slot)?)
-            };
-            chain.figure(&figure.quantity, &chain.follow(&given)?)
-        };
-        let followed = by(&|face| Some(face.value))?;
-        let apart = truth.with(followed).apart(written.value).abs();
-        let unit = written.unit_of(FEWEST, MOST);
-        // What is no nearer to it than to the exact figure explains nothing.
-        if !(apart <= unit && apart <= 0.5 * truth.apart(written.value).abs()) {
-            return None;
-        }
-        // What one of them does while the others are exact.
-        let effect = |one: &FacedSlot| {
-            let alone = by(&|face| match face.slot == one.slot {
-                true => Some(face.value),
-                false => chain.exact_at(face.slot),
-            });
-            alone.map_or(0.0, |alone| truth.apart(alone).abs())
-        };
-        let effects = set.iter().map(|face| (effect(face), *face));
-        let effects: Vec<(f64, &FacedSlot)> = effects.collect();
-        let largest = |wanted: &dyn Fn(&FacedSlot) -> bool| {
-            let wanted = effects.iter().filter(|(_, face)| wanted(face));
-            wanted.max_by(|a, b| a.0.total_cmp(&b.0)).copied()
-        };
-        Some(match largest(&|face| !face.is_sound) {
-            Some((effect, face)) if effect > unit => FigureVerdict::Followed(face.figure),
-            _ => {
-                let (_, face) = largest(&|face| face.is_sound)?;
-                FigureVerdict::Rounded(RoundedEarly::By(face.figure))
-            }
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{AskedFigure, WrittenFigure};
 use crate::angle::TURN;
+use crate::quantity::other_units;
 
 /// What is to be said of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +42,28 @@ pub enum RoundedEarly {
     Near,
 }
 
+impl FigureVerdict {
+    /// Whether it is worth a point: right, but for rounding and for what was wrong before.
+    #[must_use]
+    pub fn is_worth_a_point(self) -> bool {
+        matches!(
+            self,
+            FigureVerdict::Right | FigureVerdict::Rounded(_) | FigureVerdict::Followed(_)
+        )
+    }
+
+    /// Where an answer may be read in several ways, the least of these is meant.
+    pub(super) fn rank(self) -> u8 {
+        match self {
+            FigureVerdict::Right => 0,
+            FigureVerdict::Rounded(_) => 1,
+            FigureVerdict::Followed(_) => 2,
+            FigureVerdict::Wrong | FigureVerdict::Empty | FigureVerdict::Unreadable => 4,
+            _ => 3,
+        }
+    }
+}
+
 /// Digits that are asked of a figure at the least, and looked at when it follows from others.
 pub(super) const FEWEST: i32 = 3;
 pub(super) const MOST: i32 = 6;
@@ -48,6 +71,13 @@ pub(super) const MOST: i32 = 6;
 const NEAR: f64 = 1e-3;
 /// What is smaller than this part of the largest of its kind is 0.
 const NOUGHT: f64 = 1e-9;
+/// Too few digits are good enough where half of the last one is no more than this part; directions are told to a
+/// degree at the least, and nobody turns so often.
+const COARSEST: f64 = 0.05;
+const DEGREE: f64 = 1.0;
+const FARTHEST: f64 = 1e4;
+/// More than this part is not done by digits that were carried on and not written.
+const CARRIED: f64 = 5e-3;
 /// The rounding of a decimal into a double, and of a comparison.
 const FUZZ: f64 = 1e-9;
 
@@ -94,8 +124,18 @@ impl Truth {
         }
     }
 
+    /// What digits that were carried on and not written may do to it at the most.
+    pub(super) fn carried(&self) -> f64 {
+        CARRIED * self.size()
+    }
+
     fn is_nought(&self) -> bool {
-        !self.is_direction && self.exact.abs() <= NOUGHT * self.scale
+        !self.is_direction && self.exact.abs() <= (NOUGHT * self.scale).max(self.bound)
+    }
+
+    /// Directions are the same after a turn, but of so many turns nothing is left of the digits.
+    pub(super) fn is_out_of_reach(&self, written: WrittenFigure) -> bool {
+        self.is_direction && written.value.abs() > FARTHEST
     }
 
     /// Whether it is the exact figure rounded to its own digits, three at the least, or within the bound.
@@ -118,7 +158,8 @@ impl Truth {
         let own = written.unit_of(FEWEST, i32::MAX);
         // 0.5 deg has a digit; its last is no more exact than that of 120.5 deg would be.
         if self.is_direction {
-            own.max(written.unit_of(0, i32::MAX).min(NEAR * self.size()))
+            let small = written.unit_of(0, i32::MAX).min(NEAR * self.size());
+            own.max(small).min(DEGREE)
         } else {
             own
         }
@@ -132,7 +173,12 @@ impl Truth {
     pub(super) fn rounded(&self, written: WrittenFigure) -> Option<RoundedEarly> {
         let apart = self.apart(written.value);
         let own = 0.5 * written.unit_of(0, i32::MAX) * (1.0 + FUZZ);
-        if (1..FEWEST).contains(&written.digits) && apart.abs() <= own {
+        let coarsest = match self.is_direction {
+            true => 0.5 * DEGREE,
+            false => COARSEST * self.size(),
+        };
+        let is_coarse = (1..FEWEST).contains(&written.digits) && own <= coarsest * (1.0 + FUZZ);
+        if is_coarse && apart.abs() <= own {
             return Some(RoundedEarly::Coarse);
         }
         // Cut off, it is nearer to 0 than the exact figure.
@@ -143,60 +189,37 @@ impl Truth {
     /// What may have happened, where no earlier figure explains it.
     pub(super) fn mistaken(&self, written: WrittenFigure, unit: &str) -> Option<FigureVerdict> {
         let value = written.value;
-        if self.is_near(value) {
-            return Some(FigureVerdict::Rounded(RoundedEarly::Near));
-        }
+        let half = 0.5 * written.unit_of(FEWEST, i32::MAX) * (1.0 + FUZZ);
+        let most = match self.is_direction {
+            true => 0.5 * DEGREE,
+            false => f64::INFINITY,
+        };
         // Nothing is to be told from 0 by its sign or its unit.
-        if self.is_nought() || value == 0.0 {
+        let is_telling = !self.is_nought() && value != 0.0;
+        let is_exact = |factor: f64| {
+            is_telling && self.apart(value * factor).abs() <= (half * factor.abs()).min(most)
+        };
+        let units = other_units(unit);
+        let exact_unit = units.iter().find(|(_, factor)| is_exact(*factor));
+        // A small direction is near to what it is with the other sign, or in another unit.
+        if self.is_near(value) {
+            return Some(match exact_unit {
+                _ if is_exact(-1.0) => FigureVerdict::Sign,
+                Some((unit, _)) => FigureVerdict::OtherUnit(unit),
+                None => FigureVerdict::Rounded(RoundedEarly::Near),
+            });
+        }
+        if !is_telling {
             return None;
         }
-        let fits = |value: f64, factor: f64| {
-            let half = 0.5 * written.unit_of(FEWEST, i32::MAX) * factor.abs();
-            self.is_near(value * factor) || self.apart(value * factor).abs() <= half
-        };
-        if fits(value, -1.0) {
+        let fits = |factor: f64| self.is_near(value * factor) || is_exact(factor);
+        if fits(-1.0) {
             return Some(FigureVerdict::Sign);
         }
         if self.is_direction && self.is_near(value + TURN / 2.0) {
             return Some(FigureVerdict::Opposite);
         }
-        let mut units = unit_factors(unit).into_iter();
-        let other = units.find(|(_, factor)| fits(value, *factor));
+        let other = units.iter().find(|(_, factor)| fits(*factor));
         other.map(|(unit, _)| FigureVerdict::OtherUnit(unit))
     }
-}
-
-/// Units in which a figure may have been written instead of its own, and by how much it is to be multiplied then.
-pub(super) fn unit_factors(unit: &str) -> Vec<(&'static str, f64)> {
-    let degree = 1_f64.to_degrees();
-    let turning = match unit {
-        "deg" => vec![("rad", degree)],
-        "rad/s" => vec![
-            ("deg/s", 1.0 / degree),
-            ("rpm", std::f64::consts::TAU / 60.0),
-        ],
-        "rad/s^2" => vec![("deg/s^2", 1.0 / degree)],
-        _ => Vec::new(),
-    };
-    if !turning.is_empty() {
-        return turning;
-    }
-    // Tenths of a millimetre.
-    const LENGTHS: [(&str, [&str; 3], f64); 4] = [
-        ("mm", ["mm", "mm/s", "mm/s^2"], 10.0),
-        ("cm", ["cm", "cm/s", "cm/s^2"], 100.0),
-        ("m", ["m", "m/s", "m/s^2"], 10_000.0),
-        ("in", ["in", "in/s", "in/s^2"], 254.0),
-    ];
-    let own = LENGTHS.iter().find_map(|(_, names, size)| {
-        let order = names.iter().position(|name| *name == unit)?;
-        Some((order, *size))
-    });
-    let Some((order, size)) = own else {
-        return Vec::new();
-    };
-    let others = LENGTHS.iter().filter(|(_, names, _)| names[order] != unit);
-    others
-        .map(|(_, names, other)| (names[order], other / size))
-        .collect()
 }

@@ -1,5 +1,7 @@
 //! Figures as students write them: with a comma or a point, and with as many digits as they like.
 
+use crate::scene::are_thousands;
+
 /// Longer texts are no figures.
 const LONGEST: usize = 64;
 
@@ -12,47 +14,61 @@ pub struct WrittenFigure {
     pub digits: i32,
     /// One unit of its last digit.
     last: f64,
+    /// Zeros at the end of a whole number, which may only hold places; three digits stand before them.
+    zeros: i32,
+    /// Whether its one mark may stand behind thousands.
+    may_be_thousands: bool,
 }
 
 impl WrittenFigure {
-    /// Reads a figure: `29.38`, `29,38`, `1.234,5`, `-4.6e5`, blanks among the digits, a `°` or the figure's own unit
-    /// behind it. Where a point and a comma stand in it, the last is the decimal mark. `None` for anything else.
+    /// Reads a figure and the unit behind it: `29.38`, `29,38`, `1.234,5`, `-4.6e5 mm/s`, blanks among the digits. Where
+    /// a point and a comma stand in it, the last is the decimal mark; the other one, or one that stands there
+    /// repeatedly, parts groups of three digits. `None` for anything else.
     #[must_use]
-    pub fn read(text: &str, unit: &str) -> Option<WrittenFigure> {
+    pub fn read(text: &str) -> Option<(WrittenFigure, String)> {
         let text = text.trim();
         if text.len() > LONGEST {
             return None;
         }
         let text = text.replace('\u{2212}', "-");
-        let number = text.strip_suffix(unit).unwrap_or(&text);
-        let number = number.trim().trim_end_matches('°');
+        let (number, unit) = text.split_at(unit_begins(&text));
         let compact: String = number
             .chars()
             .filter(|c| !c.is_whitespace() && *c != '\'')
             .collect();
-        let (mantissa, exponent) = match compact.split_once(['e', 'E']) {
-            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
-            None => (compact.as_str(), 0),
+        let (typed, exponent) = match compact.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, Some(exponent.parse::<i32>().ok()?)),
+            None => (compact.as_str(), None),
         };
-        let mantissa = with_point(mantissa)?;
+        let mantissa = with_point(typed)?;
         let is_number = mantissa
             .trim_start_matches(['-', '+'])
             .starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        let value: f64 = format!("{mantissa}e{exponent}").parse().ok()?;
+        let power = exponent.unwrap_or(0);
+        let value: f64 = format!("{mantissa}e{power}").parse().ok()?;
         if !is_number || !value.is_finite() {
             return None;
         }
-        let decimals = mantissa
-            .split_once('.')
-            .map_or("", |(_, decimals)| decimals);
-        let places = i32::try_from(decimals.len()).ok()?;
+        let decimals = mantissa.split_once('.').map(|(_, decimals)| decimals);
+        let places = i32::try_from(decimals.map_or(0, str::len)).ok()?;
         let bare: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-        let digits = bare.trim_start_matches('0').len();
-        Some(WrittenFigure {
+        let significant = bare.trim_start_matches('0');
+        let digits = i32::try_from(significant.len()).ok()?;
+        // A nought has no size, whatever its exponent.
+        let power = if digits == 0 { power.min(0) } else { power };
+        let is_whole = decimals.is_none() && exponent.is_none();
+        let written = WrittenFigure {
             value,
-            digits: i32::try_from(digits).ok()?,
-            last: ten_to(exponent.checked_sub(places)?),
-        })
+            digits,
+            last: ten_to(power.checked_sub(places)?),
+            zeros: if is_whole {
+                spare_zeros(significant)
+            } else {
+                0
+            },
+            may_be_thousands: exponent.is_none() && are_thousands(&typed.replace('.', ",")),
+        };
+        Some((written, unit.trim().to_owned()))
     }
 
     /// One unit of the last of so many digits: of the figure's own, but no fewer and no more than these.
@@ -60,35 +76,101 @@ impl WrittenFigure {
     pub fn unit_of(&self, fewest: i32, most: i32) -> f64 {
         self.last * ten_to(self.digits - self.digits.clamp(fewest, most))
     }
+
+    /// The same in a unit of which this is so many.
+    #[must_use]
+    pub fn times(self, factor: f64) -> WrittenFigure {
+        WrittenFigure {
+            value: self.value * factor,
+            last: self.last * factor,
+            ..self
+        }
+    }
+
+    /// The figure a thousand times as large, where its one mark may stand behind thousands, as in `8,259`.
+    #[must_use]
+    pub fn with_thousands(self) -> Option<WrittenFigure> {
+        self.may_be_thousands.then(|| {
+            // Three decimals, which are whole now: the product is rounded twice, and the number is not.
+            let value = (self.value * 1000.0).round();
+            WrittenFigure {
+                value,
+                last: 1.0,
+                zeros: spare_zeros(&format!("{}", value.abs())),
+                may_be_thousands: false,
+                ..self
+            }
+        })
+    }
+
+    /// All that it may mean: with thousands, and with zeros at its end that only hold places.
+    pub(super) fn readings(self) -> impl Iterator<Item = WrittenFigure> {
+        let both = [Some(self), self.with_thousands()];
+        both.into_iter().flatten().flat_map(|one| {
+            let rough = (one.zeros > 0).then(|| WrittenFigure {
+                digits: one.digits - one.zeros,
+                last: one.last * ten_to(one.zeros),
+                zeros: 0,
+                ..one
+            });
+            [Some(one), rough].into_iter().flatten()
+        })
+    }
+}
+
+/// Where the letters of a unit begin; the `e` of an exponent is none of them.
+fn unit_begins(text: &str) -> usize {
+    let is_exponent = |at: usize| {
+        let before = text[..at].trim_start_matches(['-', '+']);
+        let after = text[at + 1..].trim_start_matches(['-', '+']);
+        let is_led = before.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',');
+        is_led && after.starts_with(|c: char| c.is_ascii_digit())
+    };
+    let mut letters = text
+        .char_indices()
+        .filter(|(_, c)| c.is_alphabetic() || *c == '°');
+    let first = letters.find(|(at, c)| !(matches!(c, 'e' | 'E') && is_exponent(*at)));
+    first.map_or(text.len(), |(at, _)| at)
+}
+
+/// Zeros at the end of these digits, as far as three digits are left.
+fn spare_zeros(digits: &str) -> i32 {
+    let zeros = digits.len() - digits.trim_end_matches('0').len();
+    let spare = zeros.min(digits.len().saturating_sub(3));
+    i32::try_from(spare).unwrap_or(0)
 }
 
 /// The same with a point for a decimal mark, and none among the thousands.
 fn with_point(text: &str) -> Option<String> {
     let marks = |mark: char| text.matches(mark).count();
-    let mark = match (marks('.'), marks(',')) {
-        (0, 0) => return Some(text.to_owned()),
-        (1, 0) => '.',
-        (0, 1) => ',',
-        (points, commas) => {
-            let last = if text.rfind('.') > text.rfind(',') {
-                ('.', points)
-            } else {
-                (',', commas)
-            };
-            match last {
-                (mark, 1) => mark,
-                // Thousands alone.
-                (_, 2..) if points == 0 || commas == 0 => ' ',
-                _ => return None,
-            }
-        }
+    let is_comma_last = text.rfind(',') > text.rfind('.');
+    let (last, other) = if is_comma_last {
+        (',', '.')
+    } else {
+        ('.', ',')
     };
-    let written = text.chars().filter_map(|c| match c {
-        c if c == mark => Some('.'),
-        '.' | ',' => None,
-        c => Some(c),
-    });
-    Some(written.collect())
+    let (whole, decimals) = match (marks(last), marks(other)) {
+        (0, _) => return Some(text.to_owned()),
+        (1, _) => text.split_once(last)?,
+        // Thousands alone.
+        (_, 0) => (text, ""),
+        _ => return None,
+    };
+    let are_grouped = !whole.contains(['.', ',']) || are_groups(whole);
+    let whole = whole.replace(['.', ','], "");
+    are_grouped.then(|| match decimals {
+        "" if marks(last) > 1 => whole,
+        decimals => format!("{whole}.{decimals}"),
+    })
+}
+
+/// Whether marks part groups of three digits.
+fn are_groups(text: &str) -> bool {
+    let mut groups = text.trim_start_matches(['-', '+']).split(['.', ',']);
+    let is_led = groups
+        .next()
+        .is_some_and(|first| (1..=3).contains(&first.len()));
+    is_led && groups.all(|group| group.len() == 3)
 }
 
 fn ten_to(power: i32) -> f64 {
@@ -100,8 +182,12 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    fn figure(text: &str) -> (WrittenFigure, String) {
+        WrittenFigure::read(text).unwrap_or_else(|| panic!("{text}"))
+    }
+
     fn read(text: &str) -> (f64, i32, f64) {
-        let figure = WrittenFigure::read(text, "mm").unwrap_or_else(|| panic!("{text}"));
+        let (figure, _) = figure(text);
         (figure.value, figure.digits, figure.unit_of(0, 99))
     }
 
@@ -120,6 +206,8 @@ mod tests {
             ("2.40e4", (24000.0, 3, 100.0)),
             ("\u{2212}0,0250", (-0.025, 3, 0.0001)),
             ("0", (0.0, 0, 1.0)),
+            ("0e9", (0.0, 0, 1.0)),
+            ("-89.4427 rd/s", (-89.4427, 6, 1e-4)),
         ] {
             let (value, digits, last) = read(text);
             assert_eq!((value, digits), (expected.0, expected.1), "{text}");
@@ -130,30 +218,72 @@ mod tests {
             "-",
             "x",
             "1.2.3,4,5",
+            "1,2,3",
+            "1.23,4",
+            "1234.567,8",
+            "1..2",
             "nan",
             "inf",
-            "1e",
             "e5",
-            "29 deg",
             "1e999",
             ".",
         ] {
-            assert_eq!(WrittenFigure::read(wrong, "mm"), None, "{wrong}");
+            assert_eq!(WrittenFigure::read(wrong), None, "{wrong}");
         }
     }
 
     #[test]
     fn too_few_digits_count_as_three() {
-        let rough = WrittenFigure::read("28", "cm").unwrap();
+        let (rough, _) = figure("28");
         assert!((rough.unit_of(3, 6) - 0.1).abs() < 1e-12);
-        let fine = WrittenFigure::read("28.02517077", "cm").unwrap();
+        let (fine, _) = figure("28.02517077");
         assert!((fine.unit_of(3, 6) - 1e-4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_unit_may_stand_behind_a_figure() {
+        for (text, unit) in [
+            ("8262.36 rad/s²", "rad/s²"),
+            ("345.5°", "°"),
+            ("15°/s", "°/s"),
+            ("2.4e4mm/s", "mm/s"),
+            ("7 ein", "ein"),
+            ("1e", "e"),
+            ("7", ""),
+        ] {
+            assert_eq!(figure(text).1, unit, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_figure_may_mean_more_than_one_thing() {
+        let readings = |text| -> Vec<(f64, i32)> {
+            let all = figure(text).0.readings();
+            all.map(|one| (one.value, one.digits)).collect()
+        };
+        assert_eq!(readings("8,259"), [(8.259, 4), (8259.0, 4)]);
+        assert_eq!(readings("-8.250"), [(-8.25, 4), (-8250.0, 4), (-8250.0, 3)]);
+        assert_eq!(readings("10200"), [(10200.0, 5), (10200.0, 3)]);
+        assert_eq!(readings("10000"), [(10000.0, 5), (10000.0, 3)]);
+        for text in [
+            "100",
+            "0,259",
+            "8.2590",
+            "1.234,567",
+            "8259.0",
+            "1,5e3",
+            "0",
+        ] {
+            assert_eq!(readings(text).len(), 1, "{text}");
+        }
     }
 
     proptest! {
         #[test]
         fn nothing_that_is_written_ends_in_a_panic(text in ".{0,80}") {
-            let _ = WrittenFigure::read(&text, "rad/s^2");
+            if let Some((written, _)) = WrittenFigure::read(&text) {
+                prop_assert!(written.readings().all(|one| one.value.is_finite()));
+            }
         }
     }
 }

@@ -75,6 +75,9 @@ catalogue! {
              was wrong before.";
         first_that_differs(figure: &str, verdict: &str) = "The first that differs is {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "The first mistake is {figure}: {verdict}.";
+        judged_besides = "These were not asked for, and are worth no point:";
+        strange_units(figures: &str) =
+            "Units that are not known, or measure something else, were taken for those that were asked for: {figures}.";
         no_figures_of_scene(names: &str) = "No figures of this scene: {names}.";
 
         // What the commands cannot do.
@@ -87,6 +90,8 @@ catalogue! {
         would_be_lost(file: &str) =
             "`{file}` is not as this exercise writes it: what somebody wrote there would be lost; write to another folder";
         holds_no_answers(file: &str) = "`{file}` holds no answers: it has no row of a figure";
+        names_no_figure(file: &str, sheet: &str) =
+            "`{file}` holds no answers: none of its rows names a figure of `{sheet}`";
         too_many_answers(file: &str) = "`{file}` is no file of answers: it is too large";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` names no sheet of the folder: `{sheet}`";

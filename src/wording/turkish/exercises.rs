@@ -74,6 +74,9 @@ catalogue! {
              önceki yanlışa göre doğru.";
         first_that_differs(figure: &str, verdict: &str) = "İlk ayrılan {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "İlk hata {figure}: {verdict}.";
+        judged_besides = "Bunlar sorulmamıştı ve puan etmez:";
+        strange_units(figures: &str) =
+            "Bilinmeyen ya da başka bir şeyi ölçen birimler yerine sorulan birimler alındı: {figures}.";
         no_figures_of_scene(names: &str) = "Bu sahnede olmayan değerler: {names}.";
 
         // What the commands cannot do.
@@ -86,6 +89,8 @@ catalogue! {
         would_be_lost(file: &str) =
             "`{file}` bu ödevin yazdığı gibi değil: içine yazılanlar kaybolurdu; başka bir klasöre yazın";
         holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir değerin satırı yok";
+        names_no_figure(file: &str, sheet: &str) =
+            "`{file}` içinde cevap yok: hiçbir satırında `{sheet}` sahnesinin bir değeri yok";
         too_many_answers(file: &str) = "`{file}` bir cevap dosyası değil: çok büyük";
         names_no_sheet(file: &str, sheet: &str) =
             "`{file}` klasördeki hiçbir ödevi söylemiyor: `{sheet}`";

@@ -1,0 +1,137 @@
+//! Units as people write them, and what one is in another.
+
+use crate::scene::Unit;
+
+/// The units that a figure may have been written in instead of its own.
+const NAMES: [&str; 19] = [
+    "rad", "deg", "rad/s", "deg/s", "rpm", "rad/s^2", "deg/s^2", "mm", "cm", "m", "in", "mm/s",
+    "cm/s", "m/s", "in/s", "mm/s^2", "cm/s^2", "m/s^2", "in/s^2",
+];
+
+/// What a unit measures, without the times that it is divided by.
+#[derive(Clone, Copy, PartialEq)]
+enum Measure {
+    Turning,
+    Length,
+}
+
+/// What a figure of one unit is multiplied by for another; `None` where they measure different things or are not
+/// known. Without a unit it is taken for the other's.
+#[must_use]
+pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
+    let plain = plain(from);
+    if plain.is_empty() || plain == to {
+        return Some(1.0);
+    }
+    let (from, from_rate) = parted(&plain);
+    let (to, to_rate) = parted(to);
+    if from_rate != to_rate {
+        return None;
+    }
+    if from == to {
+        return Some(1.0);
+    }
+    let ((measure, size), (other, whole)) = (size(from)?, size(to)?);
+    (measure == other).then_some(size / whole)
+}
+
+/// Units in which a figure may have been written instead of its own, and by how much it is to be multiplied then.
+#[must_use]
+pub fn other_units(unit: &str) -> Vec<(&'static str, f64)> {
+    let others = NAMES.into_iter().filter(|name| *name != unit);
+    others
+        .filter_map(|name| Some((name, unit_factor(name, unit)?)))
+        .collect()
+}
+
+/// The unit of this name, where it is one of those that are converted.
+#[must_use]
+pub fn known_unit(unit: &str) -> Option<&'static str> {
+    NAMES.into_iter().find(|name| *name == unit)
+}
+
+/// As krank writes it: seconds may be `sn`, radians `rd`, and powers small.
+fn plain(unit: &str) -> String {
+    let unit = unit.trim().replace('²', "^2").replace('°', "deg");
+    let (head, rate) = match unit.split_once('/') {
+        Some((head, rate)) => (head, Some(rate)),
+        None => (unit.as_str(), None),
+    };
+    let head = match head.trim() {
+        "rd" => "rad",
+        head => head,
+    };
+    match rate.map(str::trim) {
+        None => head.to_owned(),
+        Some("s2" | "sn2" | "sn^2") => format!("{head}/s^2"),
+        Some("sn") => format!("{head}/s"),
+        Some(rate) => format!("{head}/{rate}"),
+    }
+}
+
+/// What is measured, and by which times it is divided.
+fn parted(unit: &str) -> (&str, &str) {
+    match unit {
+        "rpm" => ("rpm", "s"),
+        unit => unit.split_once('/').unwrap_or((unit, "")),
+    }
+}
+
+/// In degrees, and in metres; of revolutions per minute what turns in a second.
+fn size(head: &str) -> Option<(Measure, f64)> {
+    match head {
+        "deg" => Some((Measure::Turning, 1.0)),
+        "rad" => Some((Measure::Turning, 1_f64.to_degrees())),
+        "rpm" => Some((Measure::Turning, crate::angle::TURN / 60.0)),
+        head => {
+            let unit = Unit::ALL.into_iter().find(|unit| unit.symbol() == head)?;
+            Some((Measure::Length, unit.tenths_of_mm()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_turned_into_each_other_where_they_measure_the_same() {
+        for (from, to, factor) in [
+            ("", "mm", 1.0),
+            ("cm/s2", "mm/s^2", 10.0),
+            ("m/s²", "mm/s^2", 1000.0),
+            ("in", "mm", 25.4),
+            ("rd/s", "rad/s", 1.0),
+            ("rad/sn", "rad/s", 1.0),
+            ("mm/sn^2", "mm/s^2", 1.0),
+            ("rad", "deg", 1_f64.to_degrees()),
+            ("°", "deg", 1.0),
+            ("rpm", "deg/s", 6.0),
+            ("N", "N", 1.0),
+        ] {
+            assert_eq!(unit_factor(from, to), Some(factor), "{from} {to}");
+        }
+        let rpm = unit_factor("rpm", "rad/s").unwrap();
+        assert!((rpm - std::f64::consts::TAU / 60.0).abs() < 1e-16);
+        for (from, to) in [
+            ("mm", "mm/s"),
+            ("deg", "mm"),
+            ("rpm", "deg"),
+            ("furlong", "mm"),
+            ("kg", "N"),
+        ] {
+            assert_eq!(unit_factor(from, to), None, "{from} {to}");
+        }
+    }
+
+    #[test]
+    fn other_units_measure_the_same() {
+        let names = |unit| -> Vec<&str> { other_units(unit).into_iter().map(|(n, _)| n).collect() };
+        assert_eq!(names("deg"), ["rad"]);
+        assert_eq!(names("rad/s"), ["deg/s", "rpm"]);
+        assert_eq!(names("mm/s"), ["cm/s", "m/s", "in/s"]);
+        assert_eq!(names("N"), [""; 0]);
+        assert_eq!(known_unit("mm/s"), Some("mm/s"));
+        assert_eq!(known_unit("N"), None);
+    }
+}
