@@ -19,8 +19,8 @@ const LARGEST_FOREIGN: usize = 16 * LARGEST_FILE;
 /// Writes the report; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
     let path = args.output.output.as_deref();
-    let format = format(args.format, path)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let format = format(args.format, path)?;
     if let Some(file) = &args.against {
         keep_file_apart(file, path)?;
     }
