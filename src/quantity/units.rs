@@ -10,7 +10,7 @@ const NAMES: [&str; 19] = [
 
 /// What a unit measures, without the times that it is divided by.
 #[derive(Clone, Copy, PartialEq)]
-enum Measure {
+enum UnitMeasure {
     Turning,
     Length,
 }
@@ -78,14 +78,14 @@ fn parted(unit: &str) -> (&str, &str) {
 }
 
 /// In degrees, and in metres; of revolutions per minute what turns in a second.
-fn size(head: &str) -> Option<(Measure, f64)> {
+fn size(head: &str) -> Option<(UnitMeasure, f64)> {
     match head {
-        "deg" => Some((Measure::Turning, 1.0)),
-        "rad" => Some((Measure::Turning, 1_f64.to_degrees())),
-        "rpm" => Some((Measure::Turning, crate::angle::TURN / 60.0)),
+        "deg" => Some((UnitMeasure::Turning, 1.0)),
+        "rad" => Some((UnitMeasure::Turning, 1_f64.to_degrees())),
+        "rpm" => Some((UnitMeasure::Turning, crate::angle::TURN / 60.0)),
         head => {
             let unit = Unit::ALL.into_iter().find(|unit| unit.symbol() == head)?;
-            Some((Measure::Length, unit.tenths_of_mm()))
+            Some((UnitMeasure::Length, unit.tenths_of_mm()))
         }
     }
 }

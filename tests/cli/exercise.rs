@@ -184,6 +184,40 @@ fn the_notes_are_graded() {
     );
 }
 
+/// What is 0 but for rounding is not asked for.
+#[test]
+fn rounding_is_no_question() {
+    let here = fresh("exercise-rounding");
+    let path = shown(&here);
+    done(&["exercise", "parallelogram", "--seed", "4", "-o", path]);
+    let blank = fs::read_to_string(here.join("parallelogram-4.csv")).unwrap();
+    assert!(
+        blank.contains("r3.angle,") && !blank.contains("r3.alpha,"),
+        "{blank}"
+    );
+}
+
+/// Spreadsheets write UTF-16 and leave columns out; what answers nothing of the scene is refused.
+#[test]
+fn a_file_of_answers_is_read_or_refused() {
+    let here = fresh("grade-files");
+    let file = here.join("ali.csv");
+    let text = "\u{feff}figure\tanswer\r\nstudent\tAli\r\nr3.angle\t29,38\r\n";
+    let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    fs::write(&file, bytes).unwrap();
+    let told = done(&["grade", "four-bar", shown(&file)]);
+    assert!(
+        told.starts_with("Ali\n") && told.contains("1 points of 22"),
+        "{told}"
+    );
+    fs::write(&file, "figure,unit,answer\nx.y,mm,1\nz9.angle,deg,2\n").unwrap();
+    let said = refused(2, &["grade", "four-bar", shown(&file)]);
+    assert!(
+        said.contains("ali.csv") && said.contains("four-bar"),
+        "{said}"
+    );
+}
+
 /// A class in a folder: every file finds its sheet, and what cannot be graded holds up nobody.
 #[test]
 fn a_class_is_a_table() {

@@ -223,7 +223,7 @@ fn what_was_carried_on_with_all_digits_is_right_by_it() {
 #[test]
 fn sizes_without_digits_earn_nothing() {
     let key = key("press", &[]);
-    for nonsense in ["1.00e5", "0e9", "1e9", "-7e12", "1", "-1", "5e3", "1e4"] {
+    for nonsense in ["1.00e5", "0e9", "1e9", "-7e12", "1", "-1", "5e3"] {
         let rows = key.figures.iter();
         let rows: String = rows
             .map(|f| format!("{};;{nonsense}\n", f.quantity.name))
@@ -301,7 +301,7 @@ fn a_unit_beside_a_figure_is_meant() {
 /// Near 0 the other sign and radians are as near as rounding: what fits them exactly is told first.
 #[test]
 fn a_small_direction_has_a_sign_and_a_unit() {
-    let at = Some(0.1);
+    let at = Some(0.04);
     let key = key_at("slider-crank", at, &[]);
     let small = key.figures[0].exact - 360.0;
     assert!(small.abs() < 0.03, "{small}");
@@ -323,17 +323,14 @@ fn a_small_direction_has_a_sign_and_a_unit() {
 /// The lecture parts thousands with a comma.
 #[test]
 fn a_comma_may_stand_behind_thousands() {
-    let told = told(
-        "slider-crank",
-        "r3.angle 345,5\nr3.alpha 8,259\nr4.accel -459.978",
-    );
-    assert_eq!(
-        told[1..],
-        [
-            "r3.alpha 8,259: rounded early: r3.angle as 345,5",
-            "r4.accel -459.978: rounded early: r3.angle as 345,5"
-        ]
-    );
+    for written in ["8,259", "8.259", "8259"] {
+        let told = told(
+            "slider-crank",
+            &format!("r3.angle 345,5\nr3.alpha {written}"),
+        );
+        let expected = format!("r3.alpha {written}: rounded early: r3.angle as 345,5");
+        assert_eq!(told[1..], [expected]);
+    }
 }
 
 /// What is 0 but for rounding is asked of nobody.
