@@ -6,7 +6,7 @@ use crate::angle;
 use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
 use crate::page::{Illustration, Page, Table};
 use crate::report::number::{direction, significant};
-use crate::report::working::{LoopVectors, PointMotion};
+use crate::report::working::{LoopVectors, PointMotion, VectorFigure};
 use crate::solver::Order;
 use crate::wording::words;
 use std::sync::Arc;
@@ -128,7 +128,8 @@ fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
             false => (at, at + vector),
             true => (at - vector, at - vector),
         };
-        let is_sought = side.figures[0].iter().any(|figure| figure.is_sought);
+        let is_own = |figure: &VectorFigure| figure.is_sought && figure.found_by.is_none();
+        let is_sought = side.figures[0].iter().any(is_own);
         let kind = match (side.is_driven, is_sought) {
             (true, _) => ArrowKind::Driven,
             (false, true) => ArrowKind::Sought,

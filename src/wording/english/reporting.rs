@@ -19,6 +19,7 @@ catalogue! {
             "Loop {number}: the vector polygon {sum} = 0, to scale; dashed where something is sought, \
              angles at their tails.";
         loop_number(number: usize) = "loop {number}";
+        found_by_loop(number: usize) = "from loop {number}";
         tables_asked = "Given, and with a question mark what is sought:";
         tables_told = "Given, and behind their symbols the figures that were found:";
 

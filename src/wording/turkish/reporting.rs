@@ -17,6 +17,7 @@ catalogue! {
             "Döngü {number}: ölçekli vektörel poligon, {sum} = 0; bilinmeyeni olan kesikli, açılar \
              kuyruklarda.";
         loop_number(number: usize) = "döngü {number}";
+        found_by_loop(number: usize) = "{number}. döngüden";
         tables_asked = "Verilenler ve soru işaretiyle bilinmeyenler:";
         tables_told = "Verilenler ve simgelerinin arkasında bulunan değerler:";
 

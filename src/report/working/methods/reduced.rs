@@ -164,17 +164,21 @@ impl<'a> Solution<'a> {
         let [p, x, q] = self.joints(&first, &second);
         let (link, ahead) = turning(self.context, &first)?;
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft.page.text(words().with_m_between(p, q, x));
+        draft
+            .page
+            .text(words().with_m_between(self.diagonal(), p, q, x));
         let _ = self.write_m(draft);
         let at = match one.ahead {
             0.0 => one.theta.clone(),
             more => format!("{} + {}", one.theta, f.angle(more)),
         };
-        let part = |m: &str, function: &str| format!("({m} - {} {function}({at}))^2", one.length);
+        let m = self.diagonal();
+        let part =
+            |axis: &str, function: &str| format!("({m}{axis} - {} {function}({at}))^2", one.length);
         let symbols = format!(
             "{} + {} - {}^2",
-            part("mx", "cos"),
-            part("my", "sin"),
+            part("x", "cos"),
+            part("y", "sin"),
             two.length
         );
         draft.page.equation([format!("f({})", one.theta), symbols]);
@@ -244,7 +248,7 @@ impl<'a> Solution<'a> {
             return None;
         };
         let [mx, my] = self.write_m(draft);
-        let size = self.write_length(draft, "m", [&mx, &my]);
+        let size = self.write_length(draft, self.diagonal(), [&mx, &my]);
         let [t, e] = self.beside_guide(arm, slide, size);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
@@ -261,7 +265,7 @@ impl<'a> Solution<'a> {
             0.0 => square,
             e => square + written("e", e).squared(),
         };
-        let whole = square - written("m", size).squared();
+        let whole = square - written(self.diagonal(), size).squared();
         draft.page.equation([format!("f({name})"), whole.symbols()]);
         Some(ReducedLoop {
             symbol: name.clone(),
