@@ -16,6 +16,7 @@ mod layout;
 mod line;
 mod markdown;
 mod math;
+mod prose;
 mod spelled;
 mod style;
 mod svg;
