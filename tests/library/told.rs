@@ -2,7 +2,7 @@
 //! those that were given, and every letter has one meaning.
 
 use krank::page::TextStyle;
-use krank::report::{Report, Working, WorkingNotation};
+use krank::report::{PositionMethod, Report, Working, WorkingNotation};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Solver, Workspace};
 
@@ -169,4 +169,71 @@ fn a_coupled_group_tells_every_angle_it_finds() {
     for head in ["xB [mm]", "theta4 [rad]", "f1 [mm^2]"] {
         assert!(group.contains(head), "{head}: {group}");
     }
+}
+
+fn by(method: PositionMethod, name: &str, at: Option<f64>) -> String {
+    let (scene, solver, state) = solved(name, at);
+    let working = Working::new(&scene, &solver);
+    let notation = WorkingNotation::Krank;
+    let stand = (&scene, &solver, &*state);
+    let worked = working.by(method, stand, &[], 6, notation).unwrap();
+    worked.page.to_text(WIDE)
+}
+
+#[test]
+fn bisection_says_where_it_looks_and_when_it_stops() {
+    let text = by(PositionMethod::Bisection, "four-bar", None);
+    for piece in [
+        "f is least where the arm lies along m, at theta3 = -13.8979 deg",
+        "Halved until the interval is no longer than 0.00018 deg",
+        "theta4 = atan2(my - r3 sin(theta3), mx - r3 cos(theta3)) = 290.753 deg",
+    ] {
+        assert!(text.contains(piece), "{piece}: {text}");
+    }
+    let text = by(PositionMethod::Bisection, "slider-crank", None);
+    assert!(text.contains("f is least at r4 = "), "{text}");
+}
+
+#[test]
+fn a_root_at_an_end_is_not_halved() {
+    let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
+    for (name, at) in [("double-rocker", dead_point), ("parallelogram", 0.0)] {
+        let text = by(PositionMethod::Bisection, name, Some(at));
+        assert!(
+            text.contains("is the root itself; f only touches 0"),
+            "{name}: {text}"
+        );
+        assert!(!text.contains("Halved until"), "{name}: {text}");
+    }
+}
+
+#[test]
+fn circles_that_touch_meet_in_one_point() {
+    let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
+    let text = by(PositionMethod::Graphical, "double-rocker", Some(dead_point));
+    assert!(
+        text.contains("They touch in C; the drawing cannot tell where"),
+        "{text}"
+    );
+    assert!(
+        !text.contains("two points") && !text.contains("C'"),
+        "{text}"
+    );
+    let text = working("double-rocker", Some(dead_point));
+    assert!(text.contains("C lies on the line B -> D"), "{text}");
+    assert!(!text.contains("on the left of B"), "{text}");
+}
+
+#[test]
+fn a_caption_says_what_its_picture_shows() {
+    let (scene, solver, state) = solved("press-ram", None);
+    let report = Report::new(&scene, &solver, &state, 6);
+    let (text, html) = (report.page.to_text(WIDE), report.page.to_html());
+    assert!(!text.contains("dashed where something"), "{text}");
+    assert!(
+        text.contains("r6 < 0: its arrow points against theta6."),
+        "{text}"
+    );
+    assert!(html.contains("dashed where something is sought"));
+    assert!(html.contains("r6 &lt; 0: its arrow points against"));
 }

@@ -10,6 +10,9 @@ use crate::wording::words;
 /// A distance of pivots below this part of the arms is none.
 const MEETING: f64 = 1e-12;
 
+/// Arms that lie at no more than this sine to m are in line with it, but for rounding.
+const IN_LINE: f64 = 1e-6;
+
 impl Solution<'_> {
     /// The cosine theorem in the triangle of both arms and m, as in the lecture.
     pub(super) fn triangle(&self, draft: &mut Draft, a: &[Term], b: &[Term]) {
@@ -45,7 +48,9 @@ impl Solution<'_> {
             draft.worked(symbol, &corner(near, far), |angle| degrees(f, angle))
         });
         let left = (-self.known).cross(one.direction()) >= 0.0;
+        let across = (-self.known).cross(one.direction()).abs();
         draft.page.text(match left {
+            _ if across <= IN_LINE * size => words().lies_on_the_line(x, p, q),
             true => words().lies_to_the_left(x, p, q),
             false => words().lies_to_the_right(x, p, q),
         });

@@ -75,6 +75,8 @@ catalogue! {
             "{joint} lies on the left of {from} → {to}, by the assembly:";
         lies_to_the_right(joint: &str, from: &str, to: &str) =
             "{joint} lies on the right of {from} → {to}, by the assembly:";
+        lies_on_the_line(joint: &str, from: &str, to: &str) =
+            "{joint} lies on the line {from} → {to}: both assemblies are one:";
         pivots_coincide(one: &str, other: &str) =
             "{one} and {other} lie on each other: there is no triangle, and the angles are the limits \
              along the motion:";

@@ -73,6 +73,8 @@ catalogue! {
             "Montaj biçimine göre {joint}, {from} → {to} doğrusunun solundadır:";
         lies_to_the_right(joint: &str, from: &str, to: &str) =
             "Montaj biçimine göre {joint}, {from} → {to} doğrusunun sağındadır:";
+        lies_on_the_line(joint: &str, from: &str, to: &str) =
+            "{joint}, {from} → {to} doğrusunun üzerindedir: iki montaj biçimi birdir:";
         pivots_coincide(one: &str, other: &str) =
             "{one} ve {other} üst üste: üçgen yok, açılar hareket boyunca limitlerdir:";
         arms_too_short(m: &str, one: &str, other: &str, sum: &str) =
