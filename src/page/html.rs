@@ -2,6 +2,7 @@
 //! SVG inside. No script; on a screen light or dark as the reader prefers, on paper light, A4.
 
 use super::math::{MathPiece, pieces};
+use super::prose::{ProsePiece, is_spelled};
 use super::svg::marked_up;
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
@@ -88,7 +89,7 @@ impl Content {
                 let level = (level + 1).min(6);
                 format!("<h{level}>{}</h{level}>\n", marked_up(text))
             }
-            Content::Text(text) => format!("<p>{}</p>\n", marked_up(text.trim())),
+            Content::Text(text) => format!("<p>{}</p>\n", prose(text.trim())),
             Content::Facts(list) => facts(list),
             Content::Equations(equations) => equations.iter().map(equation).collect(),
             Content::Table(table) => columns(table),
@@ -159,10 +160,23 @@ fn columns(table: &Table) -> String {
 
 /// The name of a row or of a column; a rate is spelled as in the formulas.
 fn name_of(text: &str) -> String {
-    match text.contains("/dt") {
+    match is_spelled(text) {
         true => formula(text),
         false => marked_up(text),
     }
+}
+
+/// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
+fn prose(text: &str) -> String {
+    let mut out = String::new();
+    for piece in super::prose::pieces(text) {
+        let _ = match piece {
+            ProsePiece::Typed(typed) => write!(out, "<code>{}</code>", marked_up(typed)),
+            ProsePiece::Formula(word) => write!(out, "{}", formula(word)),
+            ProsePiece::Words(words) => write!(out, "{}", marked_up(words)),
+        };
+    }
+    out
 }
 
 /// A cell; one with a symbol of its own is a formula, and what was found or is sought.
@@ -180,10 +194,13 @@ fn formula(text: &str) -> String {
         let _ = match piece {
             MathPiece::Symbol(letter, index, order) => {
                 let dots = ["", "\u{307}", "\u{308}"][order.min(2)];
-                let letter = marked_up(&letter);
-                let _ = match letter.chars().count() {
-                    1 => write!(out, "<i>{letter}{dots}</i>"),
-                    _ => write!(out, "{letter}{dots}"),
+                // Of a name of several letters the first bears the dots.
+                let (first, rest) =
+                    letter.split_at(letter.chars().next().map_or(0, char::len_utf8));
+                let (first, rest) = (marked_up(first), marked_up(rest));
+                let _ = match rest.as_str() {
+                    "" => write!(out, "<i>{first}{dots}</i>"),
+                    rest => write!(out, "{first}{dots}{rest}"),
                 };
                 match index.as_str() {
                     "" => Ok(()),
@@ -222,6 +239,17 @@ mod tests {
             "as in the formulas"
         );
         assert_eq!(formula("dr4/dt"), "<i>r\u{307}</i><sub>4</sub>");
+        assert_eq!(formula("drod/dt"), "r\u{307}od", "over the first letter");
+        assert_eq!(
+            name_of("α [rad/s^2]"),
+            "<i>α</i> [rad/s<sup>2</sup>]",
+            "as below it"
+        );
+        assert_eq!(
+            prose("Write `a < b`, which removes dr6/dt: 2 mm/s^2."),
+            "Write <code>a &lt; b</code>, which removes <i>r\u{307}</i><sub>6</sub>: \
+             2 mm/s<sup>2</sup>."
+        );
         assert_eq!(formula("a < b"), "<i>a</i> &lt; <i>b</i>");
     }
 }

@@ -1,6 +1,7 @@
 //! A page as LaTeX that a plain TeX Live sets: the class `article`, amsmath, and TikZ for pictures.
 
 use super::math::{MathPiece, closing, pieces};
+use super::prose::{ProsePiece, is_spelled};
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
@@ -45,7 +46,7 @@ impl Content {
             // Headings come with their numbers.
             Content::Heading(1, text) => format!("\n\\section*{{{}}}\n", escaped(text)),
             Content::Heading(_, text) => format!("\n\\subsection*{{{}}}\n", escaped(text)),
-            Content::Text(text) => format!("\n{}\n", escaped(text.trim())),
+            Content::Text(text) => format!("\n{}\n", prose(text.trim())),
             Content::Facts(list) => facts(list),
             Content::Equations(equations) => equations.iter().map(equation).collect(),
             Content::Table(table) => columns(table),
@@ -156,7 +157,7 @@ fn cell(text: &str) -> String {
         .strip_prefix('-')
         .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
     // A rate is spelled as in the formulas.
-    if text.contains("/dt") && !text.contains(" = ") {
+    if is_spelled(text) && !text.contains(" = ") {
         return format!("\\({}\\)", formula(text));
     }
     match (text.contains(" = "), negative) {
@@ -203,8 +204,8 @@ fn one(piece: &MathPiece) -> String {
             };
             let letter = match order {
                 0 => letter,
-                1 => format!("\\dot{{{letter}}}"),
-                _ => format!("\\ddot{{{letter}}}"),
+                1 => dotted("dot", &letter),
+                _ => dotted("ddot", &letter),
             };
             match index.as_str() {
                 "" => letter,
@@ -227,6 +228,32 @@ fn one(piece: &MathPiece) -> String {
         MathPiece::Sign(sign) => format!("\\text{{{}}}", escaped(&sign.to_string())),
         MathPiece::Blank => String::new(),
     }
+}
+
+/// Dots over a letter; of a name of several the first bears them.
+fn dotted(dots: &str, letter: &str) -> String {
+    let word = letter.strip_prefix("\\text{");
+    let first = word.and_then(|word| word.chars().next());
+    match (word, first) {
+        (Some(word), Some(first)) if first.is_alphabetic() => {
+            let rest = &word[first.len_utf8()..];
+            format!("\\{dots}{{\\text{{{first}}}}}\\text{{{rest}")
+        }
+        _ => format!("\\{dots}{{{letter}}}"),
+    }
+}
+
+/// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
+fn prose(text: &str) -> String {
+    let mut out = String::new();
+    for piece in super::prose::pieces(text) {
+        let _ = match piece {
+            ProsePiece::Typed(typed) => write!(out, "\\texttt{{{}}}", escaped(typed)),
+            ProsePiece::Formula(word) => write!(out, "\\({}\\)", formula(word)),
+            ProsePiece::Words(words) => write!(out, "{}", escaped(words)),
+        };
+    }
+    out
 }
 
 /// Words stand apart, factors hardly; signs make their own room.
@@ -320,6 +347,11 @@ mod tests {
             "\\sqrt{m^{2} + (2)}\\ \\penalty900 \\text{mm}"
         );
         assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
+        assert_eq!(formula("drod/dt"), "\\dot{\\text{r}}\\text{od}");
+        assert_eq!(
+            prose("Type `a_b`, which removes dr6/dt."),
+            "Type \\texttt{a\\_b}, which removes \\(\\dot{r}_{\\text{6}}\\)."
+        );
         assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");
     }
 

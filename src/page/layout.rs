@@ -118,7 +118,7 @@ impl Content {
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Picture(picture) => {
-                let caption = broken(&picture.caption, width).into_iter();
+                let caption = broken(picture.told(), width).into_iter();
                 let caption = caption.map(|line| Line::of(TextRole::Body, line));
                 let drawn = picture.characters.iter();
                 let drawn = drawn.map(|line| Line::of(TextRole::Body, line.as_str()));

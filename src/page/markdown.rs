@@ -25,7 +25,7 @@ impl Page {
                 Content::Characters(lines) => format!("```text\n{}\n```\n", lines.join("\n")),
                 Content::Picture(picture) => {
                     let drawn = picture.characters.join("\n");
-                    let caption = escaped(&picture.caption);
+                    let caption = escaped(picture.told());
                     format!("{caption}\n\n```text\n{drawn}\n```\n")
                 }
             });

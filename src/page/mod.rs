@@ -16,6 +16,7 @@ mod layout;
 mod line;
 mod markdown;
 mod math;
+mod prose;
 mod spelled;
 mod style;
 mod svg;
@@ -91,8 +92,17 @@ pub struct Illustration {
     pub artwork: Arc<Artwork>,
     /// What it shows.
     pub caption: String,
+    /// What it shows in characters, where that is less.
+    pub in_characters: Option<String>,
     /// The picture in characters, line by line.
     pub characters: Vec<String>,
+}
+
+impl Illustration {
+    /// What the picture in characters shows.
+    pub(crate) fn told(&self) -> &str {
+        self.in_characters.as_deref().unwrap_or(&self.caption)
+    }
 }
 
 /// Names, and what is told of each.

@@ -56,6 +56,7 @@ impl Content {
             Content::Picture(picture) => Content::Picture(Illustration {
                 artwork: picture.artwork.clone(),
                 caption: shown(&picture.caption),
+                in_characters: picture.in_characters.as_deref().map(shown),
                 characters: all(&picture.characters),
             }),
             Content::Table(table) => Content::Table(Table {

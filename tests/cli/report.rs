@@ -114,14 +114,17 @@ fn printed_figures_stand_beside_krank_s() {
         row("r3.angle")[2..],
         ["29.3794", "29,3795", "0.0000522", "-"]
     );
-    assert_eq!(row("r3.omega")[2..], ["-3.91641", "-3,916", "agrees", "-"]);
+    assert_eq!(
+        row("r3.omega")[2..],
+        ["-3.91641", "-3,916", "rd/s", "agrees", "-"]
+    );
     assert_eq!(
         row("C.a ")[2..],
         ["23995.1", "23994,18", "-0.913", "-3.8e-5"]
     );
     assert_eq!(
         row("C.a.t")[2..],
-        ["23875.9", "23,875", "-0.902", "-3.8e-5"]
+        ["23875.9", "23,875", "m/s2", "-0.902", "-3.8e-5"]
     );
     // Another unit is no length's, and another name is none.
     assert!(
@@ -184,6 +187,14 @@ fn a_course_stands_beside_krank_s() {
     assert_eq!(off[6], "1", "{text}");
     // A turn more is the same direction.
     assert_eq!(row(&text, "r3.angle")[6], "0", "{text}");
+    // Whoever counts in turns says so, and is not taken for degrees.
+    let turns = given.replacen("[deg]", "[turns]", 1);
+    std::fs::write(&file, turns).unwrap();
+    let text = of().replace('\n', " ");
+    assert!(
+        text.contains("over 0 rows") && text.contains("unit: driver.angle"),
+        "{text}"
+    );
 }
 
 /// One document has one way to write unit vectors, and defines it.

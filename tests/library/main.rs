@@ -14,5 +14,6 @@ mod presets;
 mod properties;
 mod report;
 mod sweeps;
+mod told;
 mod working;
 mod working_chains;

@@ -69,7 +69,7 @@ pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver
             [one.rows.to_string(), off, at, part, one.beyond.to_string()],
         );
     }
-    if !course.columns.is_empty() {
+    if !(course.columns.is_empty() || course.rows.is_empty()) {
         page.table(table);
     }
     if !course.strangers.is_empty() {

@@ -128,9 +128,12 @@ impl ForeignFigures {
                 _ => {}
             }
         }
-        let turned = unit_factor(&heads[place].1, &driver.unit).unwrap_or(1.0);
+        let turned = unit_factor(&heads[place].1, &driver.unit);
+        if turned.is_none() {
+            strangers.push(driver.name.clone());
+        }
         let row = |cells: &Vec<String>| {
-            let at = number(cells.get(place)?)?.value * turned;
+            let at = number(cells.get(place)?)?.value * turned?;
             let value = |(k, factor, _): &(usize, f64, Quantity)| {
                 Some(number(cells.get(*k)?)?.times(*factor))
             };
@@ -161,9 +164,15 @@ fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
         let value = number(&rest[place])?.times(unit_factor(&unit, &quantity.unit)?);
         Some((quantity, value))
     });
-    (!name.is_empty()).then(|| ForeignRow {
+    // The unit of the row is krank's: another one stands beside the figure.
+    let is_own = |(quantity, _): &(Quantity, ForeignValue)| unit == quantity.unit;
+    let written = match unit.is_empty() || figure.as_ref().is_some_and(is_own) {
+        true => rest[place].clone(),
+        false => format!("{} {unit}", rest[place]),
+    };
+    (!name.is_empty()).then_some(ForeignRow {
         name,
-        written: rest[place].clone(),
+        written,
         figure,
     })
 }

@@ -6,7 +6,7 @@ use crate::angle;
 use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
 use crate::page::{Illustration, Page, Table};
 use crate::report::number::{direction, significant};
-use crate::report::working::{LoopVectors, PointMotion};
+use crate::report::working::{LoopVector, LoopVectors, PointMotion, VectorFigure};
 use crate::solver::Order;
 use crate::wording::words;
 use std::sync::Arc;
@@ -21,11 +21,14 @@ impl ReportedState<'_> {
     pub(super) fn polygons(&self, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
             if let Some(diagram) = polygon(of, self.scene.unit.symbol()) {
-                let caption = match self.loops.len() {
+                let sum = match self.loops.len() {
                     1 => words().polygon_drawn(&of.sum),
                     _ => words().polygon_of_loop(number + 1, &of.sum),
                 };
-                show(page, &diagram, caption);
+                let against = against(of);
+                let caption = format!("{sum}{}{against}", words().dashes_and_arcs());
+                // Characters have neither dashes nor arcs.
+                show(page, &diagram, (caption, Some(sum + "." + &against)));
             }
         }
     }
@@ -65,7 +68,7 @@ impl ReportedState<'_> {
                     .collect();
                 let diagram = from_pole(&of, order, &unit);
                 if !diagram.is_empty() {
-                    show(page, &diagram, caption.to_owned());
+                    show(page, &diagram, (caption.to_owned(), None));
                 }
             }
         }
@@ -103,13 +106,30 @@ impl ReportedState<'_> {
     }
 }
 
-fn show(page: &mut Page, diagram: &VectorDiagram, caption: String) {
+/// Of a vector of negative length, why its arrow does not lie in its arc.
+fn against(of: &LoopVectors) -> String {
+    let is_negative = |side: &&LoopVector| {
+        let along = |vector: Vec2| vector.dot(angle::unit(side.theta.0));
+        side.vector.is_some_and(|vector| along(vector) < 0.0)
+    };
+    let negative = of.vectors.iter().filter(is_negative);
+    let told = negative.map(|side| words().points_against(&side.name, &side.theta.1));
+    told.map(|told| format!(" {told}")).collect()
+}
+
+/// A diagram with its caption, and another one for what is drawn in characters.
+fn show(
+    page: &mut Page,
+    diagram: &VectorDiagram,
+    (caption, in_characters): (String, Option<String>),
+) {
     let artwork = Arc::new(diagram.artwork(&caption));
     picture(
         page,
         Illustration {
             artwork,
             caption,
+            in_characters,
             characters: diagram.characters(),
         },
     );
@@ -128,7 +148,8 @@ fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
             false => (at, at + vector),
             true => (at - vector, at - vector),
         };
-        let is_sought = side.figures[0].iter().any(|figure| figure.is_sought);
+        let is_own = |figure: &VectorFigure| figure.is_sought && figure.found_by.is_none();
+        let is_sought = side.figures[0].iter().any(is_own);
         let kind = match (side.is_driven, is_sought) {
             (true, _) => ArrowKind::Driven,
             (false, true) => ArrowKind::Sought,
@@ -199,7 +220,7 @@ fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagra
 mod tests {
     use super::*;
     use crate::page::ArtElement;
-    use crate::report::{LoopVector, Working};
+    use crate::report::Working;
     use crate::scene::{Scene, presets};
     use crate::solver::Solver;
 

@@ -86,6 +86,7 @@ impl ReportedState<'_> {
         picture(
             page,
             Illustration {
+                in_characters: None,
                 artwork: Arc::new(artwork),
                 caption,
                 characters: drawing::lines_drawn(&drawn),
@@ -166,6 +167,7 @@ impl ReportedState<'_> {
         picture(
             page,
             Illustration {
+                in_characters: None,
                 artwork,
                 caption,
                 characters,

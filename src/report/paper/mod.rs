@@ -149,8 +149,8 @@ impl ReportedState<'_> {
             WorkingPart::Opening => {
                 page.blocks.extend(blocks);
                 self.drawing(page);
-                definitions(self.notation, page);
             }
+            WorkingPart::UnitVectors => page.blocks.extend(blocks),
             WorkingPart::Polygons => {
                 page.blocks.extend(blocks);
                 self.polygons(page);
@@ -207,25 +207,6 @@ impl ReportedState<'_> {
             page.add(block.content);
         }
     }
-}
-
-/// The unit vectors, as the lecture defines them.
-fn definitions(notation: WorkingNotation, page: &mut Page) {
-    let (along, across) = (notation.along("θ"), notation.across("θ"));
-    page.text(words().unit_vectors_are(&along, &across));
-    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
-    let rate = |of: &str| format!("d{of}/dt");
-    for sides in [
-        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
-        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
-        [rate(u), format!("ω {across}")],
-        [rate(n), format!("-ω {along}")],
-    ] {
-        page.equation(sides);
-    }
-    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
-    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
-    page.equation([product(u, n), "sin(a - b)".into()]);
 }
 
 /// A picture behind what leads to it.

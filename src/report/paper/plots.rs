@@ -80,6 +80,7 @@ impl ReportedState<'_> {
         picture(
             page,
             Illustration {
+                in_characters: None,
                 artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
                 characters: lines_drawn(&characters),
                 caption,

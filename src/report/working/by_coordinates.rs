@@ -5,9 +5,10 @@ use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
+use super::stages::{ProblemForm, Stage};
 use super::symbols;
 use crate::wording::words;
-use crate::{Body, Vec2};
+use crate::{Body, LinkId, Vec2};
 
 /// Length and angle of every vector whose coordinates do not show them.
 pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
@@ -46,20 +47,69 @@ fn vector(
     draft.agree(&side.name, worked, reading.r, reading.r);
     let [x, y] = parts();
     let own = Expression::of(Function::Atan2, [y, x]);
-    let theta = match body {
-        Body::Ground => own,
-        Body::Link(_) if !context.has_positions() => return,
-        Body::Link(link) => {
-            let degrees = context.state.angle(link);
-            let name = symbols::theta(context.scene.link_name(link));
-            Expression::known(name, f.direction(degrees), degrees) + own
+    let is_given = context.schedule.angle_group(side).is_none();
+    match body {
+        Body::Ground => {
+            let worked = draft.reckoned(&side.theta(), &own, |degrees| angle_sum(f, degrees));
+            draft.agree_angle(&side.theta(), worked, reading.theta, 1.0);
         }
-    };
-    let figure = |degrees| angle_sum(f, degrees);
+        Body::Link(link) if is_given && context.has_positions() => {
+            turned(context, draft, (side, reading), link, own);
+        }
+        // Its link's angle is sought: a value would be told before it is found.
+        Body::Link(link) => {
+            let ahead = Expression::figure(f.angle(own.value()), own.value());
+            let theta = symbols::theta(context.scene.link_name(link));
+            let theta = |ahead| Expression::known(theta.clone(), String::new(), 0.0) + ahead;
+            let sides = [theta(own), theta(ahead)].map(|sum| sum.symbols());
+            draft
+                .page
+                .equation(std::iter::once(side.theta()).chain(sides));
+        }
+    }
+}
+
+/// `θ_r4e = θ4 + ... = value`, where the link's angle is known.
+fn turned(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    (side, reading): (&Side, &SideReading),
+    link: LinkId,
+    ahead: Expression,
+) {
+    let f = context.figures;
+    let degrees = context.state.angle(link);
+    let name = symbols::theta(context.scene.link_name(link));
+    let theta = Expression::known(name, f.direction(degrees), degrees) + ahead;
     let symbol = side.theta();
-    let worked = match body {
-        Body::Ground => draft.reckoned(&symbol, &theta, figure),
-        Body::Link(_) => draft.worked(&symbol, &theta, figure),
-    };
+    let worked = draft.worked(&symbol, &theta, |degrees| angle_sum(f, degrees));
     draft.agree_angle(&symbol, worked, reading.theta, 1.0);
+}
+
+/// The angles of the vectors that turn with what a group has found, unless its own loops have told them.
+pub(super) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
+    let is_own = |number: usize| {
+        let loops = stage
+            .loops
+            .iter()
+            .filter_map(|&l| context.polygon.loops.get(l));
+        let is_alone = !matches!(stage.form, ProblemForm::System);
+        is_alone
+            && loops
+                .flat_map(|of| &of.terms)
+                .any(|term| term.side == number)
+    };
+    let sides = context.polygon.sides.iter().zip(&context.readings);
+    for (number, (side, reading)) in sides.enumerate() {
+        let SideShape::Rigid(Body::Link(link), local) = side.shape else {
+            continue;
+        };
+        let is_found = stage.group.is_some() && context.schedule.angle_group(side) == stage.group;
+        if !is_found || is_own(number) || local.x == 0.0 || local.y == 0.0 {
+            continue;
+        }
+        let ahead = crate::angle::degrees(local);
+        let figure = Expression::figure(context.figures.angle(ahead), ahead);
+        turned(context, draft, (side, reading), link, figure);
+    }
 }

@@ -527,9 +527,11 @@ impl LoopCollector<'_> {
             a.squared() + b.squared() + d.squared() - c.clone().squared(),
         ];
         let size = lengths + c.value() * c.value();
+        let alone = lost.along.symbols();
+        let arm = alone.trim_start_matches('-');
         draft
             .page
-            .text(words().squared_and_added(&lost.theta, &kept.theta));
+            .text(words().squared_and_added(arm, &lost.theta, &kept.theta));
         let [sin, cos] = [kept.sin(), kept.cos()];
         let [p, q, r] = SQUARED;
         let whole = format!("{p} {} + {q} {} + {r}", sin.text, cos.text);

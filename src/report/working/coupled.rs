@@ -1,11 +1,14 @@
 //! A coupled group: its unknowns, and what the last step of Newton's method had before it.
 
 use super::draft::{Context, Draft};
+use super::expression::{Expression, Function};
+use super::sides::{Side, SideShape};
+use super::solution::turn;
 use super::stages::Stage;
 use super::symbols;
-use crate::PointId;
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};
 use crate::wording::words;
+use crate::{Body, PointId};
 
 /// More unknowns than this make a matrix that nobody reads.
 const MOST_COLUMNS: usize = 12;
@@ -57,6 +60,76 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             .equation([format!("f{}", i + 1), text, format!("{left} {unit}")]);
     }
     matrix(context, draft, newton, &names);
+    sides(context, draft, newton);
+}
+
+/// Length and angle of every side that is sought, by the joints that are found now.
+fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
+    let (polygon, schedule, f) = (context.polygon, context.schedule, context.figures);
+    let own = Some(newton.group.index());
+    let loops = polygon.loops.iter().filter(|of| of.group == own);
+    let terms: Vec<_> = loops.flat_map(|of| &of.terms).collect();
+    let readings = polygon.sides.iter().zip(&context.readings).enumerate();
+    let mut is_begun = false;
+    for (number, (side, reading)) in readings {
+        let is_unknown = |link| newton.unknowns.contains(&NewtonUnknown::Angle(link));
+        let is_told = match side.shape {
+            // What lies on a link follows from its angle.
+            SideShape::Rigid(Body::Link(link), _) => {
+                context.scene.mechanism.link(link).ends.is_some() || is_unknown(link)
+            }
+            _ => side.turns_with().is_some_and(is_unknown),
+        };
+        let sought = [schedule.length_group(side), schedule.angle_group(side)]
+            .map(|group| group.is_some() && group == own);
+        let (Some(between), true) = (
+            between(context, side),
+            terms.iter().any(|term| term.side == number) && sought.contains(&true),
+        ) else {
+            continue;
+        };
+        if !std::mem::replace(&mut is_begun, true) {
+            draft.page.text(words().sides_by_joints());
+        }
+        let theta = side.theta();
+        let [x, y] = between;
+        // Two joints of a moving guide may lie on each other, and give no direction.
+        if sought[1] && !is_told && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
+        {
+            let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
+            let worked = draft.worked(&theta, &angle, |worked| turn(f, worked));
+            let loss = context.longest() / reading.r.abs();
+            draft.agree_angle(&theta, worked, reading.theta, loss);
+        }
+        if sought[0] {
+            let [cos, sin] = [Function::Cos, Function::Sin].map(|function| {
+                let of =
+                    Expression::known(theta.clone(), f.direction(reading.theta), reading.theta);
+                Expression::of(function, [of])
+            });
+            let worked = draft.worked(&side.name, &(x * cos + y * sin), |r| {
+                format!("{} {}", f.number(r), f.unit)
+            });
+            draft.agree(&side.name, worked, reading.r, context.longest());
+        }
+    }
+}
+
+/// `xB - xA` and `yB - yA` along a side, where both its ends have names.
+fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
+    let (scene, f) = (context.scene, context.figures);
+    let place = |name: &str| {
+        let mut points = scene.mechanism.point_ids();
+        let point = points.find(|&point| scene.point_name(point) == Some(name))?;
+        let at = context.state.position(point);
+        let size = context.longest();
+        let coordinate = |axis: &str, value: f64| {
+            Expression::known(symbols::of_point(axis, name), f.beside(value, size), value)
+        };
+        Some([coordinate("x", at.x), coordinate("y", at.y)])
+    };
+    let ([x0, y0], [x1, y1]) = (place(&side.tail)?, place(&side.head)?);
+    Some([x1 - x0, y1 - y0])
 }
 
 fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[String]) {
@@ -66,7 +139,14 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
         return;
     }
     draft.page.text(words().jacobian_rows());
-    let head = std::iter::once("J".to_owned()).chain(names.iter().cloned());
+    let heads = newton.unknowns.iter().zip(names).map(|(unknown, name)| {
+        let unit = match unknown {
+            NewtonUnknown::X(_) | NewtonUnknown::Y(_) => context.figures.unit,
+            NewtonUnknown::Angle(_) => "rad",
+        };
+        format!("{name} [{unit}]")
+    });
+    let head = std::iter::once("J".to_owned()).chain(heads);
     let rows = newton
         .jacobian
         .chunks(n.max(1))
@@ -74,7 +154,9 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
         .map(|(i, row)| {
             let largest = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
             let cells = row.iter().map(|&v| context.figures.beside(v, largest));
-            std::iter::once(format!("f{}", i + 1))
+            let unit = newton.rows.get(i).map(|row| row_text(context, row).1);
+            let unit = unit.unwrap_or_default();
+            std::iter::once(format!("f{} [{unit}]", i + 1))
                 .chain(cells)
                 .collect()
         });
@@ -83,8 +165,8 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
 
 fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> String {
     match unknown {
-        NewtonUnknown::X(point) => format!("x({})", point_name(context, Some(point))),
-        NewtonUnknown::Y(point) => format!("y({})", point_name(context, Some(point))),
+        NewtonUnknown::X(point) => symbols::of_point("x", point_name(context, Some(point))),
+        NewtonUnknown::Y(point) => symbols::of_point("y", point_name(context, Some(point))),
         NewtonUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
     }
 }

@@ -80,14 +80,26 @@ impl<'a> Context<'a> {
                 .map(|side| side.given(mechanism, self.state.at()))
                 .collect()
         };
-        // The rates of a driven slide are given, not found: none of them is rounding.
+        // The rates of a driven slide are given, not found: none of them is rounding. What the driver turns has
+        // its rates where nothing else has any.
+        let rates = [self.state.driver_speed(), self.state.driver_acceleration()];
         for (side, reading) in self.polygon.sides.iter().zip(&mut readings) {
-            if self.has_rates() && self.schedule.is_pushed(side) {
-                reading.rate = self.state.driver_speed();
-                reading.accel = self.state.driver_acceleration();
+            if self.schedule.is_pushed(side) {
+                [reading.rate, reading.accel] = rates;
+            }
+            if !self.has_rates() && self.schedule.is_driven(side) {
+                [reading.omega, reading.alpha] = rates;
             }
         }
         self.readings = readings;
+    }
+
+    /// The longest side in this state.
+    pub(super) fn longest(&self) -> f64 {
+        let sides = self.readings.iter().map(|reading| reading.r.abs());
+        sides
+            .filter(|r| r.is_finite())
+            .fold(f64::MIN_POSITIVE, f64::max)
     }
 
     /// Finds how fast the fastest points are.

@@ -141,7 +141,9 @@ impl Expression {
             }
             Expression::Sum(of) => {
                 let [first, second] = [&of[0], &of[1]].map(|part| part.written(form));
-                let sign = if second.negative { "-" } else { "+" };
+                // A nought loses its sign alone, but not the one that takes it away.
+                let is_less = matches!(&of[1], Expression::Minus(_)) && second.text == "0";
+                let sign = if second.negative || is_less { "-" } else { "+" };
                 let second = match &of[1] {
                     // A sum that begins with a minus would have two signs before it.
                     Expression::Sum(_) if second.text.starts_with('-') => {

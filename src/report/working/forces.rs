@@ -124,7 +124,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         super::loads::shares(context, draft, acted, parts);
         draft.page.equation([
             format!("driver.{what}"),
-            "load + gravity + inertia".into(),
+            super::loads::share_names().join(" + "),
             sum.text(),
             format!("{} {unit}", f.beside(drive, size)),
         ]);

@@ -96,10 +96,12 @@ impl Solution<'_> {
             .map(|function| Expression::of(function, [theta.clone()]));
         let along = kx.clone() * cos + ky.clone() * sin;
         let p = along.minus_if(slide.reversed);
-        let p = draft.worked("p", &p, |p| f.beside(p, size));
+        let p = draft.worked("p", &p, |p| format!("{} {}", f.beside(p, size), f.unit));
         let arm = Expression::known(arm.length.as_str(), arm.figure(f), arm.value);
         let q = kx.squared() + ky.squared() - arm.squared();
-        let q = draft.found("q", &q, |q| f.beside(q, size * size));
+        let q = draft.worked("q", &q, |q| {
+            format!("{} {}^2", f.beside(q, size * size), f.unit)
+        });
         [p, q]
     }
 
@@ -137,13 +139,14 @@ impl Solution<'_> {
         let member = self.member(slide);
         let name = member.side.name.clone();
         let [mx, my] = self.write_m(draft);
-        let size = self.write_length(draft, "m", [&mx, &my]);
+        let diagonal = self.diagonal();
+        let size = self.write_length(draft, diagonal, [&mx, &my]);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let [t0, e] = self.beside_guide(arm, slide, size.max(member.reading.r.abs()));
         let has_rest = [t0, e] != [0.0, 0.0];
         let is_back = t0 + sign * member.reading.r < 0.0;
         let known = |symbol, value: f64| Expression::known(symbol, f.beside(value, size), value);
-        let m = || Expression::known("m", f.number(size), size);
+        let m = || Expression::known(diagonal, f.number(size), size);
         let w = match has_rest {
             true => (m().squared() - known("e", e).squared())
                 .sqrt()

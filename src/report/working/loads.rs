@@ -165,6 +165,11 @@ impl SpringNow {
     }
 }
 
+/// What the shares of the driver's effort are called in a formula.
+pub(super) fn share_names() -> [&'static str; 3] {
+    [words().column_load(), words().gravity(), words().inertia()]
+}
+
 /// The power of everything that acts, and the share of the driver's effort that is against it.
 pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], parts: [f64; 3]) {
     let (f, state) = (context.figures, context.state);
@@ -211,14 +216,18 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
         add(2, name, "-m a v - I α ω", -moving - turning);
     }
     if !rows.is_empty() {
-        draft.table([words().column_of(), words().power(), "[W]"], rows);
+        let power = format!("{} [W]", words().power());
+        draft.table(
+            [words().column_of(), words().column_formula(), &power],
+            rows,
+        );
     }
     let unit = match mechanism.driver().input {
         Input::Turn(_) => "N m",
         Input::Push(_) => "N",
     };
     let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let names = ["load", "gravity", "inertia"];
+    let names = share_names();
     for ((name, power), part) in names.into_iter().zip(powers).zip(parts) {
         let figure = f.beside(power, size * speed.abs());
         if figure == "0" {

@@ -77,6 +77,8 @@ pub struct Worked {
 pub enum WorkingPart {
     /// The title, and where the driver is.
     Opening,
+    /// The unit vectors with which equations are multiplied.
+    UnitVectors,
     /// The loops.
     Polygons,
     /// What is given, and what is sought.
@@ -102,8 +104,9 @@ pub enum WorkingPart {
 type WritePart = fn(&Context<'_>, &mut Draft);
 
 /// How every part is written.
-const PARTS: [(WorkingPart, WritePart); 11] = [
+const PARTS: [(WorkingPart, WritePart); 12] = [
     (WorkingPart::Opening, opening::heading),
+    (WorkingPart::UnitVectors, opening::unit_vectors),
     (WorkingPart::Polygons, opening::polygons),
     (WorkingPart::PositionTable, opening::position_table),
     (WorkingPart::Equations, place::equations),

@@ -46,6 +46,29 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
+/// The unit vectors, as the lecture defines them: whatever is multiplied is multiplied with one of them.
+pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
+    if context.polygon.loops.is_empty() {
+        return;
+    }
+    let (along, across) = (context.notation.along("θ"), context.notation.across("θ"));
+    let page = &mut draft.page;
+    page.text(words().unit_vectors_are(&along, &across));
+    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
+    let rate = |of: &str| format!("d{of}/dt");
+    for sides in [
+        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
+        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
+        [rate(u), format!("ω {across}")],
+        [rate(n), format!("-ω {along}")],
+    ] {
+        page.equation(sides);
+    }
+    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
+    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
+    page.equation([product(u, n), "sin(a - b)".into()]);
+}
+
 /// What a state that is not ordinary means for what follows.
 fn condition_text(context: &Context<'_>) -> Option<String> {
     match context.state.condition() {

@@ -107,6 +107,9 @@ pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
             }
         }
         solve(context, draft, stage);
+        if context.has_positions() {
+            super::by_coordinates::found(context, draft, stage);
+        }
     }
 }
 

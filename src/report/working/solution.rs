@@ -11,6 +11,9 @@ use super::stages::{ProblemForm, Stage};
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
+/// Letters for the vector between the pivots of two arms, of which math writers know the components.
+const DIAGONALS: [&str; 3] = ["m", "s", "f"];
+
 /// A loop about to be solved: what is known in it, added up.
 pub(super) struct Solution<'a> {
     pub(super) context: &'a Context<'a>,
@@ -76,17 +79,32 @@ impl<'a> Solution<'a> {
         [in_symbols(&known), in_figures(&known, self.figures)]
     }
 
+    /// What the vector of the sought sides' sum is called: the lecture's m, or another letter where the scene has
+    /// a vector or a link of that name, which would have two meanings in one formula.
+    pub(super) fn diagonal(&self) -> &'static str {
+        let scene = self.context.scene;
+        let is_free = |name: &&str| {
+            let sides = &self.context.polygon.sides;
+            let mut links = scene.mechanism.link_ids();
+            sides.iter().all(|side| side.name != **name)
+                && links.all(|link| scene.link_name(link) != *name)
+        };
+        DIAGONALS.into_iter().find(is_free).unwrap_or(DIAGONALS[0])
+    }
+
     /// The components of what the sought sides must add up to, m = -(known sides), line by line.
     pub(super) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
         let sizes = self.members.iter().map(|m| m.reading.r.abs());
         let size = sizes.fold(0.0_f64, f64::max);
-        [(Multiplier::X, "mx", m.x), (Multiplier::Y, "my", m.y)].map(|(axis, name, value)| {
+        let letter = self.diagonal();
+        let [x, y] = ["x", "y"].map(|axis| format!("{letter}{axis}"));
+        [(Multiplier::X, x, m.x), (Multiplier::Y, y, m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
             let found = f.beside(value, size);
             draft.page.equation([
-                name.to_owned(),
+                name.clone(),
                 format!("-({symbols})"),
                 format!("-({figures})"),
                 format!("{found} {}", f.unit),

@@ -10,6 +10,9 @@ use crate::wording::words;
 /// A distance of pivots below this part of the arms is none.
 const MEETING: f64 = 1e-12;
 
+/// Arms that lie at no more than this sine to m are in line with it, but for rounding.
+const IN_LINE: f64 = 1e-6;
+
 impl Solution<'_> {
     /// The cosine theorem in the triangle of both arms and m, as in the lecture.
     pub(super) fn triangle(&self, draft: &mut Draft, a: &[Term], b: &[Term]) {
@@ -17,19 +20,22 @@ impl Solution<'_> {
         let [first, second] = self.in_order(a, b);
         let [p, x, q] = self.joints(&first, &second);
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft.page.text(words().with_m_between(p, q, x));
+        draft
+            .page
+            .text(words().with_m_between(self.diagonal(), p, q, x));
         let [mx, my] = self.write_m(draft);
-        let size = self.write_length(draft, "m", [&mx, &my]);
+        let m = self.diagonal();
+        let size = self.write_length(draft, m, [&mx, &my]);
         let (b, c) = (one.value, two.value);
         if !self.context.has_positions() {
-            return reach(draft, f, size, [&one, &two]);
+            return reach(draft, f, (m, size), [&one, &two]);
         }
         if size <= MEETING * b.max(c) {
             return self.coincident(draft, [p, q], [&one, &two]);
         }
         let alpha = Expression::of(Function::Atan2, [-my, mx]);
         let alpha = draft.found("α", &alpha, |alpha| degrees(f, alpha));
-        let m_known = || Expression::known("m", f.number(size), size);
+        let m_known = || Expression::known(m, f.number(size), size);
         // The cosine theorem.
         let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
             let [near, far] = [near, far]
@@ -42,7 +48,9 @@ impl Solution<'_> {
             draft.worked(symbol, &corner(near, far), |angle| degrees(f, angle))
         });
         let left = (-self.known).cross(one.direction()) >= 0.0;
+        let across = (-self.known).cross(one.direction()).abs();
         draft.page.text(match left {
+            _ if across <= IN_LINE * size => words().lies_on_the_line(x, p, q),
             true => words().lies_to_the_left(x, p, q),
             false => words().lies_to_the_right(x, p, q),
         });
@@ -85,7 +93,12 @@ impl Solution<'_> {
 }
 
 /// Why two arms do not meet, or that they would.
-fn reach(draft: &mut Draft, figures: Figures, size: f64, [one, two]: [&DyadArm<'_>; 2]) {
+fn reach(
+    draft: &mut Draft,
+    figures: Figures,
+    (m, size): (&str, f64),
+    [one, two]: [&DyadArm<'_>; 2],
+) {
     let (sum, difference) = (one.value + two.value, (one.value - two.value).abs());
     // Just outside the range the difference stands behind the digits that are shown elsewhere.
     let nearest = if size > sum { sum } else { difference };
@@ -93,12 +106,13 @@ fn reach(draft: &mut Draft, figures: Figures, size: f64, [one, two]: [&DyadArm<'
     let needed = (-gap.log10()).clamp(0.0, 16.0).ceil();
     let digits = figures.digits.max(needed as usize + 2).min(17);
     let precise = |value: f64| Figures { digits, ..figures }.number(value);
+    let equals = |size: f64| format!("{m} = {}", precise(size));
     let text = if size > sum {
         let sum = format!("{} {}", precise(sum), figures.unit);
-        words().arms_too_short(&precise(size), &one.length, &two.length, &sum)
+        words().arms_too_short(&equals(size), &one.length, &two.length, &sum)
     } else if size < difference {
         let difference = format!("{} {}", precise(difference), figures.unit);
-        words().arms_too_unlike(&precise(size), &one.length, &two.length, &difference)
+        words().arms_too_unlike(&equals(size), &one.length, &two.length, &difference)
     } else {
         words().triangle_would_close().into()
     };

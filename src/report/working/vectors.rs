@@ -4,11 +4,12 @@
 use super::Working;
 use super::draft::Context;
 use super::opening::sum_text;
-use super::polygon::Term;
+use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
 use super::symbols;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
+use crate::wording::words;
 use crate::{SlideId, Vec2};
 
 /// A loop of vectors.
@@ -46,14 +47,19 @@ pub struct VectorFigure {
     pub value: Option<String>,
     /// Whether it is sought, not given.
     pub is_sought: bool,
+    /// The number of the loop before this one that finds it, from 1 on; `None` where it is given, or this loop
+    /// finds it itself.
+    pub found_by: Option<usize>,
 }
 
 impl VectorFigure {
-    /// Before it is found: what is given as it is, and `θ3 = ?`.
+    /// Before it is found: what is given as it is, `θ3 = ?`, and `from loop 1` of what the equations of another
+    /// loop are for.
     #[must_use]
     pub fn asked(&self) -> String {
-        match (&self.value, self.is_sought) {
-            (Some(value), false) => value.clone(),
+        match (&self.value, self.is_sought, self.found_by) {
+            (Some(value), false, _) => value.clone(),
+            (_, true, Some(number)) => words().found_by_loop(number),
             _ => format!("{} = ?", self.symbol),
         }
     }
@@ -63,7 +69,8 @@ impl VectorFigure {
     pub fn told(&self) -> String {
         match (&self.value, self.is_sought) {
             (Some(value), true) => format!("{} = {value}", self.symbol),
-            _ => self.asked(),
+            (None, true) => format!("{} = ?", self.symbol),
+            (_, false) => self.asked(),
         }
     }
 }
@@ -88,16 +95,19 @@ impl Working {
     ) -> Vec<LoopVectors> {
         let context = self.context(scene, solver, state, digits);
         let loops = self.polygon.loops.iter();
-        let vectors = |terms: &[Term]| terms.iter().map(|&term| vector(&context, term)).collect();
         let of = loops.map(|of| LoopVectors {
             sum: sum_text(&context, of),
-            vectors: vectors(&of.terms),
+            vectors: of
+                .terms
+                .iter()
+                .map(|&term| vector(&context, of, term))
+                .collect(),
         });
         of.collect()
     }
 }
 
-fn vector(context: &Context<'_>, term: Term) -> LoopVector {
+fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
     let side = &context.polygon.sides[term.side];
     let reading = &context.readings[term.side];
     LoopVector {
@@ -107,21 +117,30 @@ fn vector(context: &Context<'_>, term: Term) -> LoopVector {
         is_driven: context.schedule.is_driven(side) || context.schedule.is_pushed(side),
         theta: (reading.theta, side.theta()),
         figures: [Order::Position, Order::Velocity, Order::Acceleration]
-            .map(|order| figures(context, side, reading, order)),
+            .map(|order| figures(context, of, (side, reading), order)),
     }
+}
+
+/// The number of the loop that finds what a group does, unless it is the loop itself or one solved with it.
+fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<usize> {
+    let group = group.filter(|group| Some(*group) != of.group)?;
+    let finds = |other: &Loop| other.group == Some(group);
+    let place = context.polygon.loops.iter().position(finds)?;
+    Some(place + 1)
 }
 
 /// Length and angle of a side, or their rates of an order.
 fn figures(
     context: &Context<'_>,
-    side: &Side,
-    reading: &SideReading,
+    of: &Loop,
+    (side, reading): (&Side, &SideReading),
     order: Order,
 ) -> [VectorFigure; 2] {
-    let sought = [
-        context.schedule.length_group(side).is_some(),
-        context.schedule.angle_group(side).is_some(),
+    let groups = [
+        context.schedule.length_group(side),
+        context.schedule.angle_group(side),
     ];
+    let sought = groups.map(|group| group.is_some());
     let turner = side.turner(context.scene);
     let (symbols, values, exists) = match order {
         Order::Position => (
@@ -154,6 +173,7 @@ fn figures(
             symbol,
             value: (exists || !sought[k]).then_some(value),
             is_sought: sought[k],
+            found_by: found_by(context, of, groups[k]),
         }
     };
     [figure(0, length), figure(1, angle)]

@@ -103,7 +103,7 @@ catalogue! {
         errors_by_iteration = "Errors by iteration";
         begins_at_guess(values: &str) = "From the guess {values}:";
         begins_at_start(values: &str) =
-            "From {values}, as one reads it off a sketch of where the scene opens (--guess takes others):";
+            "From {values}, as one reads it off a sketch of where the scene opens:";
         not_square(equations: usize, unknowns: usize) =
             "{equations} equations for {unknowns} unknowns: J is not square, and no step follows from it.";
         jacobians(unit: &str) = "J, a line for every iteration, in {unit}, for an angle in {unit}/rad:";
@@ -147,6 +147,16 @@ catalogue! {
         // Halving.
         known_sides_are_k = "With K the sum of the known sides:";
         between_ends(symbol: &str, from: &str, to: &str) = "{symbol} between {from} and {to}:";
+        least_along(m: &str, symbol: &str, at: &str) =
+            "f is least where the arm lies along {m}, at {symbol} = {at}, and greatest opposite to that: one root \
+             lies on either side of {m}. Of the two halves of the turn the one with the assembly is halved.";
+        least_at(symbol: &str, at: &str) =
+            "f is least at {symbol} = {at}: one root lies on either side of it, and the side with the assembly is \
+             halved.";
+        halved_until(finest: &str) =
+            "Halved until the interval is no longer than {finest}, or f is 0 in its middle:";
+        root_at_an_end(end: &str) =
+            "{end} is the root itself; f only touches 0 there, and bisection has nothing to halve.";
         no_change_of_sign =
             "f has the same sign at both ends: they enclose no root, or two, and there is nothing to halve.";
         middle_of_interval = "middle";
@@ -190,6 +200,8 @@ catalogue! {
         the_other = "the other";
         they_cross_at(degrees: &str, point: &str, off: &str, unit: &str) =
             "They cross at {degrees} deg, so that {point} is known to {off} {unit}.";
+        they_touch_in(point: &str) =
+            "They touch in {point}; the drawing cannot tell where exactly:";
         lines_meet_in(point: &str) = "They meet in {point}.";
         read_off_sheet = "Read off, beside what is calculated:";
         sought_here = "sought";

@@ -76,6 +76,7 @@ catalogue! {
         weight_of(link: &str) = "weight of {link}";
         inertia_of(link: &str) = "inertia of {link}";
         column_of = "of";
+        column_formula = "formula";
         column_load = "load";
         symbols_of(symbols: &str, link: &str) = "{symbols} of {link}";
 

@@ -13,12 +13,14 @@ catalogue! {
 
         // Vector polygons and their tables.
         polygon_drawn(sum: &str) =
-            "The vector polygon {sum} = 0, to scale; dashed where something is sought, angles at \
-             their tails.";
+            "The vector polygon {sum} = 0, to scale";
         polygon_of_loop(number: usize, sum: &str) =
-            "Loop {number}: the vector polygon {sum} = 0, to scale; dashed where something is sought, \
-             angles at their tails.";
+            "Loop {number}: the vector polygon {sum} = 0, to scale";
+        dashes_and_arcs = "; dashed where something is sought, angles at their tails.";
+        points_against(vector: &str, theta: &str) =
+            "{vector} < 0: its arrow points against {theta}.";
         loop_number(number: usize) = "loop {number}";
+        found_by_loop(number: usize) = "from loop {number}";
         tables_asked = "Given, and with a question mark what is sought:";
         tables_told = "Given, and behind their symbols the figures that were found:";
 

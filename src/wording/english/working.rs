@@ -46,14 +46,14 @@ catalogue! {
         multiplied_across(vector: &str, side: &str) =
             "Multiplied by {vector}, at right angles to {side}, which removes {side}:";
         collected_by(one: &str, other: &str) =
-            "Multiplied by {one} and by {other}, multiplied out and collected, so that what is \
-             sought stands alone:";
+            "Multiplied by {one} and by {other}, multiplied out and collected, so that numbers \
+             stand before what is sought:";
         collected_with_letters =
-            "Multiplied out and collected, so that what is sought stands alone:";
+            "Multiplied out and collected, so that numbers stand before what is sought:";
         collected_with_numbers = "With their numbers:";
         collected_equation(number: usize) = "the collected equations of loop {number}";
-        squared_and_added(lost: &str, kept: &str) =
-            "Both components squared and added, {lost} drops out; in {kept} alone:";
+        squared_and_added(arm: &str, lost: &str, kept: &str) =
+            "{arm} alone on one side, both components squared and added: {lost} drops out; in {kept} alone:";
 
         // Positions.
         positions_by_groups = "Positions, group by group";
@@ -69,19 +69,21 @@ catalogue! {
         driver_places = "The driver places:";
 
         // Two arms.
-        with_m_between(from: &str, to: &str, joint: &str) =
-            "With m from {from} to {to}, and {joint} where the two arms meet:";
+        with_m_between(m: &str, from: &str, to: &str, joint: &str) =
+            "With {m} from {from} to {to}, and {joint} where the two arms meet:";
         lies_to_the_left(joint: &str, from: &str, to: &str) =
             "{joint} lies on the left of {from} → {to}, by the assembly:";
         lies_to_the_right(joint: &str, from: &str, to: &str) =
             "{joint} lies on the right of {from} → {to}, by the assembly:";
+        lies_on_the_line(joint: &str, from: &str, to: &str) =
+            "{joint} lies on the line {from} → {to}: both assemblies are one:";
         pivots_coincide(one: &str, other: &str) =
             "{one} and {other} lie on each other: there is no triangle, and the angles are the limits \
              along the motion:";
         arms_too_short(m: &str, one: &str, other: &str, sum: &str) =
-            "m = {m} is longer than {one} + {other} = {sum}: the arms do not reach each other.";
+            "{m} is longer than {one} + {other} = {sum}: the arms do not reach each other.";
         arms_too_unlike(m: &str, one: &str, other: &str, difference: &str) =
-            "m = {m} is shorter than |{one} - {other}| = {difference}: the arms cannot close the \
+            "{m} is shorter than |{one} - {other}| = {difference}: the arms cannot close the \
              triangle.";
         triangle_would_close =
             "This triangle would close, but the motion that starts at the scene's assembly does not \
@@ -107,7 +109,9 @@ catalogue! {
              Newton's method, z - dz with J dz = f, J the derivatives of f by z. Where it stopped:";
         equations_left = "The equations, and what is left of them:";
         jacobian_too_large(n: usize) = "J has {n} x {n} entries, which nobody would read.";
-        jacobian_rows = "J, a row for every equation:";
+        jacobian_rows =
+            "J, a row for every equation; an entry has the unit of its row over that of its column:";
+        sides_by_joints = "From the joints what is sought of the vectors between them:";
         joint = "joint";
         two_ways(coordinate: &str, point: &str) = "{coordinate} of {point} two ways";
         distance_from_guide(point: &str) = "distance of {point} from its guide";

@@ -101,7 +101,7 @@ catalogue! {
         errors_by_iteration = "Yinelemelere göre hata";
         begins_at_guess(values: &str) = "{values} tahmininden:";
         begins_at_start(values: &str) =
-            "{values}: sahnenin açıldığı yerin taslağından okunduğu gibi (--guess başkasını alır):";
+            "{values}: sahnenin açıldığı yerin taslağından okunduğu gibi:";
         not_square(equations: usize, unknowns: usize) =
             "{unknowns} bilinmeyen için {equations} denklem: J kare değil, ondan adım çıkmaz.";
         jacobians(unit: &str) = "J, her yineleme için bir satır, birimi {unit}, açılar için {unit}/rad:";
@@ -129,6 +129,16 @@ catalogue! {
         // Halving.
         known_sides_are_k = "K bilinen kenarların toplamı:";
         between_ends(symbol: &str, from: &str, to: &str) = "{symbol}, {from} ile {to} arasında:";
+        least_along(m: &str, symbol: &str, at: &str) =
+            "f en küçük değerini kol {m} boyunca uzanırken alır, {symbol} = {at}; en büyüğünü tam karşısında: \
+             {m} vektörünün her iki yanında birer kök vardır. Turun montaj biçimini tutan yarısı bölünür.";
+        least_at(symbol: &str, at: &str) =
+            "f en küçük değerini {symbol} = {at} için alır: her iki yanında birer kök vardır, montaj biçiminin \
+             bulunduğu yan bölünür.";
+        halved_until(finest: &str) =
+            "Aralık {finest} değerini aşmayana ya da ortasında f = 0 olana dek bölünür:";
+        root_at_an_end(end: &str) =
+            "Kök {end} ucunun kendisidir; f orada 0'a yalnız değer, bölünecek bir şey yok.";
         no_change_of_sign =
             "f iki uçta aynı işaretli: aralıkta kök yok ya da iki tane var, bölünecek bir şey yok.";
         middle_of_interval = "orta";
@@ -170,6 +180,8 @@ catalogue! {
         the_other = "öteki";
         they_cross_at(degrees: &str, point: &str, off: &str, unit: &str) =
             "{degrees} deg ile kesişirler, {point} bu yüzden {off} {unit} hatayla bilinir.";
+        they_touch_in(point: &str) =
+            "{point} noktasında teğettirler; yerini çizim tam söyleyemez:";
         lines_meet_in(point: &str) = "{point} noktasında kesişirler.";
         read_off_sheet = "Okunan, hesaplananın yanında:";
         sought_here = "bilinmeyen";

@@ -74,7 +74,8 @@ catalogue! {
         weight = "ağırlık";
         weight_of(link: &str) = "{link} ağırlığı";
         inertia_of(link: &str) = "{link} ataleti";
-        column_of = "neyin";
+        column_of = "kaynağı";
+        column_formula = "formül";
         column_load = "yük";
         symbols_of(symbols: &str, link: &str) = "{symbols}, {link} için";
 

@@ -12,11 +12,14 @@ catalogue! {
             "Birim vektörler: açı boyunca {along}, ona dik, soluna {across}:";
 
         // Vector polygons and their tables.
-        polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0; bilinmeyeni olan kesikli, açılar kuyruklarda.";
+        polygon_drawn(sum: &str) = "Ölçekli vektörel poligon: {sum} = 0";
         polygon_of_loop(number: usize, sum: &str) =
-            "Döngü {number}: ölçekli vektörel poligon, {sum} = 0; bilinmeyeni olan kesikli, açılar \
-             kuyruklarda.";
+            "Döngü {number}: ölçekli vektörel poligon, {sum} = 0";
+        dashes_and_arcs = "; bilinmeyeni olan kesikli, açılar kuyruklarda.";
+        points_against(vector: &str, theta: &str) =
+            "{vector} < 0: oku {theta} yönünün tersini gösterir.";
         loop_number(number: usize) = "döngü {number}";
+        found_by_loop(number: usize) = "{number}. döngüden";
         tables_asked = "Verilenler ve soru işaretiyle bilinmeyenler:";
         tables_told = "Verilenler ve simgelerinin arkasında bulunan değerler:";
 

@@ -30,7 +30,7 @@ catalogue! {
         vector_on(vector: &str, tail: &str, head: &str, body: &str) =
             "{vector}: {tail} - {head}, {body} üzerinde";
         the_ground = "şase";
-        beside_vectors_of_scene(vectors: &str) = "Sahnenin vektörlerinin yanında: {vectors}.";
+        beside_vectors_of_scene(vectors: &str) = "Sahnedekilere ek vektörler: {vectors}.";
         in_no_loop(vectors: &str) = "Hiçbir döngüde olmayan: {vectors}.";
         position_table = "Konum tablosu";
         column_ends = "uçlar";
@@ -46,12 +46,12 @@ catalogue! {
         multiplied_across(vector: &str, side: &str) =
             "{side} kenarına dik {vector} ile çarpılır, {side} gider:";
         collected_by(one: &str, other: &str) =
-            "{one} ve {other} ile çarpılır, açılır ve toplanırsa bilinmeyenler yalnız kalır:";
-        collected_with_letters = "Açılır ve toplanırsa bilinmeyenler yalnız kalır:";
+            "{one} ve {other} ile çarpılır, açılıp düzenlenirse bilinmeyenlerin önünde yalnız sayılar kalır:";
+        collected_with_letters = "Açılıp düzenlenirse bilinmeyenlerin önünde yalnız sayılar kalır:";
         collected_with_numbers = "Sayılarıyla:";
-        collected_equation(number: usize) = "{number}. döngünün toplanmış denklemleri";
-        squared_and_added(lost: &str, kept: &str) =
-            "İki bileşenin kareleri toplanırsa {lost} düşer; yalnız {kept} ile:";
+        collected_equation(number: usize) = "{number}. döngünün düzenlenmiş denklemleri";
+        squared_and_added(arm: &str, lost: &str, kept: &str) =
+            "{arm} bir yana yalnız bırakılır, iki bileşenin kareleri toplanırsa {lost} düşer; yalnız {kept} ile:";
 
         // Positions.
         positions_by_groups = "Konumlar, grup grup";
@@ -67,18 +67,20 @@ catalogue! {
         driver_places = "Tahrikin yerleştirdikleri:";
 
         // Two arms.
-        with_m_between(from: &str, to: &str, joint: &str) =
-            "m: {from} - {to}; iki kolun buluştuğu mafsal {joint}:";
+        with_m_between(m: &str, from: &str, to: &str, joint: &str) =
+            "{m}: {from} noktasından {to} noktasına; iki kolun buluştuğu mafsal {joint}:";
         lies_to_the_left(joint: &str, from: &str, to: &str) =
             "Montaj biçimine göre {joint}, {from} → {to} doğrusunun solundadır:";
         lies_to_the_right(joint: &str, from: &str, to: &str) =
             "Montaj biçimine göre {joint}, {from} → {to} doğrusunun sağındadır:";
+        lies_on_the_line(joint: &str, from: &str, to: &str) =
+            "{joint}, {from} → {to} doğrusunun üzerindedir: iki montaj biçimi birdir:";
         pivots_coincide(one: &str, other: &str) =
             "{one} ve {other} üst üste: üçgen yok, açılar hareket boyunca limitlerdir:";
         arms_too_short(m: &str, one: &str, other: &str, sum: &str) =
-            "m = {m}, {one} + {other} = {sum} toplamından uzun: kollar birbirine erişmez.";
+            "{m}, {one} + {other} = {sum} toplamından uzun: kollar birbirine erişmez.";
         arms_too_unlike(m: &str, one: &str, other: &str, difference: &str) =
-            "m = {m}, |{one} - {other}| = {difference} farkından kısa: kollar üçgeni kapatamaz.";
+            "{m}, |{one} - {other}| = {difference} farkından kısa: kollar üçgeni kapatamaz.";
         triangle_would_close =
             "Bu üçgen kapanırdı, ama sahnenin montaj biçiminden başlayan hareket buraya gelmez.";
 
@@ -102,7 +104,9 @@ catalogue! {
              yöntemiyle çözülür, z - dz, J dz = f, J ise f'nin z'ye göre türevleridir. Durduğu yer:";
         equations_left = "Denklemler ve onlardan artan:";
         jacobian_too_large(n: usize) = "J matrisinin {n} x {n} öğesi var, onu kimse okumaz.";
-        jacobian_rows = "J, her denklem için bir satır:";
+        jacobian_rows =
+            "J, her denklem için bir satır; bir öğenin birimi satırınınki bölü sütununkidir:";
+        sides_by_joints = "Mafsallardan, aralarındaki vektörlerin bilinmeyenleri:";
         joint = "mafsal";
         two_ways(coordinate: &str, point: &str) = "{point}, {coordinate}, iki yoldan";
         distance_from_guide(point: &str) = "{point} noktasının kılavuzdan uzaklığı";

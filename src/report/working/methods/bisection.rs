@@ -46,16 +46,37 @@ pub(super) fn halve(
         SoughtKind::Length => f.unit,
     };
     let [from, to] = [a, b].map(|v| format!("{} {unit}", f.angle(v)));
-    let [low, high] = halved.ends.map(|v| format!("{} {}^2", f.number(v), f.unit));
+    let largest = longest(context).powi(2);
+    let [low, high] = halved
+        .ends
+        .map(|v| format!("{} {}^2", f.beside(v, largest), f.unit));
+    let is_said = guesses.said(reduced.unknown).is_some();
+    if !is_said {
+        draft.page.text(least(context, &reduced));
+    }
     draft
         .page
         .text(words().between_ends(&reduced.symbol, &from, &to));
     draft.page.equation([format!("f({from})"), low]);
     draft.page.equation([format!("f({to})"), high]);
+    if let (Some(right), false) = (reduced.right, is_said)
+        && reduced.are_one(right)
+    {
+        at_the_root(context, draft, &reduced, [a, b]);
+        return None;
+    }
     if halved.root().is_none() {
         draft.page.text(words().no_change_of_sign());
         return None;
     }
+    let finest = f.angle(finest);
+    // A bound is no figure that was found: it needs no noughts behind its last digit.
+    let finest = match finest.contains('e') || !finest.contains('.') {
+        true => finest.as_str(),
+        false => finest.trim_end_matches('0'),
+    };
+    let finest = format!("{finest} {unit}");
+    draft.page.text(words().halved_until(&finest));
     table(draft, context, &reduced, &halved, unit);
     conclude(context, draft, &reduced, &halved);
     let longest = longest(context);
@@ -64,6 +85,45 @@ pub(super) fn halve(
         .iter()
         .map(|h| reduced.error(h.middle, longest));
     errors.collect()
+}
+
+/// Where f is least, on either side of which a root lies.
+fn least(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
+    let [middle, _] = reduced.interval(None);
+    let (f, symbol) = (context.figures, &reduced.symbol);
+    match reduced.along {
+        Some(m) => words().least_along(m, symbol, &format!("{} deg", f.angle(middle))),
+        None => words().least_at(symbol, &figure(f, reduced.kind, middle)),
+    }
+}
+
+/// An interval that begins, or ends, on the one root that there is.
+fn at_the_root(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    reduced: &ReducedLoop<'_>,
+    [a, b]: [f64; 2],
+) {
+    let (root, name) = match reduced.value(a).abs() <= reduced.value(b).abs() {
+        true => (a, "a"),
+        false => (b, "b"),
+    };
+    draft.page.text(words().root_at_an_end(name));
+    write_root(context, draft, reduced, root);
+    draft.page.text(words().assemblies_are_one());
+}
+
+fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop<'_>, root: f64) {
+    let f = context.figures;
+    let (symbol, follows) = reduced.follows(root);
+    draft
+        .page
+        .equation([reduced.symbol.clone(), figure(f, reduced.kind, root)]);
+    draft.page.equation([
+        symbol.to_owned(),
+        reduced.formula.clone(),
+        figure(f, SoughtKind::Angle, follows),
+    ]);
 }
 
 fn has_form(stage: &Stage) -> bool {
@@ -124,16 +184,10 @@ fn conclude(
     let (f, Some(root)) = (context.figures, halved.root()) else {
         return;
     };
-    let (symbol, follows) = reduced.follows(root);
     draft
         .page
         .text(words().halved(halved.halvings.len().saturating_sub(1)));
-    draft
-        .page
-        .equation([reduced.symbol.clone(), figure(f, reduced.kind, root)]);
-    draft
-        .page
-        .equation([symbol.to_owned(), figure(f, SoughtKind::Angle, follows)]);
+    write_root(context, draft, reduced, root);
     let Some(right) = reduced.right else {
         return;
     };

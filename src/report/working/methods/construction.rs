@@ -30,6 +30,9 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
+/// Lines that cross at no more than this sine touch, but for rounding.
+const TOUCHING: f64 = 1e-6;
+
 struct Construction<'a> {
     context: &'a Context<'a>,
     sheet: DrawingSheet,
@@ -269,6 +272,11 @@ impl Construction<'_> {
     /// Where two lines meet, and how well that can be seen.
     fn cross(&self, draft: &mut Draft, of: &TwoMeetings<'_>) -> f64 {
         let blur = self.sheet.blur(of.sine);
+        if of.sine.abs() <= TOUCHING {
+            draft.page.text(words().they_touch_in(of.name));
+            self.places(draft, vec![self.place(of.name, of.assembly, String::new())]);
+            return f64::INFINITY;
+        }
         draft.page.text(words().they_meet_in_two());
         let rows = vec![
             self.place(of.name, of.assembly, words().the_assembly().into()),

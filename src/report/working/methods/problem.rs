@@ -74,10 +74,7 @@ fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
 
 /// The longest side in this state.
 pub(super) fn longest(context: &Context<'_>) -> f64 {
-    let sides = context.readings.iter().map(|reading| reading.r.abs());
-    sides
-        .filter(|r| r.is_finite())
-        .fold(f64::MIN_POSITIVE, f64::max)
+    context.longest()
 }
 
 fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {

@@ -22,10 +22,15 @@ pub(super) struct ReducedLoop<'a> {
     pub(super) kind: SoughtKind,
     /// What x is when what is sought is 0.
     pub(super) ahead: f64,
+    /// Where f is least.
     pub(super) middle: f64,
     pub(super) reach: f64,
     /// x of the assembly, where there is one.
     pub(super) right: Option<f64>,
+    /// The vector along which the arm lies at the middle, where x is an angle.
+    pub(super) along: Option<&'static str>,
+    /// The other unknown by what is known with x.
+    pub(super) formula: String,
     way: ReducedWay<'a>,
 }
 
@@ -103,13 +108,14 @@ impl ReducedLoop<'_> {
         self.off(x) * self.off(other) > 0.0
     }
 
-    /// Whether both assemblies are the one here, but for rounding: the arms are in line.
+    /// Whether both assemblies are the one here, but for rounding: the arms are in line, one beyond the other or one
+    /// on the other.
     pub(super) fn are_one(&self, right: f64) -> bool {
-        let size = match self.kind {
-            SoughtKind::Angle => 180.0,
-            SoughtKind::Length => self.reach,
-        };
-        self.off(right).abs() <= IN_LINE * size
+        let off = self.off(right).abs();
+        match self.kind {
+            SoughtKind::Angle => off.min(180.0 - off) <= IN_LINE * 180.0,
+            SoughtKind::Length => off <= IN_LINE * self.reach,
+        }
     }
 
     /// How far x is from the assembly: in rad, or in parts of the longest length.
@@ -164,22 +170,32 @@ impl<'a> Solution<'a> {
         let [p, x, q] = self.joints(&first, &second);
         let (link, ahead) = turning(self.context, &first)?;
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft.page.text(words().with_m_between(p, q, x));
+        draft
+            .page
+            .text(words().with_m_between(self.diagonal(), p, q, x));
         let _ = self.write_m(draft);
         let at = match one.ahead {
             0.0 => one.theta.clone(),
             more => format!("{} + {}", one.theta, f.angle(more)),
         };
-        let part = |m: &str, function: &str| format!("({m} - {} {function}({at}))^2", one.length);
+        let m = self.diagonal();
+        let part =
+            |axis: &str, function: &str| format!("({m}{axis} - {} {function}({at}))^2", one.length);
         let symbols = format!(
             "{} + {} - {}^2",
-            part("mx", "cos"),
-            part("my", "sin"),
+            part("x", "cos"),
+            part("y", "sin"),
             two.length
         );
         draft.page.equation([format!("f({})", one.theta), symbols]);
+        let rest =
+            |axis: &str, function: &str| format!("{m}{axis} - {} {function}({at})", one.length);
+        let formula = format!("atan2({}, {})", rest("y", "sin"), rest("x", "cos"));
+        let along = Some(m);
         let m = -self.known;
         Some(ReducedLoop {
+            along,
+            formula: less(f, formula, two.ahead),
             symbol: one.theta.clone(),
             unknown: LoopUnknown::Angle(link),
             kind: SoughtKind::Angle,
@@ -217,7 +233,11 @@ impl<'a> Solution<'a> {
         );
         draft.page.equation([format!("f({name})"), symbols]);
         let u = member.reading.u * if slide.reversed { -1.0 } else { 1.0 };
+        let rest = |k: &str, function: &str| format!("-({k} {plus} {name} {function}({theta}))");
+        let formula = format!("atan2({}, {})", rest("Ky", "sin"), rest("Kx", "cos"));
         Some(ReducedLoop {
+            along: None,
+            formula: less(self.figures, formula, arm.ahead),
             symbol: name.clone(),
             unknown: LoopUnknown::Travel(id),
             kind: SoughtKind::Length,
@@ -244,7 +264,7 @@ impl<'a> Solution<'a> {
             return None;
         };
         let [mx, my] = self.write_m(draft);
-        let size = self.write_length(draft, "m", [&mx, &my]);
+        let size = self.write_length(draft, self.diagonal(), [&mx, &my]);
         let [t, e] = self.beside_guide(arm, slide, size);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
@@ -261,9 +281,18 @@ impl<'a> Solution<'a> {
             0.0 => square,
             e => square + written("e", e).squared(),
         };
-        let whole = square - written("m", size).squared();
+        let whole = square - written(self.diagonal(), size).squared();
         draft.page.equation([format!("f({name})"), whole.symbols()]);
+        let m = self.diagonal();
+        let [left, ahead] = match (t == 0.0 && e == 0.0, slide.reversed) {
+            (true, false) => ["0".to_owned(), name.clone()],
+            (true, true) => ["0".to_owned(), format!("-{name}")],
+            (false, false) => ["e".to_owned(), format!("{name} + t")],
+            (false, true) => ["e".to_owned(), format!("t - {name}")],
+        };
         Some(ReducedLoop {
+            along: None,
+            formula: format!("atan2({m}y, {m}x) - atan2({left}, {ahead})"),
             symbol: name.clone(),
             unknown: LoopUnknown::Travel(id),
             kind: SoughtKind::Length,
@@ -279,6 +308,14 @@ impl<'a> Solution<'a> {
                 theta: member.side.theta(),
             },
         })
+    }
+}
+
+/// A direction less how far the arm lies ahead of the angle that is named after it.
+fn less(figures: Figures, direction: String, ahead: f64) -> String {
+    match ahead {
+        0.0 => direction,
+        ahead => format!("{direction} - {}", figures.angle(ahead)),
     }
 }
 
