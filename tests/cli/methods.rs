@@ -90,7 +90,9 @@ fn halvings_keep_the_half_in_which_the_sign_changes() {
         assert_eq!(row.join(" "), expected);
     }
     assert!(
-        text.contains("theta3 = 29.3794 deg\n  theta4 = 290.753 deg\n"),
+        text.contains(
+            "theta3 = 29.3794 deg\n  theta4 = atan2(my - r3 sin(theta3), mx - r3 cos(theta3)) = 290.753 deg\n"
+        ),
         "{text}"
     );
     assert!(
