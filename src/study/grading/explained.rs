@@ -5,6 +5,8 @@ use super::{AnswerKey, AskedFigure, ChainSlot, FacedSlot, SolutionChain, Written
 
 /// Earlier answers are tried together in so many ways at the most: each takes solving the loop equations again.
 const MOST_SETS: usize = 40;
+/// So few wrong answers may each have been carried on with all digits.
+const FEW_WRONG: usize = 2;
 
 impl AnswerKey {
     /// The figure as it follows from earlier ones, all that were written so far or one of them alone.
@@ -43,7 +45,14 @@ impl AnswerKey {
         let mut sets = counts
             .map(|count| &earlier[..count])
             .chain(single.chunks(1));
-        sets.find_map(|set| self.explanation((chain, &hangs_on), figure, written, set))
+        // Among many wrong answers one that comes near is chance: digits that were carried on are allowed for where few
+        // are wrong, or all are taken together.
+        let wrong = earlier.iter().filter(|face| !face.is_sound).count();
+        sets.find_map(|set| {
+            let is_carried = wrong <= FEW_WRONG || set.len() == earlier.len();
+            let is_carried = is_carried && set.iter().any(|face| !face.is_sound);
+            self.explanation((chain, &hangs_on), figure, written, (set, is_carried))
+        })
     }
 
     /// The figure as it follows from some at their face value, where that is what was written.
@@ -52,7 +61,7 @@ impl AnswerKey {
         (chain, hangs_on): (&SolutionChain, &[usize]),
         figure: &AskedFigure,
         written: WrittenFigure,
-        set: &[&FacedSlot],
+        (set, is_carried): (&[&FacedSlot], bool),
     ) -> Option<FigureVerdict> {
         let truth = Truth::of(figure);
         let by = |face: &dyn Fn(&FacedSlot) -> Option<f64>| {
@@ -70,7 +79,7 @@ impl AnswerKey {
             return None;
         }
         let there = truth.with(followed);
-        if apart > unit && !(apart <= unit + there.carried() && set.iter().any(|f| !f.is_sound)) {
+        if apart > unit && !(is_carried && apart <= unit + there.carried()) {
             return None;
         }
         // Who carried all digits on wrote fewer: what half of the last digit of each does.
