@@ -205,10 +205,19 @@ fn frame_as_link(
     let vector = format!("{} = [\"{tail}\", \"{head}\"]", key(scene.link_name(link)));
     let distance = length(scene, (to - at).norm());
     let misfit = length(scene, misfit);
-    Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
+    // A link between its two ends alone fits by its length.
+    let ends = scene.mechanism.link(link).ends;
+    let is_rod = ends == Some((one, other)) || ends == Some((other, one));
+    // All its digits: with fewer it would not fit either.
+    let mend = is_rod.then(|| words().frame_fits_with(&(to - at).norm().to_string()));
+    let fault = Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
         .at(scene.place(ElementId::Link(link)), words().cannot_move())
-        .note(words().are_apart(&tail, &head, &distance))
-        .help(words().frame_needs_no_link(&vector))
+        .note(words().are_apart(&tail, &head, &distance));
+    let fault = match mend {
+        Some(mend) => fault.help(mend),
+        None => fault,
+    };
+    fault.help(words().frame_needs_no_link(&vector))
 }
 
 fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic {

@@ -28,7 +28,7 @@ pub use value::{bound, state_word, value};
 
 use crate::expression::{LengthScale, Revolution};
 use crate::solver::{Demand, Order, State};
-use crate::{Ball, Number};
+use crate::{Ball, Dual, Number};
 use std::sync::Arc;
 
 /// A figure that can be shown.
@@ -87,17 +87,28 @@ impl Quantity {
         value::apart(value, ball, self.is_direction())
     }
 
-    /// Whether it takes the size of something, by a formula.
-    fn has_sizes(&self) -> bool {
-        matches!(&self.source, FigureSource::Derived(derived) if derived.has_sizes())
+    /// Whether it can turn over, by a formula.
+    fn has_sides(&self) -> bool {
+        matches!(&self.source, FigureSource::Derived(derived) if derived.has_sides())
     }
 
-    /// Whether it takes the size of what may be 0 in this state, within its bound.
-    fn turns_over(&self, enclosure: &State<Ball>) -> bool {
+    /// The steps of its formula that may turn over in this state, within the bounds of what they take.
+    fn kinks(&self, enclosure: &State<Ball>) -> Vec<usize> {
         match &self.source {
-            FigureSource::Solved(..) => false,
+            FigureSource::Solved(..) => Vec::new(),
             FigureSource::Derived(derived) => {
-                derived.turns_over(|subject, aspect| value::found(subject, aspect, enclosure))
+                derived.kinks(|subject, aspect| value::found(subject, aspect, enclosure))
+            }
+        }
+    }
+
+    /// The derivative with these steps of its formula on their other side.
+    fn slope_beyond(&self, kinks: &[usize], state: &State<Dual>) -> Option<f64> {
+        match &self.source {
+            FigureSource::Solved(..) => None,
+            FigureSource::Derived(derived) => {
+                let found = |subject, aspect| value::found(subject, aspect, state);
+                derived.beyond(kinks, found).map(|dual| dual.slope)
             }
         }
     }

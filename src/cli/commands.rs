@@ -68,6 +68,7 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
         if answers.list.is_none() {
             note(words().no_derivatives_by_lengths(), screen);
         }
+        note_lacking(answers.lacking as u64, answers.asked() as u64, screen);
         tables.answers = Some(answers);
     }
     let list = named.map(|named| FigureList::new(&tables, &named, &state, &enclosure));
@@ -155,6 +156,12 @@ pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
 pub(super) fn note_unproved(unproved: u64, figures: u64, screen: TextScreen) {
     if unproved > 0 {
         note(&words().unproved(&unproved, &figures), screen);
+    }
+}
+
+pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
+    if lacking > 0 {
+        note(&words().figures_without_answer(lacking, figures), screen);
     }
 }
 

@@ -1,7 +1,7 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
 use super::args::{OutputFormat, SweepArgs};
-use super::commands::{few_enough, note_unproved, tell_of_near_misses};
+use super::commands::{few_enough, note_lacking, note_unproved, tell_of_near_misses};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
@@ -87,14 +87,36 @@ pub(super) fn figures(
     }
     let mut figures = Vec::new();
     let patterns = patterns.iter().flat_map(|list| entries(list));
-    for pattern in patterns.map(str::trim).filter(|p| *p != "state") {
-        for figure in named(catalogue, "--columns", pattern)? {
+    let patterns: Vec<&str> = patterns.map(str::trim).collect();
+    for (number, pattern) in patterns.iter().enumerate() {
+        if *pattern == "state" {
+            continue;
+        }
+        let found = named(catalogue, "--columns", pattern);
+        let around = patterns.get(number.saturating_sub(1)..).unwrap_or_default();
+        let mend = || around.windows(2).take(2).find_map(cut_number);
+        for figure in found.map_err(|fault| mend().unwrap_or(fault))? {
             if !figures.contains(&figure) {
                 figures.push(figure);
             }
         }
     }
     Ok(figures)
+}
+
+/// The fault of a formula whose number has a comma, of what stands before and behind that.
+fn cut_number(pair: &[&str]) -> Option<Failure> {
+    let &[before, pattern] = pair else {
+        return None;
+    };
+    let is_digit = |c: char| c.is_ascii_digit();
+    let is_cut =
+        before.contains('=') && before.ends_with(is_digit) && pattern.starts_with(is_digit);
+    let head = before.rsplit(|c| !is_digit(c)).next()?;
+    let tail = pattern.split(|c| !is_digit(c)).next()?;
+    is_cut.then(|| {
+        Failure::Usage(words().of_option("--columns", &words().number_with_comma(head, tail)))
+    })
 }
 
 /// What a pattern names; behind `=` stands a formula, and the figure has its name from then on.
@@ -155,6 +177,7 @@ fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
             screen,
         );
     }
+    note_lacking(missing.lacking, missing.asked, screen);
 }
 
 /// The rows: an end that was left out is that of the motion, and has a row of its own.

@@ -1,7 +1,7 @@
 //! A checked formula, as steps over a stack: run over any arithmetic, without allocating.
 
 use super::jet::{Jet, pi};
-use crate::{Ball, Constant, Number};
+use crate::{Constant, Number};
 
 /// A step. It takes its figures from the stack and puts its own there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,52 +126,47 @@ impl Code {
 
     /// The figure, where it exists; `leaf` has those that it is made of, and their rates by degree.
     pub(crate) fn run<T: Number>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
-        self.run_seeing(leaf, |_, _| {})
+        self.run_turning(leaf, |_, _, _, _| {})
     }
 
-    /// Whether a size is taken of what may be 0 within its bound: there it turns over.
-    pub(crate) fn turns_over(&self, leaf: impl Fn(u16, u8) -> Option<Ball>) -> bool {
-        let mut may_turn = false;
-        let _ = self.run_seeing(leaf, |op, of: Ball| {
-            may_turn |= op == Op::Abs && of.radius.is_finite() && of.smallest() == 0.0;
-        });
-        may_turn
-    }
-
-    fn run_seeing<T: Number>(
+    /// The same; `turn` is shown the number of each step, the step, the first two figures that it takes and the one
+    /// that it makes, each with its rates, and may put another one there.
+    pub(super) fn run_turning<T: Number>(
         &self,
         leaf: impl Fn(u16, u8) -> Option<T>,
-        see: impl FnMut(Op, T),
+        turn: impl FnMut(usize, Op, [&[T]; 2], &mut [T]),
     ) -> Option<T> {
         match self.rates.iter().max() {
-            None | Some(0) => self.run_to::<T, 1>(leaf, see),
-            Some(1) => self.run_to::<T, 2>(leaf, see),
-            Some(_) => self.run_to::<T, 3>(leaf, see),
+            None | Some(0) => self.run_to::<T, 1>(leaf, turn),
+            Some(1) => self.run_to::<T, 2>(leaf, turn),
+            Some(_) => self.run_to::<T, 3>(leaf, turn),
         }
     }
 
-    /// Runs the steps; `see` is shown the first figure that each takes.
+    /// Runs the steps over figures with so many coefficients.
     fn run_to<T: Number, const N: usize>(
         &self,
         leaf: impl Fn(u16, u8) -> Option<T>,
-        mut see: impl FnMut(Op, T),
+        mut turn: impl FnMut(usize, Op, [&[T]; 2], &mut [T]),
     ) -> Option<T> {
         let mut stack = [Jet::<T, N>::default(); STACK];
         let mut top = 0;
-        for (&op, &rates) in self.ops.iter().zip(&self.rates) {
+        for (number, (&op, &rates)) in self.ops.iter().zip(&self.rates).enumerate() {
             top -= op.takes();
             let [a, b] = [stack[top], stack[(top + 1).min(STACK - 1)]];
-            see(op, a.value());
-            stack[top] = match op {
-                Op::Leaf(number) => {
+            let mut made = match op {
+                Op::Leaf(of) => {
                     let mut known = [T::default(); N];
                     for (degree, rate) in (0..=rates).zip(&mut known) {
-                        *rate = leaf(number, degree)?;
+                        *rate = leaf(of, degree)?;
                     }
                     Jet::of_rates(known)
                 }
                 op => kept(op, step(op, a, b), a),
             };
+            let taken = [a.coefficients(), b.coefficients()];
+            turn(number, op, taken, made.coefficients_mut());
+            stack[top] = made;
             top += 1;
         }
         Some(stack[0].value())

@@ -42,6 +42,15 @@ impl<T: Number, const N: usize> Jet<T, N> {
         self.0[0]
     }
 
+    /// The figure, and what its rates are made of.
+    pub(super) fn coefficients(&self) -> &[T] {
+        &self.0
+    }
+
+    pub(super) fn coefficients_mut(&mut self) -> &mut [T] {
+        &mut self.0
+    }
+
     /// This figure where it exists, and no rates.
     fn without_rates(self) -> Self {
         let mut jet = Jet::nothing();

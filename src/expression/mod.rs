@@ -10,6 +10,7 @@ mod code;
 mod compile;
 mod dimension;
 mod jet;
+mod kink;
 mod lexer;
 mod parser;
 #[cfg(test)]

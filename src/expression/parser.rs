@@ -50,10 +50,22 @@ struct Parser<'t> {
 
 impl Parser<'_> {
     fn unexpected(&self, span: Range<usize>, wanted: &str) -> Malformed {
-        match self.lexer.text.get(span.clone()) {
+        let help = self.point_for_comma(&span);
+        let fault = match self.lexer.text.get(span.clone()) {
             None | Some("") => Malformed::new(span, words().formula_ends_early(wanted)),
             Some(found) => Malformed::new(span.clone(), words().expected_in_formula(wanted, found)),
-        }
+        };
+        Malformed { help, ..fault }
+    }
+
+    /// What mends a comma between digits.
+    fn point_for_comma(&self, span: &Range<usize>) -> Option<String> {
+        let (before, behind) = self.lexer.text.split_at_checked(span.start)?;
+        let is_digit = |c: char| c.is_ascii_digit();
+        let head = before.rsplit(|c| !is_digit(c)).next()?;
+        let tail = behind.strip_prefix(',')?.split(|c| !is_digit(c)).next()?;
+        let is_cut = !head.is_empty() && !tail.is_empty();
+        is_cut.then(|| words().number_with_comma(head, tail))
     }
 
     /// The mark that comes next, if it is one of these.

@@ -111,7 +111,8 @@ impl Builder {
         from: Option<PointId>,
         (length, angle): (f64, f64),
     ) {
-        let polar = Some(PolarPlace::new(from, length, angle));
+        let before = &self.links[link.index()].members;
+        let polar = Some(PolarPlace::new(from, length, angle, before));
         let local = Vec2::ZERO;
         self.push_member(
             link,

@@ -11,6 +11,8 @@ use crate::{Constant, Vec2};
 pub struct PolarPlace {
     /// The point from which it is seen; `None` is the origin of the link's frame.
     pub from: Option<PointId>,
+    /// Which member of the link that point is; `None` where it is none before this one.
+    base: Option<usize>,
     /// How far it is, in the scene's length unit.
     pub length: f64,
     /// In which direction, in degrees from the link's x axis, counter-clockwise.
@@ -23,9 +25,17 @@ pub struct PolarPlace {
 }
 
 impl PolarPlace {
-    pub(super) fn new(from: Option<PointId>, length: f64, angle: f64) -> PolarPlace {
+    /// Of a further point of a link that has these members.
+    pub(super) fn new(
+        from: Option<PointId>,
+        length: f64,
+        angle: f64,
+        members: &[Member],
+    ) -> PolarPlace {
+        let base = from.and_then(|from| members.iter().position(|m| m.point == from));
         PolarPlace {
             from,
+            base,
             length,
             angle,
             given: Vec2::default(),
@@ -88,17 +98,12 @@ impl Link {
             let Some(polar) = &mut member.polar else {
                 continue;
             };
-            let base = match polar.from {
-                None => None,
-                Some(from) => match before.iter().find(|m| m.point == from) {
-                    Some(base) => Some(base),
-                    None => {
-                        // Seen from nowhere: no number, which the builder refuses.
-                        member.local = Vec2::new(f64::NAN, f64::NAN);
-                        continue;
-                    }
-                },
-            };
+            let base = polar.base.and_then(|base| before.get(base));
+            if polar.from.is_some() && base.is_none() {
+                // Seen from nowhere: no number, which the builder refuses.
+                member.local = Vec2::new(f64::NAN, f64::NAN);
+                continue;
+            }
             polar.lay(base, is_decimal);
             let place = polar.given.map(|v| v.hi);
             moved.push((member.point, place - member.local));
@@ -131,7 +136,7 @@ mod tests {
         link.members.push(Member {
             point,
             local: Vec2::ZERO,
-            polar: Some(PolarPlace::new(Some(end), length, angle)),
+            polar: Some(PolarPlace::new(Some(end), length, angle, &link.members)),
         });
         let moved = link.lay(true);
         assert_eq!(moved.len(), 1);

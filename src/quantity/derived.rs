@@ -2,7 +2,7 @@
 
 use super::{Aspect, Subject};
 use crate::expression::{Code, Kind, Op, Part};
-use crate::{Ball, Number};
+use crate::{Ball, Dual, Number};
 
 /// How a figure is made of figures that the solver finds.
 ///
@@ -110,14 +110,26 @@ impl Derived {
 }
 
 impl Derived {
-    /// Whether it takes the size of anything.
-    pub(super) fn has_sizes(&self) -> bool {
-        self.code.ops().contains(&Op::Abs)
+    /// Whether any of its steps can turn over.
+    pub(super) fn has_sides(&self) -> bool {
+        self.code.has_sides()
     }
 
-    /// Whether it takes the size of what may be 0.
-    pub(super) fn turns_over(&self, find: impl Fn(Subject, Aspect) -> Option<Ball>) -> bool {
-        self.code.turns_over(|leaf, degree| {
+    /// The steps that may turn over within the bounds of what they take.
+    pub(super) fn kinks(&self, find: impl Fn(Subject, Aspect) -> Option<Ball>) -> Vec<usize> {
+        self.code.kinks(|leaf, degree| {
+            let leaf = &self.leaves[usize::from(leaf)];
+            find(leaf.subject, leaf.degree(degree)?)
+        })
+    }
+
+    /// The figure with these steps on their other side.
+    pub(super) fn beyond(
+        &self,
+        kinks: &[usize],
+        find: impl Fn(Subject, Aspect) -> Option<Dual>,
+    ) -> Option<Dual> {
+        self.code.beyond(kinks, |leaf, degree| {
             let leaf = &self.leaves[usize::from(leaf)];
             find(leaf.subject, leaf.degree(degree)?)
         })

@@ -29,7 +29,7 @@ pub struct Sensitivity {
     demand: Demand,
     order: Order,
     base: Workspace,
-    /// Where a figure takes a size: what may be 0 but for rounding turns over there.
+    /// Where a figure can turn over: it may do so anywhere within the bounds of what it is made of.
     enclosure: Option<Workspace<Ball>>,
     /// For every length, once it was asked about and where all of them have room.
     ready: Vec<Option<Ready>>,
@@ -48,6 +48,8 @@ pub struct Derivatives {
     numbers: Vec<f64>,
     /// Figure by figure: a reaction that the equilibrium leaves open has none.
     exists: Vec<bool>,
+    /// Figure by figure, whether it has a value.
+    valued: Vec<bool>,
 }
 
 impl Derivatives {
@@ -57,6 +59,14 @@ impl Derivatives {
     pub fn of(&self, figure: usize) -> Option<&[f64]> {
         let exists = *self.exists.get(figure)?;
         exists.then(|| &self.numbers[figure * self.lengths..(figure + 1) * self.lengths])
+    }
+
+    /// Whether a figure has a value, but no derivatives: a formula that turns over just here.
+    #[must_use]
+    pub fn lacks(&self, figure: usize) -> bool {
+        let [exists, valued] =
+            [&self.exists, &self.valued].map(|all| all.get(figure).copied().unwrap_or_default());
+        valued && !exists
     }
 
     /// By how much a figure is off at the worst, where every length is off by one unit: the sum of the
@@ -103,7 +113,7 @@ impl Sensitivity {
             base: solver.state(),
             enclosure: figures
                 .iter()
-                .any(Quantity::has_sizes)
+                .any(Quantity::has_sides)
                 .then(|| solver.enclosure()),
         }
     }
@@ -128,6 +138,8 @@ impl Sensitivity {
             return None;
         }
         let count = self.lengths.len();
+        let kinks = self.kinks();
+        let mut bends = vec![0.0_f64; self.figures.len()];
         let mut numbers = vec![0.0; self.figures.len() * count];
         let mut exists = vec![true; self.figures.len()];
         for number in 0..count {
@@ -140,18 +152,26 @@ impl Sensitivity {
                 let slope = slope(figure, &work);
                 exists[i] &= slope.is_some();
                 numbers[i * count + number] = slope.unwrap_or_default();
+                if let Some(slope) = slope {
+                    bends[i] = bends[i].max(bend(figure, slope, &kinks[i], &work));
+                }
             }
             self.keep(number, (by_length, work));
             if !solved {
                 return None;
             }
         }
-        self.round(&mut numbers);
-        self.turn_over(&numbers, &mut exists);
+        let nothing = self.round(&mut numbers);
+        for ((exists, bend), nothing) in exists.iter_mut().zip(bends).zip(nothing) {
+            *exists &= bend <= nothing;
+        }
+        let state = self.base.state();
+        let valued = self.figures.iter().map(|f| f.value(state).is_some());
         Some(Derivatives {
             lengths: count,
             numbers,
             exists,
+            valued: valued.collect(),
         })
     }
 
@@ -169,23 +189,18 @@ impl Sensitivity {
         }
     }
 
-    /// A size of what is 0 but for rounding follows a length in the same way on both sides only where it does not
-    /// follow it at all.
-    fn turn_over(&mut self, numbers: &[f64], exists: &mut [bool]) {
+    /// For each figure the steps of its formula that may turn over here.
+    fn kinks(&mut self) -> Vec<Vec<usize>> {
         let Some(enclosure) = &mut self.enclosure else {
-            return;
+            return vec![Vec::new(); self.figures.len()];
         };
         self.solver.enclose(&mut self.base, self.order, enclosure);
-        let count = self.lengths.len().max(1);
-        let all = self.figures.iter().zip(numbers.chunks(count)).zip(exists);
-        for ((figure, slopes), exists) in all {
-            let follows = slopes.iter().any(|slope| *slope != 0.0);
-            *exists &= !(follows && figure.has_sizes() && figure.turns_over(enclosure));
-        }
+        let figures = self.figures.iter();
+        figures.map(|figure| figure.kinks(enclosure)).collect()
     }
 
-    /// What rounding has left of derivatives that are nothing is nothing.
-    fn round(&self, numbers: &mut [f64]) {
+    /// What rounding has left of derivatives that are nothing is nothing; for each figure, how much that is.
+    fn round(&self, numbers: &mut [f64]) -> Vec<f64> {
         let count = self.lengths.len().max(1);
         let mut sizes = vec![0.0_f64; self.figures.len()];
         for (i, all) in numbers.chunks(count).enumerate().take(self.figures.len()) {
@@ -201,6 +216,8 @@ impl Sensitivity {
             let small = all.iter_mut().filter(|d| d.abs() <= nothing);
             small.for_each(|d| *d = 0.0);
         }
+        let alike = self.alike.iter();
+        alike.map(|&alike| ROUNDING * sizes[alike]).collect()
     }
 }
 
@@ -219,6 +236,17 @@ fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
 /// The derivative of a figure.
 fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
     figure.value(state).map(|dual| dual.slope)
+}
+
+/// By how much the derivatives on the sides of kinks are off their middle at the worst: each step is turned over by
+/// itself, and all of them at once.
+fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> f64 {
+    let apart = |kinks: &[usize]| match figure.slope_beyond(kinks, state) {
+        Some(beyond) if beyond.is_finite() => (beyond - slope).abs() / 2.0,
+        _ => f64::INFINITY,
+    };
+    let each = kinks.chunks(1).chain((kinks.len() > 1).then_some(kinks));
+    each.map(apart).fold(0.0, f64::max)
 }
 
 /// As the scene names it.

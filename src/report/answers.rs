@@ -4,7 +4,7 @@
 use super::number::significant;
 use super::tables_data::number;
 use crate::page::{Content, Setting, Table};
-use crate::quantity::Sensitivity;
+use crate::quantity::{Derivatives, Sensitivity};
 use crate::wording::{for_programs, words};
 use serde_json::{Map, Value, json};
 
@@ -31,6 +31,9 @@ pub struct Answers {
     pub unit: &'static str,
     /// The figures that have a value; `None` where no derivatives exist or can be had.
     pub list: Option<Vec<Answer>>,
+    /// How many figures have a value and are not in the list, where there is one: a formula that turns over just
+    /// here has no derivatives.
+    pub lacking: usize,
 }
 
 /// Digits of a derivative that is read by eye.
@@ -41,6 +44,9 @@ impl Answers {
     #[must_use]
     pub fn at(sensitivity: &mut Sensitivity, unit: &'static str, at: f64) -> Self {
         let found = sensitivity.at(at);
+        let count = sensitivity.figures().len();
+        let lacking = |found: &Derivatives| (0..count).filter(|&i| found.lacks(i)).count();
+        let lacking = found.as_ref().map_or(0, lacking);
         let list = found.map(|found| {
             let lengths = sensitivity.lengths();
             let figures = sensitivity.figures().iter().enumerate();
@@ -58,7 +64,11 @@ impl Answers {
             });
             answer.collect()
         });
-        Answers { unit, list }
+        Answers {
+            unit,
+            list,
+            lacking,
+        }
     }
 
     /// Leaves out what no length changes, and what is a length itself: it says nothing to a reader.
@@ -69,6 +79,12 @@ impl Answers {
             list.retain(says);
         }
         self
+    }
+
+    /// How many figures with a value were asked about, where there are derivatives.
+    #[must_use]
+    pub fn asked(&self) -> usize {
+        self.lacking + self.list.as_ref().map_or(0, Vec::len)
     }
 
     /// What stands for one figure.

@@ -229,7 +229,7 @@ impl LoadCounts {
     }
 }
 
-/// The range that the driver can cover, in words: limits with 12 decimals and their unit. `driver`
+/// The range that the driver can cover, in words: limits with up to 12 decimals and their unit. `driver`
 /// is the driver's coordinate.
 #[must_use]
 pub fn range_text(range: Range, driver: &Quantity) -> String {
@@ -237,9 +237,20 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
     match range {
         Range::Full { period } => words().range_full(&period, unit),
         Range::Limited { low, high } => {
-            let [low, high] = [low, high].map(|limit| format!("{limit:.DECIMALS$}"));
+            let [low, high] = [low, high].map(limit_text);
             words().range_limited(&low, &high, unit)
         }
+    }
+}
+
+/// To 12 decimals, without noughts at the end.
+fn limit_text(limit: f64) -> String {
+    let decimals = format!("{limit:.DECIMALS$}");
+    let text = decimals.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
     }
 }
 

@@ -4,7 +4,7 @@
 use super::columns::{CellSource, Columns};
 use super::tables::{seen, seen_bound};
 use crate::Ball;
-use crate::quantity::{Quantity, Sensitivity};
+use crate::quantity::{Derivatives, Quantity, Sensitivity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 
@@ -20,6 +20,9 @@ pub(super) struct ErrorCells<'a> {
     unproved: u64,
     /// Rows in which the figures have no derivatives by the lengths.
     unanswered: u64,
+    /// Figures that exist in the other rows, and of these how many have none.
+    asked: u64,
+    lacking: u64,
 }
 
 impl<'a> ErrorCells<'a> {
@@ -40,6 +43,8 @@ impl<'a> ErrorCells<'a> {
             figures: 0,
             unproved: 0,
             unanswered: 0,
+            asked: 0,
+            lacking: 0,
         }
     }
 
@@ -55,6 +60,9 @@ impl<'a> ErrorCells<'a> {
         let derivatives = self.sensitivity.as_mut().and_then(|s| s.at(state.at()));
         let missing = self.sensitivity.is_some() && derivatives.is_none();
         self.unanswered += u64::from(missing && state.condition() != Condition::NoAssembly);
+        if let Some(found) = &derivatives {
+            self.count(found);
+        }
         let columns = self.columns;
         for (quantity, source) in columns.quantities.iter().zip(&columns.sources) {
             cells.push(match source {
@@ -64,6 +72,16 @@ impl<'a> ErrorCells<'a> {
                     derivatives.as_ref().and_then(|d| d.worst(*figure))
                 }
             });
+        }
+    }
+
+    /// Counts the figures whose derivatives were asked for.
+    fn count(&mut self, found: &Derivatives) {
+        for (number, figure) in self.columns.figures.iter().enumerate() {
+            let lacks = found.lacks(number);
+            let counts = !figure.is_driver() && (lacks || found.of(number).is_some());
+            self.asked += u64::from(counts);
+            self.lacking += u64::from(counts && lacks);
         }
     }
 
@@ -100,6 +118,8 @@ impl<'a> ErrorCells<'a> {
                 0
             },
             unanswered: self.unanswered,
+            asked: self.asked,
+            lacking: self.lacking,
         }
     }
 }
@@ -113,4 +133,8 @@ pub struct Missing {
     pub unproved: u64,
     /// Rows that were to have derivatives by the lengths and have none, though they have values.
     pub unanswered: u64,
+    /// Figures that exist in the other rows and were to have derivatives.
+    pub asked: u64,
+    /// Of these, figures that have none.
+    pub lacking: u64,
 }

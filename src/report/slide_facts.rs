@@ -70,13 +70,15 @@ impl ElementNames<'_> {
             return None;
         }
         let slide = mechanism.slide(id);
+        // As positions tables write directions.
+        let theta = angle::wrapped(slide.angle);
         let other = angle::wrapped(slide.angle + angle::TURN / 2.0);
         Some(words().slide_counts_backwards(
             self.scene.slide_name(id),
             &significant(position, DIGITS),
             self.scene.unit.symbol(),
             [&concise(slide.angle, PLACES), &concise(other, PLACES)],
-            slide.on == Body::Ground,
+            (slide.on == Body::Ground).then_some(&concise(theta, PLACES)),
         ))
     }
 }

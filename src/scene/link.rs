@@ -159,7 +159,7 @@ fn link_ends<'v>(
     let from = reader.text_of("from", of, table.from.as_ref());
     let to = reader.text_of("to", of, table.to.as_ref());
     let given = table.length.as_ref();
-    let length = given.map(|given| length(reader, of, given));
+    let length = given.map(|given| length(reader, of, given, &LengthHints::of_link()));
     let (has_from, has_to) = (table.from.is_some(), table.to.is_some());
     let missing = match (has_from, has_to, length.is_some()) {
         (false, false, false) | (true, true, true) => None,
@@ -245,8 +245,38 @@ fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
         .help(words().points_alone(POINTS))
 }
 
+/// What is said of a length that is none.
+pub(super) struct LengthHints {
+    /// What 0 leaves open, and what to do instead.
+    nought: [&'static str; 2],
+    /// What to do where the direction was meant.
+    negative: &'static str,
+}
+
+impl LengthHints {
+    fn of_link() -> LengthHints {
+        LengthHints {
+            nought: [words().no_direction(), words().give_joints_one_name()],
+            negative: words().length_is_distance(),
+        }
+    }
+
+    /// Of a point by length and angle.
+    pub(super) fn of_point() -> LengthHints {
+        LengthHints {
+            nought: [words().no_place_of_its_own(), words().leave_point_out()],
+            negative: words().turn_angle_by_half(),
+        }
+    }
+}
+
 /// A distance: positive, and not too small to compute with.
-pub(super) fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
+pub(super) fn length(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<f64>,
+    hints: &LengthHints,
+) -> Option<f64> {
     let length = reader.number(&words().key_of("length", of), value)?;
     let literal = reader.literal(&value.span);
     let fault = |rule: &str, label: &str| {
@@ -260,9 +290,10 @@ pub(super) fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) ->
         fault(words().at_least_smallest(), words().too_small_to_compute())
             .help(words().choose_a_unit())
     } else if length == 0.0 {
-        fault(words().positive(), words().no_direction()).help(words().give_joints_one_name())
+        let [label, help] = hints.nought;
+        fault(words().positive(), label).help(help)
     } else {
-        fault(words().positive(), words().is_not_positive()).help(words().length_is_distance())
+        fault(words().positive(), words().is_not_positive()).help(hints.negative)
     });
     None
 }

@@ -4,7 +4,7 @@
 //! points = { P = [150, 80], E = { from = "D", length = 180, angle = 72 } }
 //! ```
 
-use super::link::{DraftLink, length};
+use super::link::{DraftLink, LengthHints, length};
 use super::points::PlacedPoint;
 use super::reader::{Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
@@ -148,7 +148,7 @@ fn sighted<'v>(
     }
     let from = reader.text_of("from", what, table.from.as_ref());
     let given = table.length.as_ref();
-    let length = given.and_then(|given| length(reader, what, given));
+    let length = given.and_then(|given| length(reader, what, given, &LengthHints::of_point()));
     let key = words().key_of("angle", what) + " (deg)";
     let angle = table.angle.as_ref().and_then(|v| reader.number(&key, v));
     let is_lost = table.from.is_some() && from.is_none();

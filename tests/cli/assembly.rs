@@ -230,3 +230,42 @@ fn all_that_a_start_leaves_open_is_asked_for_at_once() {
         "{told}"
     );
 }
+
+/// C and Q are open and T has a start, but T reaches E from one of the places of C alone, above or below: that one stands
+/// in front, in whichever order the links are written, and the lines that are shown open the scene.
+#[test]
+fn what_is_advised_for_an_open_start_closes() {
+    let of_c = [
+        "r3 = { from = \"B\", to = \"C\", length = 300 }",
+        "r4 = { from = \"C\", to = \"D\", length = 250 }",
+    ];
+    let of_q = [
+        "q1 = { from = \"B\", to = \"Q\", length = 320 }",
+        "q2 = { from = \"Q\", to = \"D\", length = 240 }",
+    ];
+    let of_t = "r5 = { from = \"C\", to = \"T\", length = 50 }\nr6 = { from = \"T\", to = \"E\", length = 50 }";
+    let file = folder("open-closes").join("scene.toml");
+    for (end, start) in [("[330, 260]", "[282, 274]"), ("[230, -140]", "[182, -126]")] {
+        for [one, other] in [[of_c, of_q], [of_q, of_c]] {
+            let [one, other] = [one, other].map(|links| links.join("\n"));
+            let scene = format!(
+                "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\nE = {end}\n[driver]\nlink = \"r2\"\nangle = 60\n\
+                 [links]\nr2 = {{ from = \"A\", to = \"B\", length = 100 }}\n{one}\n{other}\n{of_t}\n\
+                 [start]\nT = {start}\n"
+            );
+            std::fs::write(&file, &scene).unwrap();
+            let name = file.to_str().unwrap();
+            let told = refused(2, &["check", name]);
+            let lines = told
+                .split_once("[start]\n")
+                .unwrap()
+                .1
+                .lines()
+                .map(str::trim);
+            let lines: Vec<&str> = lines.take_while(|l| l.contains(" = [")).collect();
+            assert_eq!(lines.len(), 2, "{told}");
+            std::fs::write(&file, scene + &lines.join("\n") + "\n").unwrap();
+            done(&["check", name]);
+        }
+    }
+}

@@ -30,6 +30,17 @@ fn a_slide_that_counts_backwards_is_told() {
     assert_ne!(text, turned);
     let told = "r4 is negative where the scene opens, -28.0252 cm: it counts from `through` along `angle = 180`, and its \
                 vector runs back; with `angle = 0` it is positive, at theta 180 deg, as lecture notes write it";
+    // However the direction is written, the table has it from 0 to below 360.
+    let down = text.replace("\"A\", angle = 0 }", "\"A\", angle = -180 }");
+    let over = text.replace("\"A\", angle = 0 }", "\"A\", angle = 540 }");
+    for (text, angle) in [(down, "-180"), (over, "540")] {
+        let file = folder("backwards").join("scene.toml");
+        std::fs::write(&file, text).unwrap();
+        let shown = done(&["check", file.to_str().unwrap()]);
+        let words: Vec<_> = shown.split_whitespace().collect();
+        let told = told.replace("`angle = 180`", &format!("`angle = {angle}`"));
+        assert!(words.join(" ").contains(&told), "{shown}");
+    }
     for (text, says) in [(text, false), (&*turned, true)] {
         let file = folder("backwards").join("scene.toml");
         std::fs::write(&file, text).unwrap();
@@ -55,6 +66,31 @@ fn check_tells_what_was_understood() {
     ] {
         assert!(text.lines().any(|l| l == line), "{line}\n{text}");
     }
+}
+
+/// Limits have the digits that they need, and no noughts behind these.
+#[test]
+fn limits_of_a_pushed_slide_are_short() {
+    let scene = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [100, 0]
+[driver]
+slide = "s"
+position = -60
+[links]
+a = { from = "A", to = "C", length = 60 }
+b = { points = { D = [0, 0] } }
+[slides]
+s = { point = "C", on = "b", through = "D", angle = 0 }
+[start]
+C = [40, 20]
+"#;
+    let heard = run(command(&["check", "-"]).write_stdin(scene));
+    assert_eq!(heard.code, 0, "{}", heard.err);
+    let range = heard.out.lines().find(|l| l.starts_with("range")).unwrap();
+    assert_eq!(range, "range      -160 to -40 mm");
 }
 
 #[test]

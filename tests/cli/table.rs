@@ -75,6 +75,46 @@ fn sensitivity_stands_apart_from_the_figures() {
     );
 }
 
+/// A figure that turns over within rounding keeps its value: its sensitivity is missing, and a note says so.
+#[test]
+fn a_figure_without_a_sensitivity_is_counted() {
+    let columns = "turn = abs(hypot(C.x - D.x, C.y - D.y) - 250 mm),C.x";
+    for args in [
+        &["table", "four-bar", "--columns", columns, "--sensitivity"][..],
+        &[
+            "sweep",
+            "four-bar",
+            "--columns",
+            columns,
+            "--sensitivity",
+            "--to",
+            "10",
+        ],
+    ] {
+        let heard = krank(args);
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        let counts = match args[0] {
+            "table" => "note: 1 of 2 figures",
+            _ => "note: 11 of 22 figures",
+        };
+        assert!(heard.err.starts_with(counts), "{}", heard.err);
+        assert!(heard.err.contains("have no derivatives"), "{}", heard.err);
+    }
+    let heard = krank(&["table", "four-bar", "--columns", "C.*", "--sensitivity"]);
+    assert_eq!(heard.err, "");
+}
+
+/// A comma is what stands between figures; a number that has one is mended, and one that has a point is not touched.
+#[test]
+fn a_comma_in_a_formula_is_told() {
+    for columns in ["a = 1,5 mm", "C.x,a = C.x + 1,5 mm", "a = (1,5 mm)"] {
+        let told = refused(2, &["table", "four-bar", "--columns", columns]);
+        assert!(told.contains("`1.5`"), "{told}");
+    }
+    let told = refused(2, &["table", "four-bar", "--columns", "a = C.x,5 mm"]);
+    assert!(told.contains("5 mm") && !told.contains(".5"), "{told}");
+}
+
 /// With other lengths three parallel cranks would jam: nothing is made up, and it is said why.
 #[test]
 fn where_there_is_no_sensitivity_it_is_said() {

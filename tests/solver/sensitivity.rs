@@ -365,6 +365,8 @@ fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
 fn at_a_kink_there_is_no_derivative() {
     let scene = Scene::parse(presets::find("four-bar").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
+    let on = "hypot(C.x - D.x, C.y - D.y)";
+    let off = &format!("{on} - 250 mm");
     // At 0 deg B lies on the x axis, and as high as A and D.
     for (formula, at_0, at_60) in [
         ("abs(B.y)", false, true),
@@ -379,6 +381,18 @@ fn at_a_kink_there_is_no_derivative() {
         ("abs(C.y)", true, true),
         // 0 but for rounding.
         ("abs(hypot(C.x - D.x, C.y - D.y) - 250 mm)", false, false),
+        (&format!("max({off}, -({off}))"), false, false),
+        (&format!("sqrt(({off})^2)"), false, false),
+        (&format!("hypot({off}, 0 mm)"), false, false),
+        (&format!("min({on}, 250 mm)"), false, false),
+        (&format!("hypot({off}, 2 * ({off}))"), false, false),
+        (&format!("acos({on} / 250 mm)"), false, false),
+        (&format!("atan2({off}, {off})"), false, false),
+        // Both sides answer the same.
+        (&format!("max({on}, 2 * {on} - {on})"), true, true),
+        (&format!("C.x + abs({off} - ({off}))"), true, true),
+        (&format!("hypot({on}, {off})"), true, true),
+        (&format!("max({off}, 0 mm)"), false, false),
     ] {
         let mut catalogue = Catalogue::new(&scene);
         let figure = catalogue.define(&format!("k = {formula}")).unwrap();

@@ -6,9 +6,13 @@ use crate::solver::fault::{Fault, OpenChoice};
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
+/// So many ways to stand are tried: all of four open groups.
+const MOST_TRIED: u32 = 16;
+
 impl Assembler<'_> {
     /// The fault of a group that the start leaves open, with those behind it that are open, too. Where these can be
-    /// follows from how it stands: as its first choice, or its second where with the first nothing goes on.
+    /// follows from how it stands: each as its first choice, or some as their second where with the first nothing
+    /// goes on.
     pub(super) fn all_open(
         &self,
         number: usize,
@@ -20,51 +24,60 @@ impl Assembler<'_> {
             return halt;
         };
         let first = OpenChoice { point, choices };
-        let mut best = (first.choices.clone(), Vec::new());
-        for turned in 0..first.choices.len().min(2) {
-            let mut choices = first.choices.clone();
-            choices.rotate_left(turned);
-            let mut behind = Vec::new();
-            let taken = OpenChoice {
-                point,
-                choices: choices.clone(),
-            };
-            let ends = self.open_behind(number, taken, &mut engine.clone(), state, &mut behind);
-            if turned == 0 || ends && best.1.len() < behind.len() {
-                best = (choices, behind);
+        let mut best = None;
+        for tried in 0..MOST_TRIED {
+            let mut found = Vec::new();
+            let open = first.clone();
+            let ends =
+                self.open_behind(number, open, tried, &mut engine.clone(), state, &mut found);
+            let groups = u32::try_from(found.len()).unwrap_or(u32::MAX);
+            if best.is_none() || ends {
+                best = Some(found);
             }
-            if ends {
+            // Every way was tried as soon as there are no more digits than groups.
+            if ends || (tried + 1).checked_shr(groups).unwrap_or(0) != 0 {
                 break;
             }
         }
-        let (choices, behind) = best;
+        let mut found = best.unwrap_or_default().into_iter();
+        let OpenChoice { point, choices } = found.next().unwrap_or(first);
         Halt::Fault(Fault::Vague {
             point,
             choices,
-            behind,
+            behind: found.collect(),
         })
     }
 
-    /// Goes on with the first choice of each group; whether it comes to the last one.
+    /// Goes on with the first choice of each group, or the second one of those whose binary digit in `turned` is 1, the
+    /// first group's the lowest; whether it comes to the last group. Those that are open are found with the choice
+    /// that was taken in front.
     fn open_behind(
         &self,
-        number: usize,
-        mut open: OpenChoice,
+        first: usize,
+        open: OpenChoice,
+        mut turned: u32,
         engine: &mut Engine,
         state: &mut Workspace,
         found: &mut Vec<OpenChoice>,
     ) -> bool {
-        if !self.take_first(number, &open, engine, state) {
+        let mut goes_on = |number: usize, mut open: OpenChoice, engine: &mut _, state: &mut _| {
+            if turned % 2 == 1 && open.choices.len() > 1 {
+                open.choices.rotate_left(1);
+            }
+            turned /= 2;
+            let goes_on = self.take_first(number, &open, engine, state);
+            found.push(open);
+            goes_on
+        };
+        if !goes_on(first, open, engine, state) {
             return false;
         }
-        for number in number + 1..self.plan.groups.len() {
+        for number in first + 1..self.plan.groups.len() {
             match self.settle(number, engine, state) {
                 Ok(()) => {}
                 Err(Halt::Fault(Fault::Vague { point, choices, .. })) => {
-                    open = OpenChoice { point, choices };
-                    let goes_on = self.take_first(number, &open, engine, state);
-                    found.push(open);
-                    if !goes_on {
+                    let open = OpenChoice { point, choices };
+                    if !goes_on(number, open, engine, state) {
                         return false;
                     }
                 }

@@ -13,7 +13,7 @@ use super::profile::ReadyProfile;
 use super::slots::{Slot, Slots};
 use super::stroke::Stroke;
 use crate::solver::frame::Frame;
-use crate::solver::state::State;
+use crate::solver::state::{Sliding, State};
 use crate::{
     Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, Slider, StrokeEnd,
     Vec2,
@@ -80,8 +80,12 @@ enum Act {
 /// How far a slide is from the end of its stroke, in the scene's unit, and how fast it goes there: positive before
 /// the end, and while it closes.
 #[inline(always)]
-fn closing<T: Number>(slide: SlideId, end: StrokeEnd, stroke: &Stroke, state: &State<T>) -> (T, T) {
-    let travel = state.sliding(slide);
+fn closing<T: Number>(
+    (slide, travel): (SlideId, &Sliding<T>),
+    end: StrokeEnd,
+    stroke: &Stroke,
+    state: &State<T>,
+) -> (T, T) {
     // A driver that stands is taken for one that goes forward.
     let stands = state.rates.speed.nearest() == 0.0;
     let rate = if stands {
@@ -214,9 +218,10 @@ impl Acting {
                 stroke,
                 curve,
             } => {
-                let (distance, towards) = closing(*slide, *end, stroke, state);
+                let travel = state.sliding(*slide);
+                let (distance, towards) = closing((*slide, &travel), *end, stroke, state);
                 let size = curve.press(distance, towards);
-                let guide = state.sliding(*slide).guide;
+                let guide = travel.guide;
                 let against = match end {
                     StrokeEnd::Least => guide,
                     StrokeEnd::Greatest => -guide,

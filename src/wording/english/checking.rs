@@ -44,9 +44,9 @@ catalogue! {
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pin {pin} in a slot of {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: link {link} along {guide}, without turning against it";
-        slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], is_fixed: bool) = {
+        slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], theta: Option<&String>) = {
             let [angle, other] = angles;
-            let at = if is_fixed { format!(", at theta {angle} deg") } else { String::new() };
+            let at = theta.map(|theta| format!(", at theta {theta} deg")).unwrap_or_default();
             format!(
                 "{name} is negative where the scene opens, {r} {unit}: it counts from `through` along \
                  `angle = {angle}`, and its vector runs back; with `angle = {other}` it is positive{at}, as \

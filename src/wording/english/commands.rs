@@ -103,6 +103,9 @@ catalogue! {
         rows_withheld(some: u64, rows: u64, why: &str) =
             "in {some} of {rows} rows figures are withheld; {why}";
         rows_without_answer(some: u64, rows: u64, what: &str) = "in {some} of {rows} rows {what}";
+        figures_without_answer(some: u64, figures: u64) =
+            "{some} of {figures} figures have no derivatives by the lengths: within rounding a formula \
+             turns over there and its sides answer differently, or a direction is one of nothing";
 
         // Plots.
         no_figures_to_plot =

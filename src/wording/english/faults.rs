@@ -64,7 +64,8 @@ catalogue! {
         cannot_move = "cannot move";
         are_apart(tail: &str, head: &str, distance: &str) = "`{tail}` and `{head}` are {distance} apart";
         frame_needs_no_link(vector: &str) =
-            "the frame needs no link; to see it in the tables, move it to [vectors]: {vector}";
+            "or without it: the frame needs no link; to see it in the tables, move it to [vectors]: {vector}";
+        frame_fits_with(length: &str) = "it fits with `length = {length}`";
 
         // No assembly, or no one in particular.
         cannot_close(point: &str, gap: &str) =

@@ -30,6 +30,8 @@ catalogue! {
         };
 
         number_too_large(number: &str) = "the number {number} is too large";
+        number_with_comma(head: &str, tail: &str) =
+            "a comma stands between figures, and in a formula a number has a point: `{head}.{tail}`";
 
         // What they are about.
         blank_before_unit = "a blank stands between a number and its unit: `2 mm`";

@@ -53,6 +53,10 @@ catalogue! {
         is_not_positive = "not positive";
         length_is_distance =
             "a length is a distance; the direction of a link is from `from` to `to`";
+        no_place_of_its_own = "a point without a distance lies where it is seen from";
+        leave_point_out =
+            "leave it out and use the point from which it is seen; at the origin of the link, write [0, 0]";
+        turn_angle_by_half = "a length is a distance: write it without the sign, and turn the angle by 180";
         pinned_to_itself(link: &str, point: &str) =
             "link {link} is pinned to itself: {point} is both its ends";
         joins_two_points = "a link joins two different points";

@@ -44,9 +44,9 @@ catalogue! {
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pim {pin}, yarığı taşıyan: {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: uzuv {link}, {guide} boyunca, ona göre dönmeden";
-        slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], is_fixed: bool) = {
+        slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], theta: Option<&String>) = {
             let [angle, other] = angles;
-            let at = if is_fixed { format!(", açısı {angle} deg olur") } else { String::new() };
+            let at = theta.map(|theta| format!(", açısı {theta} deg olur")).unwrap_or_default();
             format!(
                 "{name} sahne açılırken eksi, {r} {unit}: `through` noktasından `angle = {angle}` yönünde \
                  ölçülür, vektörü ise geri döner; `angle = {other}` ile ders notlarındaki gibi artı{at}"

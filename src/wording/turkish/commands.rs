@@ -108,6 +108,9 @@ catalogue! {
         rows_withheld(some: u64, rows: u64, why: &str) =
             "{rows} satırdan {some} tanesinde değer verilmedi; {why}";
         rows_without_answer(some: u64, rows: u64, what: &str) = "{rows} satırdan {some} tanesinde {what}";
+        figures_without_answer(some: u64, figures: u64) =
+            "{figures} değerden {some} tanesinin boylara göre türevi yok: yuvarlama payı içinde formül orada \
+             döner ve iki yanı başka yanıt verir, ya da boyu olmayanın yönüdür";
 
         // Plots.
         no_figures_to_plot =

@@ -52,6 +52,7 @@ catalogue! {
         are_apart(tail: &str, head: &str, distance: &str) = "`{tail}` ile `{head}` arası {distance}";
         frame_needs_no_link(vector: &str) =
             "şasenin uzva gereği yok; tablolarda görmek için [vectors] bölümüne taşı: {vector}";
+        frame_fits_with(length: &str) = "`length = {length}` ile uyar";
 
         // No assembly, or no one in particular.
         cannot_close(point: &str, gap: &str) =

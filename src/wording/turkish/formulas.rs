@@ -29,6 +29,8 @@ catalogue! {
         };
 
         number_too_large(number: &str) = "{number} sayısı çok büyük";
+        number_with_comma(head: &str, tail: &str) =
+            "virgül büyüklüklerin arasında durur, formülde sayının noktası olur: `{head}.{tail}`";
 
         // What they are about.
         blank_before_unit = "sayı ile birimi arasında boşluk olur: `2 mm`";

@@ -67,6 +67,10 @@ catalogue! {
         is_not_positive = "artı değil";
         length_is_distance =
             "boy bir uzaklıktır; uzvun yönü `from` noktasından `to` noktasınadır";
+        no_place_of_its_own = "uzaklığı olmayan bir nokta, görüldüğü yerdedir";
+        leave_point_out =
+            "onu çıkar, görüldüğü noktayı kullan; uzvun başlangıcındaysa [0, 0] yaz";
+        turn_angle_by_half = "boy bir uzaklıktır: işaretsiz yaz, açıyı 180 döndür";
         pinned_to_itself(link: &str, point: &str) =
             "{link} uzvu kendine bağlı: iki ucu da {point}";
         joins_two_points = "bir uzuv iki ayrı noktayı birleştirir";

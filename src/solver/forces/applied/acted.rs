@@ -68,7 +68,8 @@ impl Acting {
             Act::Press {
                 slide, end, stroke, ..
             } => {
-                let (distance, towards) = closing(*slide, *end, stroke, state);
+                let (distance, towards) =
+                    closing((*slide, &state.sliding(*slide)), *end, stroke, state);
                 Some(PressStroke {
                     distance,
                     bottom: stroke.bottom.hi,
