@@ -14,6 +14,36 @@ fn the_working_begins_where_the_scene_opens() {
     );
 }
 
+/// A length and an angle that the scene gives are not worked out again; between other points of the link they are.
+#[test]
+fn what_a_scene_gives_is_not_worked_out() {
+    let scene = |place: &str| {
+        format!(
+            "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\nG = [700, 200]\n[driver]\nlink = \"r2\"\nangle = 60\n\
+             [links]\nr2 = {{ from = \"A\", to = \"B\", length = 100 }}\n\
+             r3 = {{ from = \"B\", to = \"C\", length = 300 }}\n\
+             r4 = {{ from = \"D\", to = \"C\", length = 250, points = {{ E = {place} }} }}\n\
+             r5 = {{ from = \"E\", to = \"F\", length = 400 }}\nr6 = {{ from = \"F\", to = \"G\", length = 450 }}\n\
+             [start]\nC = [310, 230]\nF = [500, 500]\n[vectors]\nrd = [\"D\", \"E\"]\n"
+        )
+    };
+    let worked = |place| {
+        let heard = run(command(&["explain", "-"]).write_stdin(scene(place)));
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        heard.out
+    };
+    let told = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
+    // That of the ground is worked out either way.
+    let ground = "by their places in the frame";
+    let given = worked("{ from = \"D\", length = 180, angle = 72 }");
+    assert!(
+        !given.contains("rd = sqrt(") && given.contains(ground),
+        "{given}"
+    );
+    let listed = worked("[55.6231, 171.19]");
+    assert!(listed.contains(told), "{listed}");
+}
+
 #[test]
 fn digits_are_as_asked() {
     let text = done(&["explain", "four-bar", "--digits", "10"]);

@@ -1,5 +1,5 @@
-//! Vectors between two points of a body that are given by their coordinates: how long they are, and how they lie
-//! to the body.
+//! Vectors between two points of a body that follow from where these lie on it: how long they are, and how they lie to
+//! the body.
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
@@ -8,9 +8,9 @@ use super::solution::angle_sum;
 use super::stages::{ProblemForm, Stage};
 use super::symbols;
 use crate::wording::words;
-use crate::{Body, LinkId, Vec2};
+use crate::{Body, LinkId, Member, Vec2};
 
-/// Length and angle of every vector whose coordinates do not show them.
+/// Length and angle of every vector where neither the scene nor its coordinates show them.
 pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
     let mut is_told = false;
@@ -19,7 +19,7 @@ pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
             continue;
         };
         // Along an axis both can be seen.
-        if local.x == 0.0 || local.y == 0.0 {
+        if local.x == 0.0 || local.y == 0.0 || is_given(context, body, side) {
             continue;
         }
         if !is_told {
@@ -28,6 +28,25 @@ pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
         }
         vector(context, draft, (side, reading), body, local);
     }
+}
+
+/// Whether the scene gives a vector itself, by its length and its angle to the link.
+fn is_given(context: &Context<'_>, body: Body, side: &Side) -> bool {
+    let Body::Link(link) = body else {
+        return false;
+    };
+    let members = &context.scene.mechanism.link(link).members;
+    let is_origin = |m: &&Member| m.polar.is_none() && m.local == Vec2::ZERO;
+    let origin = members.iter().find(is_origin).map(|m| m.point);
+    let name = |point| context.scene.point_name(point);
+    members.iter().any(|member| {
+        let Some(from) = member.polar.and_then(|polar| polar.from.or(origin)) else {
+            return false;
+        };
+        let ends = [name(from), name(member.point)];
+        let [tail, head] = [Some(&*side.tail), Some(&*side.head)];
+        ends == [tail, head] || ends == [head, tail]
+    })
 }
 
 fn vector(

@@ -37,7 +37,7 @@ catalogue! {
         column_is(symbol: &str) = "{symbol} is";
         is_sought = "sought";
         vectors_by_coordinates =
-            "Vectors between points that are given by coordinates, from these in the frame of their body:";
+            "Vectors between points of one body, by their places in the frame of that:";
 
         // Loop equations.
         loop_equations = "Loop equations";

@@ -37,7 +37,7 @@ catalogue! {
         column_is(symbol: &str) = "{symbol} nedir";
         is_sought = "bilinmeyen";
         vectors_by_coordinates =
-            "Koordinatlarla verilen noktalar arasındaki vektörler, uzvun kendi takımındaki koordinatlardan:";
+            "Bir uzvun noktaları arasındaki vektörler, noktaların uzvun kendi takımındaki yerlerinden:";
 
         // Loop equations.
         loop_equations = "Vektörel konum denklemleri";
