@@ -40,9 +40,9 @@ fn the_key_leads_to_the_working_and_back() {
     // The rows above these are in the manual.
     let told = [
         "r1 + r2 + r3 + r4 = 0",
-        "86.6025 + 300*sin(theta3) + 250*sin(theta4) = 0",
-        "Multiplied by n(theta3), at right angles to r3, which removes r3:",
-        "r1 sin(theta1 - theta3) + r2 sin(theta2 - theta3) v",
+        "With the unit vectors u(theta) along an angle and n(theta) at right angles to",
+        "dn/dt = -omega u(theta)",
+        "u(a)*u(b) = n(a)*n(b) = cos(a - b)",
     ];
     assert_told(&screen, &told);
     assert!(session.press("1").last_line().starts_with(" motion"));

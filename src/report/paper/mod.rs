@@ -133,9 +133,19 @@ impl ReportedState<'_> {
         let mut written = std::mem::take(&mut page.blocks).into_iter();
         let begins = parts.iter().map(|(_, begin)| *begin);
         let ends = begins.skip(1).chain([usize::MAX]);
+        let mut found: Vec<(WorkingPart, Vec<Block>)> = Vec::new();
         for ((part, begin), end) in parts.iter().zip(ends) {
             let blocks = written.by_ref().take(end - begin).collect();
-            self.part(*part, blocks, &mut page);
+            found.push((*part, blocks));
+        }
+        // On paper the unit vectors are defined at the top.
+        found.sort_by_key(|(part, _)| match part {
+            WorkingPart::Opening => 0,
+            WorkingPart::UnitVectors => 1,
+            _ => 2,
+        });
+        for (part, blocks) in found {
+            self.part(part, blocks, &mut page);
         }
         self.plots(&mut page);
         self.facts(&mut page);

@@ -106,9 +106,9 @@ type WritePart = fn(&Context<'_>, &mut Draft);
 /// How every part is written.
 const PARTS: [(WorkingPart, WritePart); 12] = [
     (WorkingPart::Opening, opening::heading),
-    (WorkingPart::UnitVectors, opening::unit_vectors),
     (WorkingPart::Polygons, opening::polygons),
     (WorkingPart::PositionTable, opening::position_table),
+    (WorkingPart::UnitVectors, opening::unit_vectors),
     (WorkingPart::Equations, place::equations),
     (WorkingPart::Positions, place::solutions),
     (WorkingPart::Velocities, |context, draft| {
