@@ -101,7 +101,7 @@ fn a_loop_asks_for_what_it_finds_itself() {
 #[test]
 fn no_angle_has_a_value_before_its_group() {
     for text in [working("press-ram", None), report("press-ram", None)] {
-        let table = between(&text, "by coordinates", "Loop equations\n");
+        let table = between(&text, "by their places", "Loop equations\n");
         let line = table.lines().find(|line| line.contains("theta_r4e ="));
         let line = line.unwrap_or_else(|| panic!("{table}"));
         assert!(line.contains("theta4 +") && !line.contains("deg"), "{line}");
