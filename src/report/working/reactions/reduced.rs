@@ -186,16 +186,13 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
         }
     }
     let reckonings = [first.reckoning, second.reckoning];
-    cramer(
-        context,
-        draft,
-        unit_of_determinant(reckonings),
-        [&rows[0], &rows[1]],
-        &right,
+    let sums = TwoSums {
+        shares: [&rows[0], &rows[1]],
+        right: &right,
         sums,
-        bodies[0],
-        inner,
-    );
+        unit: unit_of_determinant(reckonings),
+    };
+    cramer(context, draft, &sums, (bodies[0], inner));
     outer_reaction(context, draft, bodies[0], outer[0]);
     outer_reaction(context, draft, bodies[1], outer[1]);
     true
@@ -261,17 +258,29 @@ fn unit_of_determinant(of: [Reckoning; 2]) -> &'static str {
     ["", " m", " m^2"][arms.count()]
 }
 
+/// Two sums in which the force at the inner pin is all that is sought.
+struct TwoSums<'a> {
+    /// What its components count, and how large that is at the most.
+    shares: [&'a ([Expression; 2], f64); 2],
+    right: &'a [Expression; 2],
+    sums: [KnownSum; 2],
+    /// Of the determinant.
+    unit: &'static str,
+}
+
 /// The force at the inner pin.
 fn cramer(
     context: &Context<'_>,
     draft: &mut Draft,
-    unit: &str,
-    [first, second]: [&([Expression; 2], f64); 2],
-    right: &[Expression; 2],
-    sums: [KnownSum; 2],
-    body: &GroupBody,
-    inner: PointId,
+    equations: &TwoSums<'_>,
+    (body, inner): (&GroupBody, PointId),
 ) {
+    let &TwoSums {
+        shares: [first, second],
+        right,
+        sums,
+        unit,
+    } = equations;
     let f = context.figures;
     let is_it = |row: &&BodyForce| row.joint == Some(BodyJoint::Pin(inner));
     let Some(solved) = body.sought.iter().find(is_it).map(|row| row.force) else {
