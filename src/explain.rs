@@ -3,7 +3,9 @@
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
 use crate::solver::{Fault, OpenChoice};
 use crate::wording::words;
-use crate::{Body, ElementId, LinkId, PointId, SlideId, Slider, Vec2};
+use crate::{
+    Body, ElementId, Input, Limit, LimitId, LimitOf, LinkId, PointId, SlideId, Slider, Vec2,
+};
 
 /// Elements that one message points at.
 const POINTED_AT: usize = 6;
@@ -27,6 +29,8 @@ impl Scene {
                 behind,
             } => vague(self, *point, choices, behind),
             Fault::ChangePoint { group } => change_point(self, *group),
+            Fault::BeyondStop { limit, value } => beyond_stop(self, *limit, *value),
+            Fault::HeldByStops { down, up } => held_by_stops(self, *down, *up),
             Fault::NoChoice { group, found } => no_choice(self, *group, *found),
             Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
             Fault::Singular {
@@ -50,10 +54,15 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
         return Diagnostic::new(fault.to_string());
     };
     let (mobility, redundant) = (*mobility, *redundant);
-    let mut item = Diagnostic::new(match mobility {
-        0 => words().mobility_of_none().to_owned(),
-        1 => words().mobility_elsewhere().to_owned(),
-        n => words().mobility_of_many(n),
+    let inputs = scene.mechanism.inputs().count();
+    let mut item = Diagnostic::new(if mobility == 0 {
+        words().mobility_of_none(inputs)
+    } else if mobility < inputs {
+        words().mobility_of_few(mobility, inputs)
+    } else if mobility == inputs {
+        words().mobility_elsewhere(inputs)
+    } else {
+        words().mobility_of_many(mobility, inputs)
     });
     item = match floating.split_first() {
         None => item.at(scene.place(ElementId::Driver), words().driven_here()),
@@ -96,7 +105,7 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
     if let Some(help) = parallel_guides(scene, repeating) {
         return item.help(help);
     }
-    let item = item.help(words().constraints_missing(mobility.max(2) - 1));
+    let item = item.help(words().constraints_missing(mobility.saturating_sub(inputs).max(1)));
     if redundant == 0 {
         return item;
     }
@@ -294,6 +303,34 @@ fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
         .at(scene.place(group), words().which_way())
         .help(words().choose_the_side(&option('+'), &option('-')))
         .help(words().open_at_another(coordinate))
+}
+
+fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
+    let Limit { of, low, high } = *scene.mechanism.limit(limit);
+    let counts_in_degrees = match of {
+        LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+        LimitOf::Slide(_) => false,
+        LimitOf::Angle { .. } => true,
+    };
+    let said = |value: f64| match counts_in_degrees {
+        true => words().degrees(&figure(value)),
+        false => length(scene, value),
+    };
+    let name = format!("`{}`", scene.limit_name(limit));
+    let coordinate = coordinate_key(&scene.mechanism);
+    Diagnostic::new(words().opens_beyond_stop(&name, &said(value), &said(low), &said(high)))
+        .at(scene.limit_place(limit), words().is_passed_at_opening())
+        .note(words().driver_stands_at(&self::coordinate(scene, scene.mechanism.driver().start)))
+        .help(words().open_between_stops(coordinate))
+}
+
+fn held_by_stops(scene: &Scene, down: LimitId, up: LimitId) -> Diagnostic {
+    let [one, other] = [down, up].map(|limit| format!("`{}`", scene.limit_name(limit)));
+    let coordinate = coordinate_key(&scene.mechanism);
+    Diagnostic::new(words().held_by_stops(&one, &other))
+        .at(scene.limit_place(down), words().no_way_down())
+        .and(scene.limit_place(up), words().no_way_up())
+        .help(words().open_between_stops(coordinate))
 }
 
 /// A group as the command line names it.

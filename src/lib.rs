@@ -93,6 +93,7 @@ mod explain;
 mod expression;
 mod files;
 pub mod guide;
+pub mod handover;
 mod manual;
 mod mechanism;
 mod nearest;
@@ -116,7 +117,8 @@ mod wording;
 
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
-    Body, Builder, CoordinateAxis, Defect, Defects, Driver, ElementId, Input, Length, Link, LinkId,
-    Load, Mechanism, Member, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider,
-    StrokeEnd,
+    Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
+    Input, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism, Member, MotionLaw,
+    Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
+    TimedStep, Tolerances,
 };

@@ -21,9 +21,10 @@ pub use curves::{Abscissa, Curve, Curves, Extremum, Here, NoTime};
 pub use derived::Derived;
 pub use formulas::check_figures;
 pub use hidden::{Hidden, Reason};
+pub(crate) use sensitivity::length_name;
 pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
 pub use subject::{Aspect, Share, Subject};
-pub use units::{known_unit, other_units, unit_factor};
+pub use units::{known_unit, other_units, rate_unit, unit_factor};
 pub use value::{bound, state_word, value};
 
 use crate::expression::{LengthScale, Revolution};
@@ -172,7 +173,7 @@ impl Quantity {
 
     /// What its slope over time is, if that is a quantity of a state: of a place the velocity, of that the
     /// acceleration. Its name and unit are still those of this one.
-    fn rate(&self) -> Option<Quantity> {
+    pub(crate) fn rate(&self) -> Option<Quantity> {
         let source = match &self.source {
             FigureSource::Solved(subject, aspect) => FigureSource::Solved(*subject, aspect.rate()?),
             FigureSource::Derived(derived) => FigureSource::Derived(derived.rate().ok()?.into()),

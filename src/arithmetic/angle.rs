@@ -169,6 +169,11 @@ pub fn degrees(direction: Vec2) -> f64 {
     wrapped(degrees)
 }
 
+/// A direction as it is counted by whoever counts from another one: within half a turn of that, in degrees.
+pub(crate) fn beside(other: f64, direction: f64) -> f64 {
+    direction - TURN * ((direction - other) / TURN).round()
+}
+
 /// The same angle from 0 to below 360; one that rounds to 360 is 0.
 #[must_use]
 pub fn wrapped(degrees: f64) -> f64 {

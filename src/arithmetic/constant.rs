@@ -57,6 +57,9 @@ fn is_exact(value: f64) -> bool {
 }
 
 impl Constant {
+    /// A degree in radians.
+    pub(crate) const RADIAN: Constant = Constant::new(Double::RADIAN, 0.0);
+
     /// A number that was given, in a scene or by a program.
     #[must_use]
     pub fn given(value: f64) -> Constant {
@@ -188,6 +191,11 @@ impl Constant {
             radius,
             slope: 0.0,
         }
+    }
+
+    /// A number that nobody gave, to twice the digits.
+    pub(crate) fn known(value: Double) -> Constant {
+        Constant::new(value, TWICE * value.hi.abs())
     }
 
     /// The stored value.

@@ -166,8 +166,9 @@ impl Number for Sharp {
     }
 
     fn unit(degrees: Sharp) -> Vec2<Sharp> {
-        let off = degrees.radius * RADIAN + degrees.mid.lo.abs();
-        Double::unit(degrees.mid.hi).map(|v| Sharp::rounded(v, off + ROUNDING))
+        let rest = degrees.mid.lo * RADIAN;
+        let off = degrees.radius * RADIAN + rest * rest;
+        <Double as Number>::unit(degrees.mid).map(|v| Sharp::rounded(v, off + ROUNDING))
     }
 
     fn degrees(direction: Vec2<Sharp>) -> Sharp {

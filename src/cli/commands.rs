@@ -5,11 +5,11 @@ use super::failure::{Failure, note};
 use super::output::{write_scene, write_text, write_to};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use super::sweep::figures;
+use super::sweep::{clock, figures, tell_of_motion};
 use crate::Input;
 use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Quantity, Sensitivity};
 use crate::report::{
-    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses,
+    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses, stops,
 };
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
@@ -45,13 +45,23 @@ pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure>
 pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    let at = place(&args.place, &scene, &solver, screen);
-    let mut state = solver.state();
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let at = match args.time {
+        Some(time) => {
+            let moment = clock(&scene)?.moment(time.value(), solver.motion().range);
+            solver.drive(&mut state, &moment);
+            solver.drive(&mut enclosure, &moment);
+            moment.at
+        }
+        None => {
+            tell_of_motion(&scene, screen);
+            place(&args.place, &scene, &solver, screen)
+        }
+    };
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
     tell_of_near_misses(&scene, &solver, screen);
-    let mut enclosure = solver.enclosure();
     solver.enclose(&mut state, Order::Force, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
     tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
@@ -119,8 +129,13 @@ fn none_hidden<'q>(
 /// The place that is meant: where the scene opens, or what was typed, which may be so many turns or
 /// decimals from the one place that the driver comes to.
 pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
+    let typed = args.typed().unwrap_or(scene.mechanism.driver().start);
+    place_meant(typed, scene, solver, screen)
+}
+
+/// The place that is meant by one that was typed.
+pub(super) fn place_meant(typed: f64, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
     let driver = scene.mechanism.driver();
-    let typed = args.typed().unwrap_or(driver.start);
     let range = solver.motion().range;
     let turns = matches!(driver.input, Input::Turn(_));
     let Some(at) = range.meant(typed, turns) else {
@@ -138,7 +153,14 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     let catalogue = Catalogue::new(scene);
     let driver = catalogue.driver();
     let covered = limits_text(solver.motion().range, driver);
-    Failure::Cannot(words().cannot_be_assembled(&at, &driver.unit, &covered))
+    let (low, high) = solver.motion().range.ends();
+    let end = if at < low { low } else { high };
+    let met = stops(scene, solver);
+    let stop = met.iter().find(|stop| stop.at == end);
+    Failure::Cannot(match stop {
+        Some(stop) => words().stopped_before(&at, &driver.unit, &stop.name, &covered),
+        None => words().cannot_be_assembled(&at, &driver.unit, &covered),
+    })
 }
 
 /// Refuses more derivatives by lengths than there is memory and time for.

@@ -5,15 +5,18 @@ mod args;
 mod commands;
 #[cfg(feature = "tui")]
 mod config;
+mod cycle;
 #[cfg(feature = "tui")]
 mod diagnose;
 mod draw;
 mod exercise;
 mod explain;
+mod export;
 mod failure;
 mod grade;
 mod help;
 mod language;
+mod measured;
 mod misuse;
 mod motor;
 mod output;
@@ -27,8 +30,12 @@ mod progress;
 mod progress;
 mod report;
 mod screen;
+mod solve;
 mod source;
+mod study;
+mod study_chart;
 mod sweep;
+mod tolerance;
 #[cfg(feature = "tui")]
 mod workbench;
 #[cfg(not(feature = "tui"))]
@@ -113,7 +120,12 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),
+        Some(Command::Solve(args)) => solve::solve(args, screen),
         Some(Command::Start(args)) => commands::start(args),
+        Some(Command::Cycle(args)) => cycle::cycle(args, screen),
+        Some(Command::Export(args)) => export::export(args, screen),
+        Some(Command::Tolerance(args)) => tolerance::tolerance(args, screen),
+        Some(Command::Study(args)) => study::study(args, screen),
         Some(Command::Motor(args)) => motor::motor(args, screen),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         #[cfg(feature = "tui")]

@@ -6,12 +6,13 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
+use super::sweep::clock;
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
-use crate::report::{MotorReport, MotorWishes, limits_text};
+use crate::report::{MotorReport, MotorWishes, TimedMotorReport, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
-use crate::study::motor::{Duty, NoDuty, is_within};
+use crate::study::motor::{Duty, LARGEST_FLUCTUATION, NoDuty, NoTimedDuty, TimedDuty, is_within};
 use crate::wording::words;
 use crate::{Body, SlideId};
 use std::fmt::Display;
@@ -19,6 +20,9 @@ use std::fmt::Display;
 pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    if scene.motion.is_some() {
+        return timed(args, &scene, &solver, screen);
+    }
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
         ram: args
@@ -56,6 +60,62 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
+/// The same over the period of a motion over time.
+fn timed(
+    args: &MotorArgs,
+    scene: &Scene,
+    solver: &Solver,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    no_steady_cycle(args)?;
+    let motor = given(args, scene)?;
+    let duty = TimedDuty::new(&clock(scene)?, solver).map_err(|why| no_torque(why, scene))?;
+    tell_of_near_misses(scene, solver, screen);
+    let is_believed = duty.has_converged();
+    let report = TimedMotorReport::new(scene, duty, &motor);
+    let output = args.output.output.as_deref();
+    match args.format {
+        OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json()))?,
+        OutputFormat::Text | OutputFormat::Csv => {
+            write_text(output, &report.to_text(screen.ascii))?
+        }
+    }
+    match is_believed {
+        true => Ok(()),
+        false => Err(Failure::Cannot(words().no_believable_integrals().into())),
+    }
+}
+
+/// What only a cycle at one speed has.
+fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
+    if args.format == OutputFormat::Csv {
+        return Err(Failure::Usage(words().rows_of_motor_over_time().into()));
+    }
+    let asked = [
+        ("--flywheel", args.flywheel.is_some()),
+        ("--fluctuation", args.fluctuation.is_some()),
+        ("--ram", args.ram.is_some()),
+        ("--height", args.height.is_some()),
+        ("--torque", args.torque.is_some()),
+        ("--rest", args.rest.is_some()),
+        ("--from", args.from.is_some()),
+    ];
+    match asked.into_iter().find(|(_, is_given)| *is_given) {
+        None => Ok(()),
+        Some((option, _)) => Err(Failure::Usage(words().only_at_one_speed(option))),
+    }
+}
+
+fn no_torque(why: NoTimedDuty, scene: &Scene) -> Failure {
+    let catalogue = Catalogue::new(scene);
+    let unit = &catalogue.driver().unit;
+    Failure::Cannot(match why {
+        NoTimedDuty::NothingActs => words().nothing_acts_on_it().into(),
+        NoTimedDuty::Withheld(hidden) => hidden.text(unit),
+        NoTimedDuty::NoTorque(moment) => words().no_torque_on_the_way(moment.at, unit),
+    })
+}
+
 /// What the scene says of its motor, where no option says otherwise.
 fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
     let known = scene.motor.unwrap_or_default();
@@ -74,7 +134,7 @@ fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
         speed,
         flywheel: args.flywheel.or(known.flywheel),
         fluctuation: args.fluctuation.or(known.fluctuation),
-        tolerance: args.tolerance.or(known.tolerance),
+        rest: args.rest.or(known.rest),
     };
     refused(&motor).map_or(Ok(motor), |why| Err(Failure::Usage(why)))
 }
@@ -87,7 +147,10 @@ fn refused(motor: &Motor) -> Option<String> {
         return Some(words().peak_less_than_rated(peak, rated));
     }
     let uneven = motor.fluctuation.filter(|share| *share > 1.0);
-    uneven.map(|share| words().fluctuation_above_one(share))
+    uneven.map(|share| match share > LARGEST_FLUCTUATION {
+        true => words().fluctuation_above_two(share),
+        false => words().fluctuation_above_one(share),
+    })
 }
 
 /// The slide that is meant.
@@ -152,7 +215,7 @@ fn between(
 /// Who asked about a ram should know why nothing is said of one.
 fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
     let asked = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
-    if let (true, Err(why)) = (asked || args.tolerance.is_some(), &report.ram) {
+    if let (true, Err(why)) = (asked || args.rest.is_some(), &report.ram) {
         note(&words().no_ram(why), screen);
     }
 }

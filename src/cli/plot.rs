@@ -1,8 +1,9 @@
 //! `krank plot`: which figures, over what, and how they are drawn.
 
-use super::args::{PictureFormat, PlotArgs, Size};
+use super::args::{BandChoice, PictureFormat, PlotArgs, Size};
 use super::commands::tell_of_near_misses;
 use super::failure::{Failure, note};
+use super::measured::measured;
 use super::output::write_text;
 use super::picture::{self, ASPECT};
 use super::screen::TextScreen;
@@ -12,15 +13,17 @@ use crate::Vec2;
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::quantity::{Abscissa, Catalogue, Curves, Quantity};
 use crate::report::limits_text;
-use crate::solver::{Condition, Range};
+use crate::scene::Scene;
+use crate::solver::{Condition, Range, Solver};
+use crate::study::ToleranceStudy;
 use crate::wording::words;
 
 /// An SVG where no size was asked for, and the size of a character in its units.
-const SVG: Size = Size {
+pub(super) const SVG: Size = Size {
     cols: 100,
     rows: 40,
 };
-const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+pub(super) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
 pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
@@ -42,7 +45,21 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     })?;
     judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
     tell_of_near_misses(&scene, &solver, screen);
-    let drawn = Plot::of(&curves);
+    let mut drawn = Plot::of(&curves);
+    if let Some(file) = &args.measured {
+        if curves.abscissa != Abscissa::Driver {
+            return Err(Failure::Usage(words().measured_over_driver().into()));
+        }
+        let output = args.output.output.as_deref();
+        let found = measured(file, output, &catalogue, Some(&figures))?;
+        for (k, figure) in found.figures().iter().enumerate() {
+            let name = words().measured_of(&figure.name);
+            drawn.mark(&figure.unit, &name, &found.points(k));
+        }
+    }
+    if let Some(band) = args.band {
+        add_band(&mut drawn, &curves, (&scene, &solver), &figures, band)?;
+    }
     let text = match args.format {
         PictureFormat::Text => text(args, &drawn, screen)?,
         PictureFormat::Svg => {
@@ -56,6 +73,24 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
         None => Ok(()),
         Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
     }
+}
+
+/// Draws how far the figures may be off by the scene's tolerances.
+fn add_band(
+    plot: &mut Plot,
+    curves: &Curves,
+    (scene, solver): (&Scene, &Solver),
+    figures: &[Quantity],
+    band: BandChoice,
+) -> Result<(), Failure> {
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), figures);
+    let mut study = study.map_err(|why| Failure::Cannot(why.to_string()))?;
+    let offsets = study.band(&curves.at, band.kind());
+    for (figure, offsets) in offsets.iter().enumerate() {
+        let name = format!("{} {}", figures[figure].name, band.kind().word());
+        plot.add_band(curves, figure, offsets, name);
+    }
+    Ok(())
 }
 
 fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Failure> {

@@ -94,6 +94,11 @@ impl Progress {
 
     /// It is done, one way or the other: clears the line.
     pub(super) fn end(self) {
+        self.clear();
+    }
+
+    /// Clears the line until there is more to tell.
+    pub(super) fn clear(&self) {
         if let Some(line) = &self.line {
             hold(line).clear();
         }

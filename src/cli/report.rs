@@ -56,7 +56,7 @@ fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportForm
 }
 
 /// The figures in a file that somebody else wrote.
-fn foreign(path: &Path) -> Result<ForeignFigures, Failure> {
+pub(super) fn foreign(path: &Path) -> Result<ForeignFigures, Failure> {
     let shown = path.display().to_string();
     let bytes = read_any(path, LARGEST_FOREIGN)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;

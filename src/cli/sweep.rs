@@ -3,12 +3,13 @@
 use super::args::{OutputFormat, SweepArgs};
 use super::commands::{few_enough, note_lacking, note_unproved, tell_of_near_misses};
 use super::failure::{Failure, note};
+use super::measured::beside;
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::Input;
-use crate::quantity::{Catalogue, Quantity, UnknownColumn};
+use crate::quantity::{Catalogue, Clock, NoTime, Quantity, UnknownColumn};
 use crate::report::{
     Beside, Columns, Missing, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal, limits_text,
 };
@@ -17,26 +18,14 @@ use crate::solver::{Order, Range};
 use crate::study::motor;
 use crate::wording::words;
 
+/// Degrees from row to row.
+const STEP: f64 = 1.0;
 /// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
 /// many steps over the sweep.
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    let mut catalogue = Catalogue::new(&scene);
-    let figures = figures(&mut catalogue, &args.columns)?;
-    let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
-    let beside = Beside {
-        bounds: args.figures.bounds,
-        sensitivity: args.figures.sensitivity,
-    };
-    if beside.sensitivity {
-        few_enough(&scene, figures.len())?;
-    }
-    let columns = columns.with(beside, scene.unit.symbol());
-    let range = solver.motion().range;
-    let steps = steps(&scene, whole(&scene, range, &figures), args)?;
     let format = match args.format {
         OutputFormat::Csv => RowFormat::Csv(dialect),
         OutputFormat::Json => RowFormat::Json,
@@ -44,11 +33,43 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
             digits: usize::from(args.figures.digits),
         },
     };
+    let opened = args.scene.open_for(&args.output)?;
+    if let Some(file) = &args.measured {
+        return beside(file, args, format, &opened, screen);
+    }
+    let SolvableScene { scene, solver } = opened;
+    let mut catalogue = Catalogue::new(&scene);
+    let figures = figures(&mut catalogue, &args.columns)?;
+    let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
+    let besides = Beside {
+        bounds: args.figures.bounds,
+        sensitivity: args.figures.sensitivity,
+    };
+    if besides.sensitivity {
+        few_enough(&scene, figures.len())?;
+    }
+    let columns = columns.with(besides, scene.unit.symbol());
+    let range = solver.motion().range;
+    let ends = RowEnds {
+        from: args.from,
+        to: args.to,
+        step: args.step,
+    };
+    let clock = args.time.then(|| clock(&scene)).transpose()?;
+    let (columns, steps) = match &clock {
+        Some(clock) => (columns.over_time(), times(clock.span(range), ends)?),
+        None => {
+            tell_of_motion(&scene, screen);
+            let range = whole(&scene, range, &figures);
+            (columns, steps(&scene, range, ends, STEP)?)
+        }
+    };
     let sweep = Sweep {
         scene: &scene,
         solver: &solver,
         columns: &columns,
         steps: &steps,
+        clock: clock.as_ref(),
         format,
     };
     let path = args.output.output.as_deref();
@@ -135,7 +156,7 @@ pub(super) fn named(
 }
 
 /// What stands between commas: those in brackets belong to a formula.
-fn entries(list: &str) -> impl Iterator<Item = &str> {
+pub(super) fn entries(list: &str) -> impl Iterator<Item = &str> {
     let mut depth = 0_usize;
     list.split(move |c| {
         match c {
@@ -180,24 +201,67 @@ fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
     note_lacking(missing.lacking, missing.asked, screen);
 }
 
-/// The rows: an end that was left out is that of the motion, and has a row of its own.
-fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure> {
-    let down = args.step.is_some_and(|step| step.value() < 0.0);
-    let from = match args.from {
+/// From where to where rows go, as far as that was told.
+#[derive(Clone, Copy)]
+pub(super) struct RowEnds {
+    pub(super) from: Option<WrittenDecimal>,
+    pub(super) to: Option<WrittenDecimal>,
+    pub(super) step: Option<WrittenDecimal>,
+}
+
+/// The rows: an end that was left out is that of the motion, and has a row of its own. A link that is driven turns by
+/// `turn` from row to row where no step was told.
+pub(super) fn steps(
+    scene: &Scene,
+    range: Range,
+    ends: RowEnds,
+    turn: f64,
+) -> Result<Steps, Failure> {
+    let down = ends.step.is_some_and(|step| step.value() < 0.0);
+    let from = match ends.from {
         Some(from) => from,
         None => decimal(first(range, down))?,
     };
-    let to = match args.to {
+    let to = match ends.to {
         Some(to) => to,
         None => decimal(last(range, down, from.value()))?,
     };
-    let step = match (args.step, scene.mechanism.driver().input) {
+    let step = match (ends.step, scene.mechanism.driver().input) {
         (Some(step), _) => step,
-        (None, Input::Turn(_)) => decimal(1.0)?,
+        (None, Input::Turn(_)) => decimal(turn)?,
         (None, Input::Push(_)) => decimal(slide_step(from.value(), to.value()))?,
     };
     let steps = Steps::new(from, to, step).map_err(|e| Failure::Usage(e.to_string()))?;
-    Ok(match args.to {
+    Ok(match ends.to {
+        Some(_) => steps,
+        None => steps.ending_on(to.value()),
+    })
+}
+
+/// What leads from time to the scene's driver.
+pub(super) fn clock(scene: &Scene) -> Result<Clock, Failure> {
+    let stands = || Failure::Cannot(words().of_option("--time", &NoTime::StandsStill));
+    Clock::of(scene).ok_or_else(stands)
+}
+
+/// At a coordinate nothing is said of the motion over time that a scene has.
+pub(super) fn tell_of_motion(scene: &Scene, screen: TextScreen) {
+    let unit = match scene.mechanism.driver().input {
+        Input::Turn(_) => "rad/s".to_owned(),
+        Input::Push(_) => format!("{}/s", scene.unit.symbol()),
+    };
+    if scene.motion.is_some() {
+        note(&words().rates_by_coordinate(&unit), screen);
+    }
+}
+
+/// The times of rows: an end that was left out is that of the motion, and has a row of its own.
+fn times((begin, end): (f64, f64), ends: RowEnds) -> Result<Steps, Failure> {
+    let given = |given: Option<WrittenDecimal>, other| given.map_or_else(|| decimal(other), Ok);
+    let (from, to) = (given(ends.from, begin)?, given(ends.to, end)?);
+    let step = given(ends.step, slide_step(from.value(), to.value()))?;
+    let steps = Steps::new(from, to, step).map_err(|e| Failure::Usage(e.to_string()))?;
+    Ok(match ends.to {
         Some(_) => steps,
         None => steps.ending_on(to.value()),
     })

@@ -13,7 +13,7 @@ mod syntax;
 pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub(crate) use lenient::{Entries, Lenient, Misplaced, WrittenKey};
-pub(crate) use reader::{ByteSpan, Name, Reader, meant, quoted};
+pub(crate) use reader::{ByteSpan, Name, NamedNumbers, Reader, meant, quoted};
 #[cfg(feature = "tui")]
 pub(crate) use sanitize::ascii_letter;
 pub(crate) use sanitize::with_ascii_letters;

@@ -3,8 +3,10 @@
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::lenient::{Lenient, Misplaced, WrittenKey};
 use super::sanitize::escaped;
+use crate::Double;
 use crate::nearest::{did_you_mean, nearest};
 use crate::wording::words;
+use std::collections::HashMap;
 use std::fmt;
 use std::ops::Range;
 
@@ -48,10 +50,22 @@ pub(crate) fn quoted(text: &str) -> String {
     }
 }
 
+/// What formulas may name that stand for numbers of a document; a configuration has none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct NamedNumbers {
+    /// What each name is worth, to twice the digits; nothing where that was reported as a fault.
+    pub(crate) worth: HashMap<String, Option<Double>>,
+    /// The unit of lengths: as it is written, and its size in tenths of a millimetre.
+    pub(crate) length: (&'static str, f64),
+}
+
 /// Collects diagnostics while values are read.
 pub(crate) struct Reader<'t> {
     text: &'t str,
     pub(crate) found: Vec<Diagnostic>,
+    pub(crate) named: NamedNumbers,
+    /// What formulas came to, by where they begin.
+    pub(crate) worked: HashMap<usize, f64>,
 }
 
 impl<'t> Reader<'t> {
@@ -59,6 +73,8 @@ impl<'t> Reader<'t> {
         Reader {
             text,
             found: Vec::new(),
+            named: NamedNumbers::default(),
+            worked: HashMap::new(),
         }
     }
 
@@ -99,9 +115,13 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A value as the file writes it.
+    /// A value as the file writes it; of a formula also what it comes to.
     pub(crate) fn literal(&self, span: &ByteSpan) -> String {
-        quoted(self.text.get(span.clone()).unwrap_or(""))
+        let written = quoted(self.text.get(span.clone()).unwrap_or(""));
+        match self.worked.get(&span.start) {
+            Some(number) => format!("{written} = {number}"),
+            None => written,
+        }
     }
 
     /// The fault of a value of another kind than is wanted.

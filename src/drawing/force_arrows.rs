@@ -12,7 +12,7 @@ use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
-use crate::{Body, Input, Load, Mechanism, PointId, Vec2};
+use crate::{Body, Input, Mechanism, PointId, Vec2};
 
 /// Arrows of forces, if they are shown.
 #[derive(Clone, Debug, Default)]
@@ -174,7 +174,7 @@ fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
 /// A spring is drawn as one, and pulls at both ends alike.
 fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Found) {
     for (load, acted) in mechanism.loads().iter().zip(solver.acted(state)) {
-        if matches!(load, Load::Spring { .. }) {
+        if load.ends().is_some() {
             continue;
         }
         for (point, force) in acted.forces {
@@ -182,7 +182,7 @@ fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Foun
                 .forces
                 .extend(state.position(point).map(|at| (at, force)));
         }
-        if let Some((link, couple)) = acted.couple {
+        for (link, couple) in acted.couples {
             let members = &mechanism.link(link).members;
             let places: Option<Vec<Vec2>> =
                 members.iter().map(|m| state.position(m.point)).collect();

@@ -8,7 +8,7 @@ use super::roles::{link_roles, roles};
 use crate::quantity::Subject;
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Known, State};
-use crate::{Body, Input, LinkId, Load, Mechanism, Member, PointId, SlideId, Slider, Vec2};
+use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
 
 /// What of a linkage is shown beside its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,7 +147,7 @@ impl LinkageSketch<'_> {
 
     fn springs(&mut self) {
         for load in self.mechanism.loads() {
-            if let Load::Spring { from, to, .. } = *load {
+            if let Some([from, to]) = load.ends() {
                 let [from, to] = [from, to].map(|point| self.state.position(point));
                 self.figure.add(Shape::Spring { from, to });
             }
@@ -169,7 +169,7 @@ impl LinkageSketch<'_> {
         for (id, slide) in self.mechanism.slide_ids().zip(self.mechanism.slides()) {
             let at = self.state.position(slide.slider.point());
             if let Body::Link(on) = slide.on {
-                let driven = self.mechanism.driver().input == Input::Push(id);
+                let driven = self.mechanism.is_pushed(id);
                 if let Some(mouth) = self.mouth(id, on).filter(|_| driven) {
                     self.cylinder(id, on, mouth);
                     continue;
@@ -191,22 +191,26 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// Whether the driver acts at a point: on a pin that it turns, or on what it pushes.
+    /// Whether an input acts at a point: on a pin that it turns, or on what it pushes.
     fn is_driven(&self, point: PointId) -> bool {
-        match self.mechanism.driver().input {
+        self.input_at(point).is_some()
+    }
+
+    fn input_at(&self, point: PointId) -> Option<Input> {
+        self.mechanism.inputs().find(|input| match *input {
             Input::Turn(link) => {
                 let role = self.roles[point.index()];
                 let is_pin = matches!(role, Role::Joint | Role::Slider);
                 is_pin && self.mechanism.point(point).links.contains(&link)
             }
             Input::Push(slide) => self.mechanism.slide(slide).slider.point() == point,
-        }
+        })
     }
 
     fn driver_pins(&mut self) {
         for id in self.mechanism.point_ids() {
-            if self.is_driven(id) {
-                let role = match self.mechanism.driver().input {
+            if let Some(input) = self.input_at(id) {
+                let role = match input {
                     Input::Turn(_) => Role::DriverPin,
                     Input::Push(slide) => self.lit_or(Role::DriverPin, Subject::Slide(slide)),
                 };

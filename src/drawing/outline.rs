@@ -144,7 +144,7 @@ fn nearest(corners: &[Vec2], to: Vec2) -> Vec2 {
 
 /// The corners of the convex hull (Andrew 1979), counter-clockwise, without points on its edges; two
 /// for points on a line.
-fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
+pub(super) fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.retain(|p| p.is_finite());
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();

@@ -88,6 +88,11 @@ impl Overlay {
         overlay
     }
 
+    /// The chains of straight lines that traces are, in world units.
+    pub(super) fn traces(&self) -> &[Arc<[Vec2]>] {
+        &self.traces
+    }
+
     fn follow(&mut self, scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) {
         let order = match (
             wanted.velocities.is_empty(),

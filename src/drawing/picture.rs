@@ -18,7 +18,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use style::{STYLE, class};
 
 /// Width of a column in user units.
-const COLUMN: f64 = 8.0;
+pub const COLUMN: f64 = 8.0;
 /// Height of a line of the legend.
 const LEGEND: f64 = 26.0;
 

@@ -3,7 +3,7 @@
 use super::figure::{LINK_HUES, Role};
 use crate::quantity::Subject;
 use crate::scene::{Scene, Vector, VectorKind};
-use crate::{Body, Input, Link, LinkId, Mechanism, Point, SlideId};
+use crate::{Body, Input, Link, LinkId, Load, Mechanism, Point, SlideId};
 
 /// What each point is drawn as.
 pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
@@ -16,6 +16,13 @@ pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
     let mut roles: Vec<Role> = mechanism.points().iter().map(role).collect();
     for com in mechanism.links().iter().filter_map(|link| link.com) {
         roles[com.index()] = Role::CentreOfMass;
+    }
+    // A spring stands on the ground as a link does, on a support.
+    for end in mechanism.loads().iter().filter_map(Load::ends).flatten() {
+        let slot = &mut roles[end.index()];
+        if *slot == Role::Ground {
+            *slot = Role::GroundPin;
+        }
     }
     for slide in mechanism.slides() {
         let slot = &mut roles[slide.slider.point().index()];
@@ -37,7 +44,7 @@ pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
     // By point: so many links may share one that they are not gone through again for each of them.
     let mut met = vec![[false; LINK_HUES as usize]; mechanism.points().len()];
     let role = |(id, link): (LinkId, &Link)| {
-        if mechanism.driver().input == Input::Turn(id) {
+        if mechanism.is_turned(id) {
             return Role::Driver;
         }
         let points = || link.members.iter().map(|m| m.point.index());
@@ -61,7 +68,7 @@ pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
     let links = link_roles(&scene.mechanism);
     // The rod of a cylinder that is pushed out: a block on the ground is driven too, and drawn as a block.
     let is_rod = |slide: SlideId| {
-        let is_driven = scene.mechanism.driver().input == Input::Push(slide);
+        let is_driven = scene.mechanism.is_pushed(slide);
         is_driven && scene.mechanism.slide(slide).on != Body::Ground
     };
     let role = |v: &Vector| match v.kind {

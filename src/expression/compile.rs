@@ -54,6 +54,17 @@ pub(crate) struct Part {
 }
 
 impl Part {
+    /// A plain number.
+    pub(crate) fn constant(number: f64) -> Part {
+        Part {
+            ops: vec![Op::Number(number)],
+            kind: Kind {
+                is_constant: true,
+                ..Kind::plain(Dimension::NUMBER)
+            },
+        }
+    }
+
     fn then(mut self, op: Op) -> Part {
         self.ops.push(op);
         self
@@ -190,13 +201,7 @@ impl Compiler<'_> {
         unit: Option<&WrittenUnit>,
         span: &Range<usize>,
     ) -> Result<Part, Malformed> {
-        let mut part = Part {
-            ops: vec![Op::Number(value)],
-            kind: Kind {
-                is_constant: true,
-                ..Kind::plain(Dimension::NUMBER)
-            },
-        };
+        let mut part = Part::constant(value);
         let Some(unit) = unit else {
             return Ok(part);
         };

@@ -66,11 +66,42 @@ impl Dimension {
         metre: 1,
         ..Dimension::FORCE
     };
-    pub(super) const SECOND: Dimension = Dimension {
+    /// m/s^2.
+    pub(crate) const FREE_FALL: Dimension = Dimension {
+        metre: 1,
+        second: -2,
+        ..Dimension::NUMBER
+    };
+    /// kg m^2.
+    pub(crate) const INERTIA: Dimension = Dimension {
+        metre: 2,
+        ..Dimension::KILOGRAM
+    };
+    /// N/m.
+    pub(crate) const STIFFNESS: Dimension = Dimension {
+        metre: -1,
+        ..Dimension::FORCE
+    };
+    /// N s/m.
+    pub(crate) const DAMPING: Dimension = Dimension {
+        second: 1,
+        ..Dimension::STIFFNESS
+    };
+    /// N m/rad.
+    pub(crate) const TURN_STIFFNESS: Dimension = Dimension {
+        radian: -1,
+        ..Dimension::MOMENT
+    };
+    /// N m s/rad.
+    pub(crate) const TURN_DAMPING: Dimension = Dimension {
+        second: 1,
+        ..Dimension::TURN_STIFFNESS
+    };
+    pub(crate) const SECOND: Dimension = Dimension {
         second: 1,
         ..Dimension::NUMBER
     };
-    pub(super) const KILOGRAM: Dimension = Dimension {
+    pub(crate) const KILOGRAM: Dimension = Dimension {
         kilogram: 1,
         ..Dimension::NUMBER
     };
@@ -142,7 +173,7 @@ impl Dimension {
     }
 
     /// Whether figures of both can be added: they measure the same, but for radians in what changes in time.
-    pub(super) fn adds_to(self, other: Dimension) -> bool {
+    pub(crate) fn adds_to(self, other: Dimension) -> bool {
         let physical = |d: Dimension| {
             [
                 d.newton + d.metre + d.length,

@@ -9,6 +9,7 @@
 mod code;
 mod compile;
 mod dimension;
+mod evaluate;
 mod jet;
 mod kink;
 mod lexer;
@@ -20,6 +21,7 @@ mod tree;
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use dimension::{Dimension, LengthScale};
+pub(crate) use evaluate::{Evaluated, evaluate};
 pub(crate) use parser::parse;
 pub(crate) use tree::ExpressionTree;
 

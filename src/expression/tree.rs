@@ -98,6 +98,20 @@ impl MathFunction {
 }
 
 impl ExpressionTree {
+    /// Whether nothing is worked out here: a number with its sign and unit.
+    pub(crate) fn is_number(&self) -> bool {
+        match &self.node {
+            Node::Number(..) => true,
+            Node::Negative(of) => of.is_number(),
+            Node::Name(_) | Node::Pair(..) | Node::Power(..) | Node::Call(..) => false,
+        }
+    }
+
+    /// Whether it is a name alone.
+    pub(crate) fn is_name(&self) -> bool {
+        matches!(self.node, Node::Name(_))
+    }
+
     /// Tells every name in it.
     pub(crate) fn each_name(&self, tell: &mut dyn FnMut(&str)) {
         match &self.node {

@@ -12,12 +12,14 @@
 //! | `lock` | comparing and replacing without somebody else in between |
 //! | `output` | all of these together: a file that is whole, or what it was |
 //! | `elsewhere` | the little of it that there is where there is no Unix |
+//! | `growing` | a table that is written row by row, and gone on with |
 //! | `places` | folders that belong to krank |
 
 #[cfg(unix)]
 mod draft;
 #[cfg(not(unix))]
 mod elsewhere;
+mod growing;
 #[cfg(unix)]
 mod guard;
 #[cfg(unix)]
@@ -38,6 +40,7 @@ mod target;
 
 #[cfg(not(unix))]
 pub(crate) use elsewhere::{Output, mend};
+pub(crate) use growing::{GrowingFile, GrownFile};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
 pub(crate) use reading::{limited, read_any};

@@ -150,10 +150,22 @@ pub(crate) const TOPICS: &[Topic] = &[
         ],
     },
     Topic {
+        name: "designs",
+        turkish: "tasarımlar",
+        about: <dyn Words>::about_designs,
+        parts: &[chapter!("designs.md")],
+    },
+    Topic {
         name: "forces",
         turkish: "kuvvetler",
         about: <dyn Words>::about_forces,
         parts: &[chapter!("forces.md")],
+    },
+    Topic {
+        name: "tolerances",
+        turkish: "toleranslar",
+        about: <dyn Words>::about_tolerances,
+        parts: &[chapter!("tolerances.md")],
     },
     Topic {
         name: "drawings",

@@ -1,8 +1,8 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Defects, Driver, ElementId, Input, Link, LinkId, Load, Mechanism, Member, Parts,
-    Point, PointId, PolarPlace, Slide, SlideId, Slider,
+    Body, Defect, Defects, Driver, ElementId, Input, Limit, LimitId, Link, LinkId, Load, Mechanism,
+    Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider, TimedInput,
 };
 use crate::Vec2;
 use std::collections::HashSet;
@@ -18,8 +18,10 @@ pub struct Builder {
     links: Vec<Link>,
     slides: Vec<Slide>,
     driver: Option<Driver>,
+    timed: Vec<TimedInput>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
+    limits: Vec<Limit>,
     gravity: Vec2,
     metres: f64,
     misfit: f64,
@@ -34,8 +36,10 @@ impl Default for Builder {
             links: Vec::new(),
             slides: Vec::new(),
             driver: None,
+            timed: Vec::new(),
             start: Vec::new(),
             loads: Vec::new(),
+            limits: Vec::new(),
             gravity: Vec2::ZERO,
             metres: 1.0,
             misfit: 0.0,
@@ -207,6 +211,11 @@ impl Builder {
         self.driver = Some(driver);
     }
 
+    /// Adds an input that follows the driver.
+    pub fn timed(&mut self, input: TimedInput) {
+        self.timed.push(input);
+    }
+
     /// A rough position of a moving point at the opening.
     pub fn start(&mut self, point: PointId, near: Vec2) {
         self.start.push((point, near));
@@ -215,6 +224,12 @@ impl Builder {
     /// Adds a load.
     pub fn load(&mut self, load: Load) {
         self.loads.push(load);
+    }
+
+    /// Holds a coordinate between two stops.
+    pub fn limit(&mut self, limit: Limit) -> LimitId {
+        self.limits.push(limit);
+        LimitId::new(self.limits.len() - 1)
     }
 
     /// Sets the acceleration of free fall in m/s^2.
@@ -260,8 +275,10 @@ impl Builder {
                     links: self.links,
                     slides: self.slides,
                     driver,
+                    timed: self.timed,
                     start: self.start,
                     loads: self.loads,
+                    limits: self.limits,
                     gravity: self.gravity,
                     metres: self.metres,
                     misfit: self.misfit,
@@ -301,12 +318,25 @@ impl Builder {
         let is_unit = self.metres > 0.0 && self.metres.is_finite();
         let on_ground = |load: &Load| match load {
             Load::Press { slide, .. } => self.slides[slide.index()].on == Body::Ground,
-            Load::Force { .. } | Load::Torque { .. } | Load::Spring { .. } => true,
+            Load::Force { .. }
+            | Load::Torque { .. }
+            | Load::Spring { .. }
+            | Load::GasSpring { .. }
+            | Load::TorsionSpring { .. } => true,
         };
         let are_sound = self.loads.iter().all(|l| l.is_sound() && on_ground(l));
         if !(are_sound && self.gravity.is_finite() && is_unit) {
             found.push(Defect::Load);
         }
+        let input = self.driver.map(|driver| driver.input);
+        let unsound = self
+            .limits
+            .iter()
+            .zip(0..)
+            .filter(|(l, _)| !l.is_sound(input));
+        found.extend(unsound.map(|(_, i)| Defect::Limit {
+            limit: LimitId::new(i),
+        }));
         // Written so that NaN is refused too.
         if !(self.misfit >= 0.0 && self.misfit.is_finite()) {
             found.push(Defect::Misfit);
@@ -399,11 +429,26 @@ impl Builder {
         if !rates.iter().all(|v| v.is_finite()) {
             found.push(Defect::Driver);
         }
-        if let Input::Turn(link) = driver.input {
-            let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
-            if !self.links[link.index()].members.iter().any(on_ground) {
-                found.push(Defect::NoPivot { link });
+        if let (Input::Turn(link), false) = (driver.input, self.has_pivot(driver.input)) {
+            found.push(Defect::NoPivot { link });
+        }
+        let mut driven = vec![driver.input];
+        for timed in &self.timed {
+            timed.check(self.has_pivot(timed.input), found);
+            if driven.contains(&timed.input) {
+                let of = timed.input.element();
+                found.push(Defect::DrivenTwice { of });
             }
+            driven.push(timed.input);
+        }
+    }
+
+    /// Whether what an input moves has a ground point to turn about, if it turns.
+    fn has_pivot(&self, input: Input) -> bool {
+        let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
+        match input {
+            Input::Turn(link) => self.links[link.index()].members.iter().any(on_ground),
+            Input::Push(_) => true,
         }
     }
 }

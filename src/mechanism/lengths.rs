@@ -86,6 +86,30 @@ impl Mechanism {
         lengths
     }
 
+    /// How long a length is as it is given: of a coordinate its value, of what an angle takes a point across, how far
+    /// that point is.
+    #[must_use]
+    pub fn given(&self, length: Length) -> f64 {
+        let along = |place: Vec2, axis| match axis {
+            CoordinateAxis::X => place.x,
+            CoordinateAxis::Y => place.y,
+        };
+        let member = |link, point| self.link(link).member(point);
+        let given = match length {
+            Length::Link(link) => {
+                let ends = self.link(link).ends;
+                ends.and_then(|(_, to)| Some(member(link, to)?.local.norm()))
+            }
+            Length::Local(link, point, axis) => member(link, point).map(|m| along(m.local, axis)),
+            Length::Arm(link, point) | Length::Across(link, point) => {
+                member(link, point).and_then(|m| Some(m.polar?.length))
+            }
+            Length::Ground(point, axis) => self.point(point).ground.map(|at| along(at, axis)),
+            Length::Through(slide, axis) => Some(along(self.slide(slide).through, axis)),
+        };
+        given.unwrap_or_default()
+    }
+
     fn lengths_of(&self, id: LinkId, lengths: &mut Vec<Length>) {
         let link = self.link(id);
         let ends = link.ends.map(|(from, to)| [from, to]);
@@ -108,6 +132,54 @@ impl Mechanism {
                 };
                 lengths.extend(both);
             }
+        }
+    }
+
+    /// By how much each of some lengths is longer in another mechanism of the same parts; `None` where that differs in
+    /// more: in an angle of a guide or of a point, or in a length that is not among these.
+    pub(crate) fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
+        let angles = |mechanism: &Mechanism| -> Vec<f64> {
+            let guides = mechanism
+                .slides()
+                .iter()
+                .flat_map(|slide| match slide.slider {
+                    Slider::Link { turn, .. } => [slide.angle, turn],
+                    Slider::Pin(_) => [slide.angle, 0.0],
+                });
+            let members = mechanism.links().iter().flat_map(|link| &link.members);
+            let points = members.filter_map(|member| Some(member.polar?.angle));
+            guides.chain(points).collect()
+        };
+        let same = angles(self) == angles(other);
+        let by = lengths
+            .iter()
+            .map(|&length| other.measured(length) - self.measured(length));
+        same.then(|| by.collect())
+    }
+
+    /// A given length; of [`Length::Across`] always 0, since it is counted from where the point lies.
+    fn measured(&self, length: Length) -> f64 {
+        let on = |v: Vec2, axis: CoordinateAxis| match axis {
+            CoordinateAxis::X => v.x,
+            CoordinateAxis::Y => v.y,
+        };
+        let local = |link, point| self.link(link).local(point).unwrap_or_default();
+        match length {
+            Length::Link(link) => match self.link(link).ends {
+                Some((_, to)) => local(link, to).x,
+                None => 0.0,
+            },
+            Length::Local(link, point, axis) => on(local(link, point), axis),
+            Length::Arm(link, point) => {
+                let polar = self
+                    .link(link)
+                    .member(point)
+                    .and_then(|member| member.polar);
+                polar.map_or(0.0, |polar| polar.length)
+            }
+            Length::Across(..) => 0.0,
+            Length::Ground(point, axis) => on(self.point(point).ground.unwrap_or_default(), axis),
+            Length::Through(slide, axis) => on(self.slide(slide).through, axis),
         }
     }
 

@@ -2,8 +2,10 @@
 
 use super::{Body, LinkId, PointId, SlideId};
 use crate::Vec2;
+use crate::angle::TURN;
 
-/// A value over a coordinate: straight lines between knots, constant beyond the ends.
+/// A value over a coordinate: straight lines between knots, constant beyond the ends. Two knots at one
+/// coordinate are a jump; at the very coordinate the value is that of the second, as behind it.
 ///
 /// Without knots it is 1 everywhere: a factor that changes nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,10 +15,11 @@ pub struct Profile {
 
 impl Profile {
     /// Through these knots, each a coordinate and its value; `None` unless the coordinates grow from
-    /// knot to knot and all numbers are finite.
+    /// knot to knot, but for two of a jump, and all numbers are finite.
     #[must_use]
     pub fn new(knots: Vec<[f64; 2]>) -> Option<Profile> {
-        let grows = knots.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        let rises = knots.windows(2).all(|pair| pair[0][0] <= pair[1][0]);
+        let grows = rises && knots.windows(3).all(|three| three[0][0] < three[2][0]);
         let finite = knots.iter().flatten().all(|v| v.is_finite());
         (grows && finite).then_some(Profile { knots })
     }
@@ -25,6 +28,30 @@ impl Profile {
     #[must_use]
     pub fn knots(&self) -> &[[f64; 2]] {
         &self.knots
+    }
+
+    /// Whether it jumps behind one coordinate and not behind the other; one of a turned driver that spans whole
+    /// turns repeats.
+    #[must_use]
+    pub fn jumps_between(&self, low: f64, high: f64, turns: bool) -> bool {
+        let span = match self.knots[..] {
+            [first, .., last] => last[0] - first[0],
+            _ => return false,
+        };
+        let repeats = turns && span > 0.0 && span % TURN == 0.0;
+        let passes = |at: f64| {
+            let times = if repeats {
+                ((high - at) / span).floor()
+            } else {
+                0.0
+            };
+            (low..=high).contains(&(at + times * span))
+        };
+        let jumps = self
+            .knots
+            .windows(2)
+            .filter(|pair| pair[0][0] == pair[1][0]);
+        jumps.map(|pair| pair[0][0]).any(passes)
     }
 
     /// Whether it is 1 everywhere.
@@ -88,9 +115,37 @@ pub enum Load {
         to: PointId,
         /// In N/m.
         stiffness: f64,
-        /// The length without a force, in the scene's length unit.
+        /// The length at which only the preload acts, in the scene's length unit.
         length: f64,
+        /// What it pulls with at that length, in N; negative where it pushes.
+        preload: f64,
         /// In N s/m, of the rate of the distance.
+        damping: f64,
+    },
+    /// A gas spring between two points, and a damper beside it.
+    GasSpring {
+        /// One end.
+        from: PointId,
+        /// The other end.
+        to: PointId,
+        /// With what it pushes the ends apart, in N, over their distance in the scene's length unit.
+        force: Profile,
+        /// In N s/m, of the rate of the distance.
+        damping: f64,
+    },
+    /// A torsion spring and a damper beside it, between two bodies.
+    TorsionSpring {
+        /// The link that it turns back.
+        link: LinkId,
+        /// What it is fixed to: the ground or another link.
+        to: Body,
+        /// In N m/rad, of the angle between them from the free one: at most half a turn either way.
+        stiffness: f64,
+        /// The free angle, from the x axis of `to` to that of the link, in degrees.
+        angle: f64,
+        /// The torque upon the link at the free angle, in N m, counter-clockwise.
+        preload: f64,
+        /// In N m s/rad.
         damping: f64,
     },
 }
@@ -117,6 +172,30 @@ impl Load {
         }
     }
 
+    /// The two points between which it acts along their line: of springs.
+    #[must_use]
+    pub fn ends(&self) -> Option<[PointId; 2]> {
+        match *self {
+            Load::Spring { from, to, .. } | Load::GasSpring { from, to, .. } => Some([from, to]),
+            Load::Force { .. }
+            | Load::Torque { .. }
+            | Load::Press { .. }
+            | Load::TorsionSpring { .. } => None,
+        }
+    }
+
+    /// The factor over the driver's coordinate: of forces and torques.
+    #[must_use]
+    pub fn over(&self) -> Option<&Profile> {
+        match self {
+            Load::Force { over, .. } | Load::Torque { over, .. } => Some(over),
+            Load::Press { .. }
+            | Load::Spring { .. }
+            | Load::GasSpring { .. }
+            | Load::TorsionSpring { .. } => None,
+        }
+    }
+
     /// Whether all its numbers are finite, and those that must be are not negative.
     pub(super) fn is_sound(&self) -> bool {
         match self {
@@ -128,11 +207,34 @@ impl Load {
                 to,
                 stiffness,
                 length,
+                preload,
+                damping,
+            } => from != to && preload.is_finite() && are_sizes([*stiffness, *length, *damping]),
+            Load::GasSpring {
+                from,
+                to,
+                force,
                 damping,
             } => {
-                let numbers = [stiffness, length, damping];
-                from != to && numbers.iter().all(|v| v.is_finite() && **v >= 0.0)
+                let is_known = force.knots.first().is_some_and(|knot| knot[0] >= 0.0);
+                from != to && is_known && are_sizes([*damping, 0.0, 0.0])
+            }
+            Load::TorsionSpring {
+                link,
+                to,
+                stiffness,
+                angle,
+                preload,
+                damping,
+            } => {
+                let are_finite = angle.is_finite() && preload.is_finite();
+                *to != Body::Link(*link) && are_finite && are_sizes([*stiffness, *damping, 0.0])
             }
         }
     }
+}
+
+/// Whether all of them are finite and not negative.
+fn are_sizes(numbers: [f64; 3]) -> bool {
+    numbers.iter().all(|v| v.is_finite() && *v >= 0.0)
 }

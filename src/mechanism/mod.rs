@@ -5,15 +5,26 @@
 //! the loops close - is the solver's to say.
 
 mod builder;
+mod inputs;
+mod law;
 mod lengths;
+mod limit;
 mod load;
 mod polar;
+mod spline;
+mod tolerances;
 
 pub use builder::Builder;
+pub use inputs::TimedInput;
+pub use law::{DriverMoment, MotionLaw, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
+pub(crate) use limit::MOST_TURNS;
+pub use limit::{Limit, LimitId, LimitOf};
 pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;
 pub(crate) use polar::seen_from;
+pub use spline::ClampedSpline;
+pub use tolerances::Tolerances;
 
 use crate::Vec2;
 use std::fmt;
@@ -194,7 +205,7 @@ pub struct Driver {
     pub acceleration: f64,
 }
 
-/// A planar mechanism with one input.
+/// A planar mechanism that moves by one coordinate.
 ///
 /// It never changes, and is shared by whoever holds it: a clone copies no elements.
 #[derive(Clone, Debug)]
@@ -209,8 +220,10 @@ struct Parts {
     links: Vec<Link>,
     slides: Vec<Slide>,
     driver: Driver,
+    timed: Vec<TimedInput>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
+    limits: Vec<Limit>,
     gravity: Vec2,
     metres: f64,
     misfit: f64,
@@ -259,6 +272,23 @@ impl Mechanism {
     #[must_use]
     pub fn loads(&self) -> &[Load] {
         &self.parts.loads
+    }
+
+    /// The coordinates that stay between stops, by [`LimitId`].
+    #[must_use]
+    pub fn limits(&self) -> &[Limit] {
+        &self.parts.limits
+    }
+
+    /// One of them.
+    #[must_use]
+    pub fn limit(&self, id: LimitId) -> &Limit {
+        &self.parts.limits[id.index()]
+    }
+
+    /// The ids of all limits.
+    pub fn limit_ids(&self) -> impl Iterator<Item = LimitId> + use<> {
+        (0..self.parts.limits.len()).map(LimitId::new)
     }
 
     /// The acceleration of free fall in m/s^2.
@@ -336,10 +366,12 @@ impl Mechanism {
     fn is_loaded(&self, point: PointId) -> bool {
         let acts = |load: &Load| match *load {
             Load::Force { point: at, .. } => at == point,
-            Load::Spring { from, to, .. } => from == point || to == point,
+            Load::Spring { from, to, .. } | Load::GasSpring { from, to, .. } => {
+                from == point || to == point
+            }
             // Of a link that slides it presses on the link.
             Load::Press { slide, .. } => self.slide(slide).slider == Slider::Pin(point),
-            Load::Torque { .. } => false,
+            Load::Torque { .. } | Load::TorsionSpring { .. } => false,
         };
         self.loads().iter().any(acts)
     }
@@ -478,6 +510,12 @@ pub enum Defect {
     /// No driver was set.
     #[error("there is no driver")]
     NoDriver,
+    /// A link or a slide that is driven by two inputs.
+    #[error("two inputs drive the same element")]
+    DrivenTwice {
+        /// What is driven.
+        of: ElementId,
+    },
     /// A mass or an inertia that is negative or not finite.
     #[error("mass and inertia must be finite and not negative")]
     Mass {
@@ -489,6 +527,12 @@ pub enum Defect {
     NoCentre {
         /// The link.
         link: LinkId,
+    },
+    /// A limit whose ends are not finite or not in order, or that of an angle with its ends a turn apart.
+    #[error("a limit needs two finite ends, the lower one first, those of an angle within a turn")]
+    Limit {
+        /// The limit.
+        limit: LimitId,
     },
     /// An accepted misfit that is negative or not finite.
     #[error("the accepted misfit must be finite and not negative")]

@@ -7,17 +7,20 @@
 //! root       the root between two places where the signs differ, and all roots along many places
 //! turns      at which of many samples a function turns, by more than noise
 //! lowest     the minimum around a place, by values alone
+//! chance     numbers drawn by chance, the same for the same seed
 //! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
 //! ```
 //!
 //! Where a function is smooth and its slope is known, an extremum is a root of the slope, and as good as
 //! any root; from values alone its place is known to half of the digits, since a function is level there.
 
+mod chance;
 pub(crate) mod chebyshev;
 mod lowest;
 mod root;
 mod turns;
 
+pub(crate) use chance::SeededChance;
 pub(crate) use lowest::{Unsettled, lowest};
 pub(crate) use root::{few_decimals, root, roots};
 pub(crate) use turns::turns;

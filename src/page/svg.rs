@@ -21,14 +21,23 @@ pub enum SvgGround {
 impl Artwork {
     /// The picture as a document.
     pub(crate) fn svg(&self, ground: SvgGround) -> String {
+        self.svg_on_paper(ground, None)
+    }
+
+    /// The same where a user unit has so many millimetres on paper, if any.
+    pub(crate) fn svg_on_paper(&self, ground: SvgGround, millimetres: Option<f64>) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
+        let [paper_w, paper_h] = [self.size.x, self.size.y].map(|side| match millimetres {
+            None => number(side),
+            Some(millimetres) => format!("{}mm", side * millimetres),
+        });
         let StyleSheet { light, dark } = self.style;
         let (when_dark, end) = match ground {
             SvgGround::Preferred => ("@media (prefers-color-scheme:dark){\n", "}\n"),
             SvgGround::Dark => ("", ""),
         };
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{paper_w}\" height=\"{paper_h}\" \
              viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n\
              <style>\n{LIGHT}{light}{when_dark}{DARK}{dark}{end}</style>\n\
              <rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n{}</svg>\n",

@@ -19,6 +19,8 @@ pub struct Catalogue {
     /// What is made of them by formulas.
     pub(super) defined: Vec<Quantity>,
     pub(super) length: LengthScale,
+    /// Plain numbers that formulas may name.
+    pub(super) parameters: Vec<(String, f64)>,
 }
 
 /// A column pattern that names nothing in the scene.
@@ -80,6 +82,9 @@ impl Catalogue {
                 symbol: scene.unit.symbol(),
                 tenths_of_mm: scene.unit.tenths_of_mm(),
             },
+            parameters: (scene.parameters.iter())
+                .map(|parameter| (parameter.name.clone(), parameter.number))
+                .collect(),
         };
         let driver_aspects = match scene.mechanism.driver().input {
             Input::Turn(_) => &[Aspect::Angle][..],
@@ -134,6 +139,7 @@ impl Catalogue {
             let name = format!("driver.{}.{part}", drive.name());
             self.name(scene, name, Subject::Drive(share), drive);
         }
+        self.efforts(scene);
         for link in mechanism.link_ids() {
             for point in mechanism.pins(link) {
                 if let Some(name) = scene.point_name(point) {
@@ -157,6 +163,26 @@ impl Catalogue {
         for aspect in Aspect::FRAME {
             let name = format!("ground.{}.residual", aspect.name());
             self.name(scene, name, Subject::FrameResidual, aspect);
+        }
+    }
+
+    /// What each of several inputs must do itself.
+    fn efforts(&mut self, scene: &Scene) {
+        let mechanism = &scene.mechanism;
+        if mechanism.timed().is_empty() {
+            return;
+        }
+        for input in mechanism.inputs() {
+            match input {
+                Input::Turn(link) => {
+                    let name = scene.link_name(link);
+                    self.push(scene, name, Subject::Link(link), &[Aspect::Torque]);
+                }
+                Input::Push(slide) => {
+                    let name = scene.slide_name(slide);
+                    self.push(scene, name, Subject::Slide(slide), &[Aspect::Force]);
+                }
+            }
         }
     }
 

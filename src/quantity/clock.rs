@@ -1,17 +1,18 @@
 //! The driver's course over time.
 //!
-//! Time is 0 where the scene opens, and the driver runs from there as the scene says: with its speed
-//! w and its acceleration a it stands at q(t) = q0 + w t + a t^2 / 2 and moves with w + a t. Everywhere
-//! else in krank a figure belongs to a coordinate that is passed with the speed w, wherever it is; with
-//! an acceleration the two differ, and a curve over time has the rates that belong to its own speed, so
-//! that the slope of a position over time is the velocity that stands beside it.
+//! Time is 0 where the scene opens, and the driver runs from there as the scene says: by its motion over time, or
+//! with its speed w and its acceleration a: then it stands at q(t) = q0 + w t + a t^2 / 2 and moves with w + a t.
+//! Everywhere else in krank a figure belongs to a coordinate that is passed with the speed w, wherever it is; a
+//! curve over time has the rates that belong to its own speed, so that the slope of a position over time is the
+//! velocity that stands beside it.
 
 use super::{Aspect, FigureSource, Quantity, Subject, value};
+use crate::scene::Scene;
 use crate::solver::{Order, Range, State};
-use crate::{Driver, Input};
+use crate::{Driver, DriverMoment, Input, MotionLaw};
 
 /// Where the driver is at a time, in seconds from where the scene opens.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
     /// Where the scene opens, in degrees or in the scene's length unit.
     start: f64,
@@ -19,22 +20,31 @@ pub struct Clock {
     speed: f64,
     /// Of the coordinate, per second squared.
     acceleration: f64,
+    /// How the driver moves, where that is not by its speed.
+    law: Option<MotionLaw>,
 }
 
 /// Of a stretch of time, what rounding may add to it.
 const ROUNDING: f64 = 1e-12;
+/// What rounding makes of a coordinate that is had from a time, as a part of the range.
+const BESIDE: f64 = 1e-12;
+/// Looks for a coordinate on the way of a motion between so many times, and halves what lies between two of them
+/// so often.
+const LOOKS: u32 = 720;
+const HALVINGS: u32 = 60;
 
 /// How fast the driver runs at a time, against what the scene says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pace {
     /// Its speed then as a part of the scene's.
     ratio: f64,
-    /// Its acceleration by the scene's speed, per second.
+    /// Its acceleration by the scene's speed, per second; and that of the scene.
     drift: f64,
+    own: f64,
 }
 
 impl Clock {
-    /// The clock of a driver; `None` where it stands still: its time says nothing.
+    /// The clock of a driver that runs by its speed; `None` where it stands still: its time says nothing.
     #[must_use]
     pub fn new(driver: &Driver) -> Option<Clock> {
         let scale = |rate: f64| match driver.input {
@@ -45,25 +55,77 @@ impl Clock {
             start: driver.start,
             speed: scale(driver.speed),
             acceleration: scale(driver.acceleration),
+            law: None,
         };
         let runs = clock.speed != 0.0 && (1.0 / clock.speed).is_finite();
         runs.then_some(clock)
     }
 
+    /// The clock of a scene, by its motion over time where it has one.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Option<Clock> {
+        let law = scene.motion.clone();
+        let clock = Clock::new(scene.mechanism.driver())?;
+        Some(Clock { law, ..clock })
+    }
+
+    /// Where the driver is at a time and how it goes on; rounding leads neither out of a limit nor beside it.
+    #[must_use]
+    pub fn moment(&self, time: f64, range: Range) -> DriverMoment {
+        let moment = match &self.law {
+            Some(law) => law.at(time),
+            None => DriverMoment {
+                at: self.coordinate(time),
+                speed: self.speed + self.acceleration * time,
+                acceleration: self.acceleration,
+            },
+        };
+        let Range::Limited { low, high } = range else {
+            return moment;
+        };
+        // Beside a dead point rates are beyond all bounds, at it they do not exist.
+        let at = moment.at;
+        let limit = if at - low < high - at { low } else { high };
+        let is_there = (at - limit).abs() <= BESIDE * (high - low);
+        let at = match (is_there, &self.law) {
+            (true, _) => limit,
+            (false, Some(_)) => at,
+            // It is driven as far as it goes.
+            (false, None) => at.max(low).min(high),
+        };
+        DriverMoment { at, ..moment }
+    }
+
     /// Where the driver is, in degrees or in the scene's length unit.
     #[must_use]
     pub fn coordinate(&self, time: f64) -> f64 {
-        self.start + time * (self.speed + 0.5 * self.acceleration * time)
+        match &self.law {
+            Some(law) => law.at(time).at,
+            None => self.start + time * (self.speed + 0.5 * self.acceleration * time),
+        }
+    }
+
+    /// The times in one period of a motion at which one step goes over into the next: there rates may jump.
+    #[must_use]
+    pub fn joints(&self) -> Vec<f64> {
+        let law = self.law.as_ref();
+        law.map_or_else(Vec::new, |law| law.joints().collect())
     }
 
     /// When the driver is there, going the way it goes at 0 s; `None` where it turns back before.
     #[must_use]
     pub fn time(&self, coordinate: f64) -> Option<f64> {
-        self.times(coordinate - self.start)[0]
+        match &self.law {
+            Some(law) => self.found(coordinate, 0.0, law.period()),
+            None => self.times(coordinate - self.start)[0],
+        }
     }
 
     /// When the driver is there first, between two times: one that turns back comes by twice.
     pub(super) fn time_between(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
+        if self.law.is_some() {
+            return self.found(coordinate, low, high);
+        }
         let times = self.times(coordinate - self.start).into_iter().flatten();
         // The ends themselves were rounded.
         let slack = ROUNDING * (high - low);
@@ -71,21 +133,61 @@ impl Clock {
         within.min_by(f64::total_cmp).map(|t| t.max(low).min(high))
     }
 
-    /// Whether the driver keeps its speed.
-    pub(super) fn is_even(&self) -> bool {
-        self.acceleration == 0.0
+    /// When a motion first comes by a coordinate, between two times.
+    fn found(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
+        let time = |k: u32| low + (high - low) * f64::from(k) / f64::from(LOOKS);
+        let ahead = |time: f64| self.coordinate(time) - coordinate;
+        let met = (0..LOOKS).find(|&k| ahead(time(k)) * ahead(time(k + 1)) <= 0.0)?;
+        let (mut before, mut after) = (time(met), time(met + 1));
+        if ahead(before) == 0.0 {
+            return Some(before);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + after);
+            let is_past = ahead(middle) * ahead(before) <= 0.0;
+            *(if is_past { &mut after } else { &mut before }) = middle;
+        }
+        Some(after)
     }
 
-    pub(super) fn speed(&self) -> f64 {
-        self.speed
+    /// Whether the driver keeps its speed.
+    pub(super) fn is_even(&self) -> bool {
+        self.acceleration == 0.0 && self.law.is_none()
+    }
+
+    /// After what time all is as it was, of a linkage that is so after a way: in seconds.
+    pub(super) fn period(&self, range: Range) -> Option<f64> {
+        let way = match range {
+            Range::Full { period } => Some(period),
+            Range::Limited { .. } => None,
+        };
+        match &self.law {
+            None => way
+                .filter(|_| self.is_even())
+                .map(|way| (way / self.speed).abs()),
+            Some(law) => {
+                let stays = law.advance() == 0.0;
+                let repeats = stays || way.is_some_and(|way| law.advance() % way == 0.0);
+                repeats.then(|| law.period())
+            }
+        }
     }
 
     /// `None` where the driver runs as fast as the scene says.
     pub(super) fn pace(&self, time: f64) -> Option<Pace> {
-        let drift = self.acceleration / self.speed;
+        let own = self.acceleration / self.speed;
+        if let Some(law) = &self.law {
+            let moment = law.at(time);
+            return Some(Pace {
+                ratio: moment.speed / self.speed,
+                drift: moment.acceleration / self.speed,
+                own,
+            });
+        }
         (!self.is_even()).then_some(Pace {
-            ratio: 1.0 + drift * time,
-            drift,
+            ratio: 1.0 + own * time,
+            drift: own,
+            own,
         })
     }
 
@@ -93,13 +195,16 @@ impl Clock {
     /// driver came from to the limit where it ends.
     #[must_use]
     pub fn span(&self, range: Range) -> (f64, f64) {
+        if let Some(law) = &self.law {
+            return (0.0, law.period());
+        }
         match range {
             Range::Full { period } => (0.0, self.exit(-period, period)),
             Range::Limited { low, high } => {
                 let (low, high) = (low - self.start, high - self.start);
                 let back = Clock {
                     speed: -self.speed,
-                    ..*self
+                    ..self.clone()
                 };
                 (-back.exit(low, high), self.exit(low, high))
             }
@@ -150,11 +255,13 @@ fn solved(subject: Subject, aspect: Aspect, state: &State, pace: Pace) -> Option
         // What it does at its own pace is given.
         return Some(match aspect.order() {
             Order::Velocity => plain * pace.ratio,
-            _ => plain,
+            Order::Acceleration => plain + (pace.drift - pace.own) * state.driver_speed(),
+            Order::Position | Order::Force => plain,
         });
     }
-    let first = |aspect| value(subject, aspect, state).map(|rate| rate * pace.drift);
-    let second = |driven: f64| driven + (plain - driven) * pace.ratio * pace.ratio;
+    let first = |aspect| value(subject, aspect, state);
+    let second =
+        |rate: f64| rate * pace.drift + (plain - rate * pace.own) * pace.ratio * pace.ratio;
     let paced = match aspect {
         Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => plain,
         Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => plain * pace.ratio,
@@ -183,6 +290,7 @@ mod tests {
             start,
             speed,
             acceleration,
+            law: None,
         }
     }
 
@@ -214,6 +322,37 @@ mod tests {
         assert_eq!(clock(60.0, -100.0, 0.0).span(full), (0.0, 7.2));
         // On the limit already.
         assert_eq!(clock(90.0, 10.0, 0.0).span(LIMITED), (-12.0, 0.0));
+    }
+
+    /// Forth by a cycloid and back at a constant speed, with a pause at 120.
+    #[test]
+    fn a_motion_over_time_is_followed_and_found_again() {
+        use crate::{StepLaw, TimedStep};
+        let step = |law, to, time| TimedStep::Law { law, to, time };
+        let steps = vec![
+            step(StepLaw::Cycloidal, 120.0, 0.5),
+            step(StepLaw::Constant, 120.0, 0.25),
+            step(StepLaw::Constant, 0.0, 0.25),
+        ];
+        let clock = Clock {
+            law: MotionLaw::new(0.0, steps, true),
+            ..clock(0.0, 57.3, 0.0)
+        };
+        let range = Range::Full { period: 360.0 };
+        assert_eq!(
+            (clock.span(range), clock.period(range)),
+            ((0.0, 1.0), Some(1.0))
+        );
+        assert_eq!(clock.joints(), [0.5, 0.75, 1.0]);
+        let moment = clock.moment(0.25, range);
+        assert!((moment.at - 60.0).abs() < 1e-12 && (moment.speed - 480.0).abs() < 1e-9);
+        let time = clock.time(60.0).unwrap();
+        assert!((time - 0.25).abs() < 1e-12, "{time}");
+        let back = clock.time_between(30.0, 0.6, 1.0).unwrap();
+        assert!((back - 0.9375).abs() < 1e-12, "{back}");
+        assert_eq!(clock.time(121.0), None);
+        // Beyond a stop it is not held there: the mechanism cannot follow.
+        assert_eq!(clock.moment(0.6, LIMITED).at, 120.0);
     }
 
     #[test]

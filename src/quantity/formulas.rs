@@ -3,7 +3,7 @@
 use super::derived::Leaf;
 use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
 use crate::document::{Diagnostic, Diagnostics};
-use crate::expression::{self, ExpressionTree, Malformed, compile};
+use crate::expression::{self, ExpressionTree, Malformed, Part, compile};
 use crate::nearest::did_you_mean;
 use crate::scene::{NamedFormula, Scene, is_figure_name, reserved_for_figures};
 use crate::wording::words;
@@ -61,7 +61,11 @@ impl Catalogue {
             let rest = figure.name.strip_prefix(name);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        self.all().iter().chain(&self.defined).any(is_of)
+        let is_parameter = self
+            .parameters
+            .iter()
+            .any(|(parameter, _)| parameter == name);
+        is_parameter || self.all().iter().chain(&self.defined).any(is_of)
     }
 
     /// Adds the figures of a scene, whatever order they stand in; gives what is wrong with those that are not.
@@ -115,6 +119,10 @@ impl Catalogue {
     ) -> Result<Derived, Malformed> {
         let mut leaves: Vec<Leaf> = Vec::new();
         let mut names = |name: &str| {
+            let mut parameters = self.parameters.iter();
+            if let Some((_, number)) = parameters.find(|(parameter, _)| parameter == name) {
+                return Ok(Part::constant(*number));
+            }
             let solved = index.get(name).and_then(|&i| self.all().get(i));
             let found = match solved {
                 Some(quantity) => quantity.clone(),

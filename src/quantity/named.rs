@@ -10,7 +10,7 @@ impl Subject {
     #[must_use]
     pub fn of_value(scene: &Scene, value: &Value) -> Option<Subject> {
         match &value.owner {
-            ValueOwner::Scene => None,
+            ValueOwner::Scene | ValueOwner::Parameter(_) => None,
             ValueOwner::Driver => Some(Subject::Driver),
             ValueOwner::Element(name) => of_element(scene, name),
             ValueOwner::Between(from, to) => {

@@ -98,8 +98,17 @@ impl Sensitivity {
     /// Of these figures, in a solver for the scene's mechanism with nothing left out.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, figures: &[Quantity]) -> Self {
-        let lengths = scene.mechanism.lengths();
-        let names = lengths.iter().map(|&l| name(scene, l)).collect();
+        Sensitivity::by(scene, solver, figures, scene.mechanism.lengths())
+    }
+
+    /// The same, by these lengths.
+    pub(crate) fn by(
+        scene: &Scene,
+        solver: &Solver,
+        figures: &[Quantity],
+        lengths: Vec<Length>,
+    ) -> Self {
+        let names = lengths.iter().map(|&l| length_name(scene, l)).collect();
         let (demand, order) = super::demand(figures);
         Sensitivity {
             solver: solver.clone(),
@@ -249,8 +258,8 @@ fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> 
     each.map(apart).fold(0.0, f64::max)
 }
 
-/// As the scene names it.
-fn name(scene: &Scene, length: Length) -> String {
+/// A length as the scene names it: `r3.length`, `A.x`.
+pub(crate) fn length_name(scene: &Scene, length: Length) -> String {
     let axis = |axis: CoordinateAxis| match axis {
         CoordinateAxis::X => "x",
         CoordinateAxis::Y => "y",

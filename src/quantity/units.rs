@@ -44,6 +44,17 @@ pub fn other_units(unit: &str) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
+/// The unit of the slope over time: that of degrees is in radians, as everywhere in krank.
+#[must_use]
+pub fn rate_unit(unit: &str) -> String {
+    match unit.strip_suffix("/s") {
+        Some(head) => format!("{head}/s^2"),
+        None if unit.is_empty() => "1/s".into(),
+        None if unit == "deg" => "rad/s".into(),
+        None => format!("{unit}/s"),
+    }
+}
+
 /// The unit of this name, where it is one of those that are converted.
 #[must_use]
 pub fn known_unit(unit: &str) -> Option<&'static str> {

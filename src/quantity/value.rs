@@ -2,7 +2,7 @@
 
 use super::{Aspect, Share, Subject};
 use crate::solver::{Condition, Order, Residual, State};
-use crate::{Ball, LinkId, Number, PointId, SlideId, Vec2, angle};
+use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Vec2, angle};
 
 /// The value of one figure in this state, or `None` where none exists: at a dead point there are no
 /// rates, without an assembly there is nothing but the driver, and a subject has no figures that are
@@ -96,6 +96,7 @@ fn link_value<T: Number>(link: LinkId, aspect: Aspect, state: &State<T>) -> Opti
         Aspect::Angle => state.angle(link),
         Aspect::Omega => state.omega(link),
         Aspect::Alpha => state.alpha(link),
+        Aspect::Torque => state.effort(Input::Turn(link)),
         _ => None,
     }
 }
@@ -112,6 +113,7 @@ fn slide_value<T: Number>(slide: SlideId, aspect: Aspect, state: &State<T>) -> O
         Aspect::Alpha => travel.alpha,
         Aspect::Normal => state.normal(slide),
         Aspect::Moment => state.moment(slide),
+        Aspect::Force => state.effort(Input::Push(slide)),
         _ => None,
     }
 }

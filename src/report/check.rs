@@ -2,15 +2,17 @@
 
 use super::choice_facts::ChoiceList;
 use super::forces::indeterminate;
+use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
 use super::number::concise;
 use super::slide_facts::SlideFacts;
+use super::stop_facts::{StopFacts, stops};
 use crate::quantity::{Catalogue, Quantity};
-use crate::scene::Scene;
+use crate::scene::{Parameter, Scene};
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
 use crate::wording::words;
-use crate::{Body, ElementId, Input, Link, LinkId, Load, Mechanism, PointId, Vec2};
+use crate::{Body, ElementId, Link, LinkId, Load, Mechanism, PointId, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
@@ -98,6 +100,18 @@ pub struct TransmissionFacts {
     pub deviation: f64,
 }
 
+/// The condition of a coupled group at its worst.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConditionFacts {
+    /// The joint that names the group, or its first link.
+    pub group: String,
+    /// The least singular value by the largest: 1 at the best, 0 at a dead point or a change point.
+    pub least: f64,
+    /// The driver's coordinate, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub at: f64,
+}
+
 /// Where the two assemblies of a group all but meet.
 #[derive(Clone, Debug, Serialize)]
 pub struct NearMissFacts {
@@ -137,6 +151,12 @@ pub struct Check {
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverFacts,
+    /// The inputs that follow it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<InputFacts>,
+    /// The numbers with names.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parameters: Vec<ParameterFacts>,
     /// The moving links.
     pub links: Vec<String>,
     /// The pin joints.
@@ -165,6 +185,8 @@ pub struct Check {
     pub period: Option<f64>,
     /// Ends of the range at which the mechanism cannot go on, in deg or the scene's unit.
     pub dead_points: Vec<f64>,
+    /// The stops at which the motion ends.
+    pub stops: Vec<StopFacts>,
     /// Where two assemblies meet and the motion passes, within one period.
     pub change_points: Vec<f64>,
     /// By how much lengths that count as equal may differ there, in the scene's unit.
@@ -173,6 +195,9 @@ pub struct Check {
     pub near_misses: Vec<NearMissFacts>,
     /// The smallest and the largest transmission angle of every dyad.
     pub transmission: Vec<TransmissionFacts>,
+    /// Every coupled group where its equations tell its unknowns least: the least singular value of its matrix by
+    /// the largest.
+    pub condition: Vec<ConditionFacts>,
     /// The loop of the driven link, a dyad and the ground, where there is one.
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
@@ -183,6 +208,35 @@ pub struct Check {
     /// The range in words.
     #[serde(skip)]
     pub range_text: String,
+}
+
+/// A number with a name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParameterFacts {
+    /// As the scene names it.
+    pub name: String,
+    /// What it is worth.
+    pub value: f64,
+    /// The formula that it follows from, if it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub formula: Option<String>,
+}
+
+impl ParameterFacts {
+    fn of(parameter: &Parameter) -> ParameterFacts {
+        ParameterFacts {
+            name: parameter.name.clone(),
+            value: parameter.number,
+            formula: parameter.formula.clone(),
+        }
+    }
+
+    /// In a line: the name, its formula, and what it is worth.
+    pub(super) fn text(&self) -> String {
+        let formula = self.formula.as_ref();
+        let formula = formula.map_or(String::new(), |formula| format!("{formula} = "));
+        format!("{} = {formula}{}", self.name, self.value)
+    }
 }
 
 /// What acts on a mechanism, counted.
@@ -222,7 +276,9 @@ impl LoadCounts {
                 Load::Force { .. } => acting.forces += 1,
                 Load::Torque { .. } => acting.torques += 1,
                 Load::Press { .. } => acting.presses += 1,
-                Load::Spring { .. } => acting.springs += 1,
+                Load::Spring { .. } | Load::GasSpring { .. } | Load::TorsionSpring { .. } => {
+                    acting.springs += 1;
+                }
             }
         }
         acting
@@ -244,7 +300,7 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
 }
 
 /// To 12 decimals, without noughts at the end.
-fn limit_text(limit: f64) -> String {
+pub(super) fn limit_text(limit: f64) -> String {
     let decimals = format!("{limit:.DECIMALS$}");
     let text = decimals.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {
@@ -313,6 +369,8 @@ impl Check {
             note: scene.note.clone(),
             unit: scene.unit.symbol(),
             driver: names.driver(),
+            inputs: InputFacts::of(scene),
+            parameters: scene.parameters.iter().map(ParameterFacts::of).collect(),
             links: names.links(mechanism.link_ids()),
             joints: mechanism
                 .point_ids()
@@ -329,10 +387,12 @@ impl Check {
             range,
             period,
             dead_points: solver.motion().dead_points.clone(),
+            stops: stops(scene, solver),
             change_points: solver.motion().change_points.clone(),
             tolerance: solver.motion().tolerance,
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),
+            condition: names.condition(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
             acting: LoadCounts::on(mechanism, solver.motion().range),
             indeterminate: indeterminate(scene, solver),
@@ -356,7 +416,7 @@ fn kind_word<S: Serializer>(kind: &GroupKind, to: S) -> Result<S::Ok, S::Error> 
     to.serialize_str(kind.class().unwrap_or(other))
 }
 
-fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+pub(super) fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_f64(value + 0.0)
 }
 
@@ -404,13 +464,10 @@ impl ElementNames<'_> {
 
     fn driver(&self) -> DriverFacts {
         let driver = self.scene.mechanism.driver();
-        let (kind, name) = match driver.input {
-            Input::Turn(link) => (DriverKind::Link, self.scene.link_name(link)),
-            Input::Push(slide) => (DriverKind::Slide, self.scene.slide_name(slide)),
-        };
+        let (kind, name) = DriverKind::of(self.scene, driver.input);
         DriverFacts {
             kind,
-            name: name.to_owned(),
+            name,
             start: driver.start,
             speed: driver.speed,
             acceleration: driver.acceleration,
@@ -429,10 +486,22 @@ impl ElementNames<'_> {
     }
 
     /// The joint that names a group, or its first link.
-    fn group_name(&self, group: &Group) -> String {
+    pub(super) fn group_name(&self, group: &Group) -> String {
         let point = group.point.and_then(|p| self.point(p));
         let link = || group.links.first().map(|&l| self.scene.link_name(l).into());
         point.or_else(link).unwrap_or_else(|| "a group".into())
+    }
+
+    pub(super) fn condition(&self, solver: &Solver) -> Vec<ConditionFacts> {
+        let found = solver.conditioning().into_iter();
+        let facts = found.filter_map(|found| {
+            Some(ConditionFacts {
+                group: self.group_name(solver.plan().group(found.group)?),
+                least: found.least,
+                at: found.at,
+            })
+        });
+        facts.collect()
     }
 
     fn transmission(&self, solver: &Solver) -> Vec<TransmissionFacts> {

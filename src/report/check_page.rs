@@ -1,8 +1,8 @@
 //! The facts of `check`, to be read.
 
 use super::check::{
-    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, RedundancyFacts,
-    TransmissionFacts,
+    Check, ConditionFacts, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts,
+    ParameterFacts, RedundancyFacts, TransmissionFacts, limit_text,
 };
 use super::number::concise;
 use super::slide_facts::SlideFacts;
@@ -20,6 +20,8 @@ const PLACE_DECIMALS: usize = 6;
 const DIGITS: usize = 6;
 /// Names in a list of what is repeated.
 const MOST_NAMES: usize = 12;
+/// Of a condition.
+const CONDITION_DIGITS: usize = 3;
 /// Of a misfit.
 const MISFIT_DIGITS: usize = 2;
 
@@ -42,8 +44,17 @@ impl Check {
         facts.tell(words().fact_source(), told(&self.source));
         facts.tell(words().fact_note(), told(&self.note));
         facts.tell(words().fact_unit(), [self.unit.to_owned()]);
+        let parameters = self.parameters.iter().map(ParameterFacts::text);
+        facts.tell(words().fact_parameters(), parameters);
         facts.tell(words().fact_parts(), [self.counts()]);
-        facts.tell(words().fact_driver(), [self.driver_text()]);
+        let inputs = self
+            .inputs
+            .iter()
+            .map(|input| input.text(self.driver.kind, self.unit));
+        facts.tell(
+            words().fact_driver(),
+            [self.driver_text()].into_iter().chain(inputs),
+        );
         facts.tell(words().fact_links(), [self.links.join(", ")]);
         facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
         facts.tell(
@@ -63,19 +74,24 @@ impl Check {
             facts.tell(words().fact_loop(), first.lines(self.unit));
         }
         facts.tell(words().fact_range(), [self.range_text.clone()]);
+        let unit = self.driver_unit();
+        let stops = self.stops.iter();
+        let stops = stops.map(|stop| stop.text(&limit_text(stop.at), unit));
+        facts.tell(words().fact_stops(), stops);
         if !self.change_points.is_empty() {
             facts.tell(
                 words().fact_change(),
                 [self.change_points_text(), self.tolerance_text()],
             );
         }
-        let unit = self.driver_unit();
         facts.tell(
             words().fact_near_miss(),
             self.near_misses.iter().map(|m| m.text(unit)),
         );
         let angles = self.transmission.iter().map(|t| transmission_text(t, unit));
         facts.tell(words().fact_transmission(), angles);
+        let conditions = self.condition.iter().map(|c| condition_text(c, unit));
+        facts.tell(words().fact_condition(), conditions);
         facts.tell(words().fact_forces(), self.acting_text());
         if !self.indeterminate.is_empty() {
             facts.tell(words().fact_open(), [self.open_text()]);
@@ -171,10 +187,7 @@ impl Check {
     }
 
     fn driven(&self) -> String {
-        match self.driver.kind {
-            DriverKind::Link => words().driven_link(&self.driver.name),
-            DriverKind::Slide => words().driven_slide(&self.driver.name),
-        }
+        self.driver.kind.named(&self.driver.name)
     }
 
     fn group_text(&self, group: &GroupFacts) -> String {
@@ -264,6 +277,17 @@ fn transmission_text(facts: &TransmissionFacts, unit: &str) -> String {
     }
     let [at_least, at_most] = [smallest.at, largest.at].map(place);
     words().transmission_between(group, [&least, &at_least, &most, &at_most], unit)
+}
+
+/// The condition of a coupled group at its worst.
+pub(super) fn condition_text(facts: &ConditionFacts, unit: &str) -> String {
+    let magnified = concise(1.0 / facts.least, CONDITION_DIGITS);
+    words().condition_at(&facts.group, &magnified, &place_text(facts.at, unit))
+}
+
+/// A place with its unit.
+pub(super) fn place_text(at: f64, unit: &str) -> String {
+    format!("{} {unit}", place(at))
 }
 
 /// Where an extreme stands, as a reader looks for it: the limits have their digits elsewhere.

@@ -22,6 +22,8 @@ pub(super) enum CellSource {
     Bound,
     /// What the given lengths do to the figure with this number among the figures of the sweep.
     Sensitivity(usize),
+    /// By how much a measured figure is more.
+    Difference,
 }
 
 /// The columns of a sweep: the driver's coordinate, the figures asked for, what is said beside them, and
@@ -79,6 +81,19 @@ impl Columns {
                 self.sources.push(CellSource::Sensitivity(number));
             }
         }
+        self
+    }
+
+    /// The same with time first.
+    #[must_use]
+    pub fn over_time(mut self) -> Self {
+        let time = self.quantities.first().map(|driver| Quantity {
+            name: "time".to_owned(),
+            unit: "s".to_owned(),
+            ..driver.clone()
+        });
+        self.quantities.splice(0..0, time);
+        self.sources.insert(0, CellSource::Figure);
         self
     }
 

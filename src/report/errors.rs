@@ -3,10 +3,10 @@
 
 use super::columns::{CellSource, Columns};
 use super::tables::{seen, seen_bound};
-use crate::Ball;
 use crate::quantity::{Derivatives, Quantity, Sensitivity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
+use crate::{Ball, DriverMoment};
 
 /// Fills the cells of rows.
 pub(super) struct ErrorCells<'a> {
@@ -48,6 +48,11 @@ impl<'a> ErrorCells<'a> {
         }
     }
 
+    /// The driver passes the next row as it does at a moment.
+    pub(super) fn drive(&mut self, solver: &Solver, moment: &DriverMoment) {
+        solver.drive(&mut self.enclosure, moment);
+    }
+
     /// The cells of a row in which this state was solved.
     pub(super) fn fill(
         &mut self,
@@ -71,6 +76,8 @@ impl<'a> ErrorCells<'a> {
                 CellSource::Sensitivity(figure) => {
                     derivatives.as_ref().and_then(|d| d.worst(*figure))
                 }
+                // Measurements have rows of their own.
+                CellSource::Difference => None,
             });
         }
     }

@@ -20,6 +20,8 @@ pub struct Drive {
     pub total: Entry,
     /// Against loads and springs, against weights, against inertia: together the total.
     pub parts: [Entry; 3],
+    /// Where several inputs share the work what each does itself: its name, and its torque or its force.
+    pub own: Vec<(String, Aspect, Entry)>,
     /// Its power in W, positive where it gives energy to the linkage.
     pub power: Entry,
 }
@@ -297,8 +299,29 @@ fn drive(scene: &Scene, reading: &ProvedState<'_>) -> Drive {
         aspect,
         total: share(Share::Total, aspect),
         parts: parts.map(|part| share(part, aspect)),
+        own: efforts(scene, reading),
         power: share(Share::Total, Aspect::Power),
     }
+}
+
+/// What each of several inputs does itself.
+fn efforts(scene: &Scene, reading: &ProvedState<'_>) -> Vec<(String, Aspect, Entry)> {
+    let mechanism = &scene.mechanism;
+    let several = mechanism.inputs().filter(|_| !mechanism.timed().is_empty());
+    let own = several.map(|input| {
+        let (name, aspect, subject) = match input {
+            crate::Input::Turn(link) => {
+                (scene.link_name(link), Aspect::Torque, Subject::Link(link))
+            }
+            crate::Input::Push(slide) => (
+                scene.slide_name(slide),
+                Aspect::Force,
+                Subject::Slide(slide),
+            ),
+        };
+        (name.to_owned(), aspect, found(subject, aspect, reading))
+    });
+    own.collect()
 }
 
 fn checks(scene: &Scene, reading: &ProvedState<'_>) -> Checks {

@@ -63,6 +63,10 @@ impl TablesWriter<'_> {
         let entries = || std::iter::once(drive.total).chain(drive.parts);
         let label = self.label(effort_word(drive.aspect), drive.aspect);
         self.entries(&mut table, label, entries(), drive.aspect, " ");
+        for (name, aspect, entry) in &drive.own {
+            let label = self.label(name, *aspect);
+            self.entries(&mut table, label, [*entry], *aspect, " ");
+        }
         let label = self.label(words().power(), Aspect::Power);
         self.entries(&mut table, label, [drive.power], Aspect::Power, " ");
         table

@@ -16,12 +16,18 @@ mod choice_facts;
 mod columns;
 mod csv_dialect;
 mod curves;
+mod cycle_page;
+mod cycle_report;
+mod design_rows;
+mod design_summary;
 mod difference;
 mod errors;
 mod exercise;
 mod figure_list;
 mod forces;
 mod forces_page;
+mod goals;
+mod input_facts;
 mod least;
 mod loop_facts;
 mod motor;
@@ -31,10 +37,15 @@ mod paper;
 mod rows;
 mod slide_facts;
 mod steps;
+mod stop_facts;
 mod sweep;
 mod tables;
 mod tables_data;
 mod tables_page;
+mod timed_motor;
+mod tolerance_answers;
+mod tolerance_page;
+mod tolerance_rows;
 mod verdict;
 mod working;
 
@@ -43,15 +54,18 @@ pub use accuracy::{
     unfit_text,
 };
 pub use answers::{Answer, Answers};
-pub use beside::{ForeignFigures, NoFigures};
+pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{
-    Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
-    TransmissionFacts, limits_text, near_misses, range_text,
+    Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
+    NearMissFacts, TransmissionFacts, limits_text, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
 pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
 pub use curves::curves_csv;
+pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
+pub use design_rows::{DesignColumn, DesignFormat, DesignTable};
+pub use design_summary::DesignSummary;
 pub use difference::Pairing;
 pub use errors::Missing;
 pub use exercise::{
@@ -60,18 +74,28 @@ pub use exercise::{
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
+pub use goals::{BestReport, GoalReport};
+pub use input_facts::InputFacts;
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
+pub use stop_facts::{StopFacts, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
+pub use timed_motor::TimedMotorReport;
+pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
+pub use tolerance_page::{ToldTolerance, ToleranceReport};
+pub use tolerance_rows::{ToleranceFormat, ToleranceOutcome, ToleranceRows};
 pub use verdict::{Verdict, VerdictPart};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
     PositionMethod, VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
-pub(crate) use {forces::effort_word, forces_page::missed, number::shortest, number::upwards};
+pub(crate) use {
+    cycle_page::brief_cycle, forces::effort_word, forces_page::missed, number::shortest,
+    number::upwards,
+};

@@ -154,6 +154,23 @@ impl MotorReport {
         (fluctuation <= SMALL_FLUCTUATION).then_some(MotorDemand { asked, has })
     }
 
+    /// Whether the motor is enough, with the flywheel where there is one; `None` where that is not known.
+    pub(super) fn is_enough(&self) -> Option<bool> {
+        self.fit
+            .is_enough()
+            .map(|alone| alone || self.does_with_flywheel())
+    }
+
+    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then the root of the
+    /// mean square is not asked of the motor. Its peak is, all the same: how much of that the flywheel takes depends on
+    /// how much the motor gives way.
+    fn does_with_flywheel(&self) -> bool {
+        let others = [self.fit.peak, self.fit.speed].into_iter().flatten();
+        let others = others.map(|asked| asked.is_enough());
+        let are_enough = others.reduce(|a, b| a && b).unwrap_or(true);
+        are_enough && self.with_flywheel().is_some_and(|mean| mean.is_enough())
+    }
+
     /// Everything as JSON; what does not exist is null.
     #[must_use]
     pub fn to_json(&self) -> Value {
@@ -213,7 +230,7 @@ impl MotorReport {
             "peak": asked(self.fit.peak),
             "speed": asked(self.fit.speed),
             "with_flywheel": asked(self.with_flywheel()),
-            "enough": self.fit.is_enough(),
+            "enough": self.is_enough(),
             "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
         })
     }
@@ -347,7 +364,11 @@ fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport
     let mechanism = &scene.mechanism;
     let pressed = mechanism.loads().iter().find_map(|load| match load {
         Load::Press { slide, .. } => Some(*slide),
-        Load::Force { .. } | Load::Torque { .. } | Load::Spring { .. } => None,
+        Load::Force { .. }
+        | Load::Torque { .. }
+        | Load::Spring { .. }
+        | Load::GasSpring { .. }
+        | Load::TorsionSpring { .. } => None,
     });
     let slide = match wishes.ram.or(pressed) {
         Some(slide) => slide,
@@ -370,7 +391,7 @@ fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport
     Ok(RamReport {
         name: name.to_owned(),
         height: wishes.height.map(|height| (height, ram.at_height(height))),
-        dwell: wishes.motor.tolerance.map(|most| (most, ram.dwell(most))),
+        dwell: wishes.motor.rest.map(|most| (most, ram.dwell(most))),
         torque: wishes.torque.or(wishes.motor.rated),
         ram,
     })

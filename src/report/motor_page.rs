@@ -233,8 +233,11 @@ impl MotorReport {
     fn add_fit(&self, page: &mut Page) {
         let motor = &self.wishes.motor;
         let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
-        let is_enough = self.fit.is_enough();
+        let is_enough = self.is_enough();
         let verdict_text = match is_enough {
+            Some(true) if self.fit.is_enough() == Some(false) => {
+                words().enough_with_flywheel().to_owned()
+            }
             Some(true) => words().enough().to_owned(),
             Some(false) => words().not_enough().to_owned(),
             None if self.fit.is_unbounded && is_known => words().not_judged(self.effort()),

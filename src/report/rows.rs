@@ -163,7 +163,9 @@ impl<W: Write> RowWriter for TextRows<'_, W> {
                 |v| match source {
                     CellSource::Figure => in_text(quantity, v, self.digits),
                     CellSource::Bound => format!("+-{}", upwards(v, BOUND_DIGITS)),
-                    CellSource::Sensitivity(_) => significant(v, self.digits),
+                    CellSource::Sensitivity(_) | CellSource::Difference => {
+                        significant(v, self.digits)
+                    }
                 },
             );
             write!(self.line, "{shown:>width$}  ").map_err(io::Error::other)?;

@@ -4,7 +4,7 @@ use super::check::{ElementNames, PLACES};
 use super::number::{concise, significant};
 use crate::solver::{Order, Solver, Travel};
 use crate::wording::words;
-use crate::{Body, Input, SlideId, Slider, angle};
+use crate::{Body, SlideId, Slider, angle};
 use serde::Serialize;
 
 /// Digits of a position in a sentence.
@@ -64,7 +64,7 @@ impl ElementNames<'_> {
     /// that vector is negative, and says how it would not be. A driven one is where its driver says.
     fn backwards(&self, id: SlideId, opening: Option<Travel>) -> Option<String> {
         let mechanism = &self.scene.mechanism;
-        let is_driven = mechanism.driver().input == Input::Push(id);
+        let is_driven = mechanism.is_pushed(id);
         let position = opening?.position;
         if is_driven || position >= 0.0 {
             return None;

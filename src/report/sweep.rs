@@ -7,7 +7,7 @@ use super::csv_dialect::CsvDialect;
 use super::errors::{ErrorCells, Missing};
 use super::rows::{CsvRows, JsonRows, RowWriter, TextRows};
 use super::steps::Steps;
-use crate::quantity::{Hidden, Quantity, demand};
+use crate::quantity::{Clock, Hidden, Quantity, demand};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
@@ -51,8 +51,10 @@ pub struct Sweep<'a> {
     pub solver: &'a Solver,
     /// The figures of each row. Nothing is solved that they do not need.
     pub columns: &'a Columns,
-    /// The driver's coordinate of each row.
+    /// The driver's coordinate of each row, or its time.
     pub steps: &'a Steps,
+    /// What leads from time to the driver: then time is the first column ([`Columns::over_time`]).
+    pub clock: Option<&'a Clock>,
     /// How the rows are written.
     pub format: RowFormat,
 }
@@ -118,6 +120,7 @@ struct RowReader<'a> {
     solver: Solver,
     quantities: &'a [Quantity],
     order: Order,
+    clock: Option<&'a Clock>,
     /// What is known of errors, if that is wanted: then rows are read one by one.
     errors: Option<ErrorCells<'a>>,
     state: Workspace,
@@ -140,6 +143,7 @@ impl<'a> RowReader<'a> {
             errors: sweep.errors(&solver),
             quantities,
             order,
+            clock: sweep.clock,
             state: solver.state(),
             lanes: solver.lanes(),
             columns: Vec::with_capacity(quantities.len()),
@@ -153,7 +157,7 @@ impl<'a> RowReader<'a> {
     /// Hands over the rows at these coordinates, no more than there are lanes; gives the number of
     /// those that have values.
     fn hand_over(&mut self, at: &[f64], rows: &mut impl RowWriter) -> io::Result<u64> {
-        if self.errors.is_none() && self.read_at_once(at) {
+        if self.errors.is_none() && self.clock.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
                 self.cells.clear();
                 let cells = self.columns.iter().map(|column| Some(column.0[lane]));
@@ -163,7 +167,8 @@ impl<'a> RowReader<'a> {
             return Ok(at.len() as u64);
         }
         let mut valued = 0;
-        for &at in at {
+        for &row in at {
+            let at = self.driven(row);
             let condition = self.solver.solve(at, self.order, &mut self.state);
             self.cells.clear();
             match &mut self.errors {
@@ -175,11 +180,27 @@ impl<'a> RowReader<'a> {
                     errors.fill(&self.solver, self.order, &mut self.state, &mut self.cells);
                 }
             }
+            if let (Some(_), Some(time)) = (self.clock, self.cells.first_mut()) {
+                *time = Some(row);
+            }
             self.look_for_hidden();
             rows.row(&self.cells, condition)?;
             valued += u64::from(condition != Condition::NoAssembly);
         }
         Ok(valued)
+    }
+
+    /// The driver's coordinate in a row, which it passes as it does then.
+    fn driven(&mut self, row: f64) -> f64 {
+        let Some(clock) = self.clock else {
+            return row;
+        };
+        let moment = clock.moment(row, self.solver.motion().range);
+        self.solver.drive(&mut self.state, &moment);
+        if let Some(errors) = &mut self.errors {
+            errors.drive(&self.solver, &moment);
+        }
+        moment.at
     }
 
     /// Counts the row if figures that exist are not shown in it.

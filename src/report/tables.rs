@@ -357,6 +357,8 @@ enum GivenCoordinate {
     Fixed,
     /// It is the driver's, or goes with it.
     Driven,
+    /// It is that of an input that follows the driver.
+    Followed,
 }
 
 /// Three figures of a subject. Rates that the scene gives exist at a dead point too.
@@ -374,7 +376,7 @@ fn read(
     };
     let [position, rate, accel] = aspects;
     let (rate, accel) = match known {
-        GivenCoordinate::Nothing => (entry(rate), entry(accel)),
+        GivenCoordinate::Nothing | GivenCoordinate::Followed => (entry(rate), entry(accel)),
         GivenCoordinate::Fixed => (Entry::given(0.0), Entry::given(0.0)),
         GivenCoordinate::Driven => (
             reading.driver_rate(rate, state.driver_speed()),
@@ -436,12 +438,20 @@ fn known_direction(mechanism: &Mechanism, body: Body) -> GivenCoordinate {
         Slider::Link { link: sliding, .. } => sliding == link && slide.on == Body::Ground,
         Slider::Pin(_) => false,
     };
-    if mechanism.driver().input == Input::Turn(link) {
-        GivenCoordinate::Driven
+    if mechanism.is_turned(link) {
+        driven(mechanism, Input::Turn(link))
     } else if mechanism.slides().iter().any(locks) {
         GivenCoordinate::Fixed
     } else {
         GivenCoordinate::Nothing
+    }
+}
+
+/// The coordinate of an input is the driver's, or follows it.
+fn driven(mechanism: &Mechanism, input: Input) -> GivenCoordinate {
+    match mechanism.timed_input(input) {
+        None => GivenCoordinate::Driven,
+        Some(_) => GivenCoordinate::Followed,
     }
 }
 
@@ -450,8 +460,8 @@ type PolarPair = (Option<[Entry; 3]>, [Entry; 3]);
 
 fn slide_entries(mechanism: &Mechanism, slide: SlideId, reading: &ProvedState<'_>) -> PolarPair {
     let subject = Subject::Slide(slide);
-    let position = if mechanism.driver().input == Input::Push(slide) {
-        GivenCoordinate::Driven
+    let position = if mechanism.is_pushed(slide) {
+        driven(mechanism, Input::Push(slide))
     } else {
         GivenCoordinate::Nothing
     };

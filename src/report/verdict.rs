@@ -3,6 +3,7 @@
 
 use super::loop_facts::LoopFacts;
 use super::number::concise;
+use super::stop_facts::stops;
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver, Transmission};
@@ -53,7 +54,18 @@ impl Verdict {
             Range::Limited { low, high } => {
                 let size = low.abs().max(high.abs());
                 let [low, high] = [low, high].map(|at| concise(without_rounding(at, size), PLACES));
-                VerdictPart::of(words().range_between(&low, &high, unit))
+                let range = words().range_between(&low, &high, unit);
+                let short = [range.clone()]
+                    .into_iter()
+                    .chain(stops_named(scene, solver));
+                let place = |at| concise(without_rounding(at, size), PLACES);
+                let placed = stop_placed(scene, solver, |at| place(at) + " " + unit);
+                let long = [range].into_iter().chain(placed);
+                let [long, short] = [long.collect::<Vec<_>>(), short.collect()];
+                VerdictPart {
+                    long: long.join(", "),
+                    short: short.join(", "),
+                }
             }
         };
         let class = solver.first_loop().map(LoopFacts::new);
@@ -66,6 +78,28 @@ impl Verdict {
                 transmission(scene, solver, unit),
             ],
         }
+    }
+}
+
+/// What stops the driver, if anything does.
+fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
+    let met = stops(scene, solver).into_iter().map(|stop| stop.name);
+    let mut names: Vec<String> = met.collect();
+    match names.as_slice() {
+        [] => None,
+        [name] => Some(words().stop_of(name)),
+        [..] => {
+            names.dedup();
+            Some(words().stops_of(&names))
+        }
+    }
+}
+
+/// The same, and where, if that is not where both ends are.
+fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) -> Option<String> {
+    match stops(scene, solver).as_slice() {
+        [stop] => Some(words().stop_in_verdict(&stop.name, &place(stop.at))),
+        _ => stops_named(scene, solver),
     }
 }
 

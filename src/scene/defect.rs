@@ -52,9 +52,11 @@ impl<'t> Drafted<'_, 't> {
             Defect::Length { .. }
             | Defect::Coordinates { .. }
             | Defect::Driver
+            | Defect::DrivenTwice { .. }
             | Defect::Mass { .. }
             | Defect::Load
             | Defect::Misfit
+            | Defect::Limit { .. }
             | Defect::Empty { .. }
             | Defect::Stray { .. } => None,
         }
@@ -124,9 +126,13 @@ impl<'t> Drafted<'_, 't> {
     }
 
     fn no_pivot(&self, link: &DraftLink<'t>) -> Option<Diagnostic> {
-        let Some(DraftInput::Link(driven)) = self.draft.driver.as_ref().map(|d| &d.input) else {
-            return None;
-        };
+        let driver = self.draft.driver.as_ref().and_then(|d| match &d.input {
+            DraftInput::Link(driven) => Some(driven),
+            DraftInput::Slide(_) => None,
+        });
+        let timed = self.draft.timed.iter().map(|timed| &timed.name);
+        let mut driven = driver.into_iter().chain(timed);
+        let driven = driven.find(|driven| driven.text == link.name.text)?;
         let joins = |link: &&DraftLink<'t>| link.point_names().any(|n| self.is_ground(n));
         let mut fit = self
             .draft

@@ -1,16 +1,21 @@
 //! What the file says, element by element, before names are joined.
 
 use super::Unit;
+use super::deviations::{self, Deviations, DraftTolerances};
 use super::figures::{self, DraftFigure, FigureEntries};
 use super::frame;
 use super::input::{self, DraftDriver};
+use super::limits::{self, DraftLimit, LimitEntries};
 use super::link::{self, DraftLink, Links};
-use super::loads::{self, DraftLoad, DraftSpring, Loads, Springs};
+use super::loads::{self, DraftLoad, Loads};
 use super::motor::{self, Motor};
+use super::parameters::{self, DraftParameter, ParameterEntries};
 use super::points::{self, DraftVector, PlacedPoint, Vectors, places};
 use super::reader::{ByteSpan, CoordinatePair, Points, Reader};
 use super::redundant::{self, Redundant};
 use super::slide::{self, DraftSlide, Slides};
+use super::spring::{self, DraftSpring, Springs};
+use super::timed_inputs::{self, DraftTimed, TimedInputs};
 use crate::Vec2;
 use crate::document::{Diagnostic, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
@@ -24,17 +29,24 @@ pub(super) struct SceneFile {
     source: Option<Lenient<String>>,
     note: Option<Lenient<String>>,
     unit: Option<Lenient<String>>,
+    parameters: Option<ParameterEntries>,
+    tolerance: Option<Lenient<f64>>,
+    clearance: Option<Lenient<f64>>,
     ground: Option<Points>,
     driver: Option<Lenient<input::DriverTable>>,
+    inputs: Option<TimedInputs>,
     links: Option<Links>,
     slides: Option<Slides>,
     start: Option<Points>,
     vectors: Option<Vectors>,
+    limits: Option<LimitEntries>,
     loads: Option<Loads>,
     springs: Option<Springs>,
     gravity: Option<CoordinatePair>,
     figures: Option<FigureEntries>,
     motor: Option<Lenient<motor::MotorTable>>,
+    tolerances: Option<Deviations>,
+    clearances: Option<Deviations>,
     redundant: Option<Lenient<redundant::RedundantTable>>,
 }
 
@@ -46,6 +58,7 @@ pub(super) struct SceneDraft<'t> {
     pub(super) source: Option<String>,
     pub(super) note: Option<String>,
     pub(super) unit: Unit,
+    pub(super) parameters: Vec<DraftParameter<'t>>,
     pub(super) ground: Vec<PlacedPoint<'t>>,
     pub(super) links: Vec<DraftLink<'t>>,
     pub(super) links_key: Option<ByteSpan>,
@@ -53,14 +66,18 @@ pub(super) struct SceneDraft<'t> {
     pub(super) driver: Option<DraftDriver<'t>>,
     /// The key `driver`, whether or not what follows could be read.
     pub(super) driver_key: Option<ByteSpan>,
+    /// The inputs that follow the driver.
+    pub(super) timed: Vec<DraftTimed<'t>>,
     pub(super) start: Vec<PlacedPoint<'t>>,
     pub(super) vectors: Vec<DraftVector<'t>>,
+    pub(super) limits: Vec<DraftLimit<'t>>,
     pub(super) loads: Vec<DraftLoad<'t>>,
     pub(super) springs: Vec<DraftSpring<'t>>,
     pub(super) motor: Option<Motor>,
     pub(super) gravity: Vec2,
     pub(super) figures: Vec<DraftFigure<'t>>,
     pub(super) redundant: Redundant,
+    pub(super) tolerances: DraftTolerances<'t>,
     /// Whether a section could not be read at all: its names are missing everywhere.
     pub(super) unreadable: bool,
     /// Whether a link or a slide names a point that could not be read.
@@ -80,8 +97,14 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     draft.source = line(reader, "source", file.source.as_ref());
     draft.note = line(reader, "note", file.note.as_ref());
     draft.unit = unit(reader, file.unit.as_ref());
+    reader.named.length = (draft.unit.symbol(), draft.unit.tenths_of_mm());
+    // All numbers may be made of them.
+    if let Some(value) = &file.parameters {
+        draft.parameters = parameters::read(reader, value);
+    }
     draft.moving(reader, root, file);
     draft.references(reader, file);
+    draft.deviations(reader, file);
     if let Some(value) = &file.gravity {
         let gravity = reader.pair("`gravity` (m/s^2)", value);
         draft.unreadable |=
@@ -136,6 +159,26 @@ impl<'v> SceneDraft<'v> {
             self.unreadable |= value.get().is_none();
             self.driver_key = Some(key);
         }
+        if let Some(value) = &file.inputs {
+            self.timed = timed_inputs::read(reader, value);
+            self.unreadable |= value.get().is_none();
+        }
+    }
+
+    /// How far lengths may be off, and how loose pins are.
+    fn deviations(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
+        let general = file.tolerance.as_ref();
+        let all = &mut self.tolerances;
+        all.general = general.and_then(|v| deviations::tolerance(reader, "`tolerance`", v));
+        if let Some(value) = &file.clearance {
+            all.clearance = deviations::clearance(reader, value);
+        }
+        if let Some(value) = &file.tolerances {
+            all.points = deviations::points(reader, value);
+        }
+        if let Some(value) = &file.clearances {
+            all.pins = deviations::pins(reader, value);
+        }
     }
 
     /// What names points without defining them.
@@ -144,11 +187,14 @@ impl<'v> SceneDraft<'v> {
         if let Some(value) = &file.vectors {
             self.vectors = points::vectors(reader, value);
         }
+        if let Some(value) = &file.limits {
+            self.limits = limits::limits(reader, value);
+        }
         if let Some(value) = &file.loads {
             self.loads = loads::loads(reader, value);
         }
         if let Some(value) = &file.springs {
-            self.springs = loads::springs(reader, value);
+            self.springs = spring::springs(reader, value);
         }
         self.lost_references = reader.found.len() > before;
     }

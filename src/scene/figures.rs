@@ -29,7 +29,7 @@ pub(crate) struct FormulaPlace {
 }
 
 impl FormulaPlace {
-    fn of(reader: &Reader<'_>, formula: &Name<'_>) -> FormulaPlace {
+    pub(super) fn of(reader: &Reader<'_>, formula: &Name<'_>) -> FormulaPlace {
         let Range { start, end } = formula.span;
         let within = reader.text().get(start + 1..end.saturating_sub(1));
         FormulaPlace {
@@ -38,8 +38,13 @@ impl FormulaPlace {
         }
     }
 
-    /// What is wrong with a formula, where it stands in the file.
+    /// What is wrong with the formula of a figure, where it stands in the file.
     pub(crate) fn diagnostic(&self, figure: &str, fault: &Malformed) -> Diagnostic {
+        self.fault(&words().figure_called(&quoted(figure)), fault)
+    }
+
+    /// What is wrong with the formula of anything.
+    pub(super) fn fault(&self, what: &str, fault: &Malformed) -> Diagnostic {
         let span = match self.is_literal {
             true => {
                 let from = self.text.start + 1;
@@ -47,7 +52,7 @@ impl FormulaPlace {
             }
             false => self.text.clone(),
         };
-        let message = words().figure_called(&quoted(figure)) + ": " + &fault.message;
+        let message = format!("{what}: {}", fault.message);
         let diagnostic = Diagnostic::new(message).at(span, "");
         diagnostic.maybe_help(fault.help.clone())
     }

@@ -33,8 +33,11 @@ pub(super) fn as_vectors(draft: &mut SceneDraft<'_>) {
         fits && !carries && !link.broken && !carriers.contains(link.name.text)
     };
     let frames = draft.links.extract_if(.., is_frame);
+    let of_frame = &mut draft.tolerances.of_frame;
     let vectors = frames.filter_map(|link| {
         let ends = link.ends?;
+        let name = link.name.to_string();
+        of_frame.extend(link.tolerance.map(|tolerance| (name, tolerance)));
         Some(DraftVector {
             name: link.name,
             tail: ends.from,

@@ -1,12 +1,14 @@
 //! Reads the driver.
 
+use super::limits::{self, DraftEnds};
 use super::rate::{self, Degree, Misfit, Rate, RateKind};
-use super::reader::{ByteSpan, Name, Reader};
+use super::reader::{ByteSpan, CoordinatePair, Name, Reader};
+use super::timed_motion::{self, MotionFrame, MotionList};
 use super::{Unit, keys};
-use crate::Mechanism;
 use crate::document::{Diagnostic, Lenient, Misplaced, meant};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
+use crate::{Mechanism, MotionLaw};
 use serde::Deserialize;
 
 /// The section `[driver]` as it is written.
@@ -16,8 +18,10 @@ pub(super) struct DriverTable {
     slide: Option<Lenient<String>>,
     angle: Option<Lenient<f64>>,
     position: Option<Lenient<f64>>,
+    range: Option<CoordinatePair>,
     speed: Option<Lenient<String>>,
     acceleration: Option<Lenient<String>>,
+    motion: Option<MotionList>,
 }
 
 #[derive(Debug)]
@@ -25,10 +29,14 @@ pub(super) struct DraftDriver<'t> {
     /// The key `link` or `slide`.
     pub(super) input: DraftInput<'t>,
     pub(super) start: f64,
+    /// Between which stops it moves.
+    pub(super) range: Option<DraftEnds>,
     pub(super) speed: f64,
     pub(super) acceleration: f64,
     /// Whether one of these was typed in another unit.
     pub(super) is_converted: bool,
+    /// How it moves over time.
+    pub(super) motion: Option<MotionLaw>,
 }
 
 #[derive(Debug)]
@@ -124,6 +132,8 @@ pub(super) fn driver<'v>(
     };
     let speed = rate("speed", Degree::Speed, &table.speed);
     let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
+    let range = range(reader, kind, table.range.as_ref());
+    let motion = motion(reader, (value, table), start, kind, range.as_ref());
     let name = name?;
     let rates = [speed, acceleration];
     let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
@@ -133,10 +143,49 @@ pub(super) fn driver<'v>(
             RateKind::Push(_) => DraftInput::Slide(name),
         },
         start: start.unwrap_or(0.0),
+        range,
         speed: speed.unwrap_or(UNIT_SPEED),
         acceleration: acceleration.unwrap_or(0.0),
-        is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted),
+        is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted)
+            // Its speeds are per degree.
+            || motion.is_some(),
+        motion,
     })
+}
+
+/// How it moves over time, which no speed may stand beside.
+fn motion(
+    reader: &mut Reader<'_>,
+    (value, table): (&Lenient<DriverTable>, &DriverTable),
+    start: Option<f64>,
+    kind: RateKind,
+    range: Option<&DraftEnds>,
+) -> Option<MotionLaw> {
+    let given = table.motion.as_ref()?;
+    for key in ["speed", "acceleration"] {
+        if let Some(beside) = value.key(key) {
+            timed_motion::alone(reader, key, &beside.span());
+        }
+    }
+    let frame = MotionFrame {
+        start: start?,
+        turns: kind == RateKind::Turn,
+        range,
+    };
+    timed_motion::read(reader, &frame, given)
+}
+
+fn range(
+    reader: &mut Reader<'_>,
+    kind: RateKind,
+    value: Option<&CoordinatePair>,
+) -> Option<DraftEnds> {
+    let what = words().key_of("range", words().the_driver());
+    let range = limits::range(reader, &what, value?);
+    if let (Some(range), RateKind::Turn) = (&range, kind) {
+        limits::check_turns(reader, &what, range);
+    }
+    range
 }
 
 /// Nothing is driven: a misspelt key, or none at all.
@@ -212,7 +261,18 @@ pub(super) fn rate(
     let misfit = match &value.read {
         Ok(text) => match rate::parse(text, kind, degree) {
             Ok(rate) => return Some(rate),
-            Err(misfit) => misfit,
+            Err(misfit) => match rate::formula(text, kind, degree) {
+                Some((formula, unit)) => {
+                    let what = words().key_of(key, of);
+                    let number = reader.worked_out(&what, formula, &value.span)?;
+                    let rate = rate::of(number, unit, kind);
+                    if rate.value.is_finite() {
+                        return Some(rate);
+                    }
+                    Misfit::NotFinite
+                }
+                None => misfit,
+            },
         },
         Err(Misplaced::Number | Misplaced::Unheld) => Misfit::NoUnit,
         Err(_) => Misfit::NoNumber,

@@ -44,10 +44,14 @@ pub(super) enum KeyKind {
     /// A name, a text or a choice.
     Text,
     Number(NumberMeasure),
+    /// `[low, high]`.
+    Ends(NumberMeasure),
     /// `[x, y]`.
     Pair(NumberMeasure),
     /// A number with a unit of its own.
     Rate(Degree),
+    /// Named numbers.
+    Numbers(NumberMeasure),
     /// Named pairs.
     Points(NumberMeasure),
     /// `[x, y]` on a link, or a length and an angle; and named ones.
@@ -59,17 +63,23 @@ pub(super) enum KeyKind {
     Table(&'static [SceneKey]),
     Each(&'static [SceneKey]),
     List(&'static [SceneKey]),
+    /// Named ends, or tables of an angle and its ends.
+    Limits(&'static [SceneKey]),
+    /// A list of tables in another.
+    Steps(&'static [SceneKey]),
     /// Named pairs of names.
     Vectors,
     /// Named texts.
     Formulas,
+    /// Named numbers.
+    Parameters,
 }
 
 /// What a number measures.
 #[derive(Clone, Copy)]
 pub(super) enum NumberMeasure {
     Of(Measure),
-    /// The driver's coordinate.
+    /// The coordinate of the driver, or of the input that the table is for.
     Driver,
     /// What a motor gives: a torque, or the force on a driven slide.
     Effort,
@@ -112,7 +122,8 @@ macro_rules! keys {
 }
 
 use KeyKind::{
-    Each, Formulas, Knots, List, Number, Pair, Place, Places, Points, Rate, Table, Text, Vectors,
+    Each, Ends, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters, Place, Places,
+    Points, Rate, Steps, Table, Text, Vectors,
 };
 use NumberMeasure::{Driver, Effort, Of};
 
@@ -122,17 +133,24 @@ SCENE =
     "source": Text, [], where_it_comes_from, no_default;
     "note": Text, [], what_there_is_to_see, no_default;
     "unit": Text, [], unit_of_every_length, "`\"mm\"`";
+    "parameters": Parameters, [], numbers_with_names, no_default;
+    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_lengths, exact_by_default;
+    "clearance": Number(Of(Measure::Deviation)), [], clearance_of_pins, "0";
     "ground": Points(Of(Measure::Coordinate)), [], points_fixed_in_frame, no_default;
     "driver": Table(DRIVER), [], the_input, "";
+    "inputs": Each(TIMED), [], inputs_that_follow, no_default;
     "links": Each(LINK), [], rigid_links, no_default;
     "slides": Each(SLIDE), [], guides_and_sliders, no_default;
     "start": Points(Of(Measure::Start)), [], rough_positions, no_default;
     "vectors": Vectors, [], further_vectors, no_default;
+    "limits": Limits(LIMIT), [], coordinates_between_stops, no_default;
     "loads": List(LOAD), [], any_number_of_loads, no_default;
     "springs": List(SPRING), [], any_number_of_springs, no_default;
     "gravity": Pair(Of(Measure::Gravity)), [], acceleration_of_fall, "`[0, 0]`";
     "figures": Formulas, [], figures_by_formulas, no_default;
     "motor": Table(MOTOR), [], what_is_to_drive, no_default;
+    "tolerances": Numbers(Of(Measure::Deviation)), [], tolerances_of_points, tolerance_of_link_or_scene;
+    "clearances": Numbers(Of(Measure::Deviation)), [], clearances_of_pins, "`clearance`";
     "redundant": Table(REDUNDANT), [], constraints_that_repeat, no_default;
 
 DRIVER =
@@ -140,8 +158,22 @@ DRIVER =
     "slide": Text, ["slide"], the_pushed_slide, "";
     "angle": Number(Of(Measure::Angle)), ["link"], opening_angle, "";
     "position": Number(Of(Measure::Coordinate)), ["slide"], opening_position, "";
+    "range": Ends(Driver), [], range_of_driver, no_default;
     "speed": Rate(Degree::Speed), [], speed_of_driver, unit_speed;
     "acceleration": Rate(Degree::Acceleration), [], acceleration_of_driver, "0";
+    "motion": Steps(STEP), [], motion_of_driver, no_default;
+
+STEP =
+    "law": Text, [], law_of_step, "";
+    "to": Number(Driver), [], end_of_step, "";
+    "time": Number(Of(Measure::Time)), [], time_of_step, "";
+    "ramp": Number(Of(Measure::Factor)), [], ramp_of_step, "`1/3`";
+    "knots": Knots([Of(Measure::Time), Driver], "coordinate"), [], knots_of_step, "";
+    "dwell": Number(Of(Measure::Time)), [], dwell_of_step, "";
+
+TIMED =
+    "ratio": Number(Of(Measure::Factor)), [], ratio_of_input, "1";
+    "phase": Number(Driver), [], phase_of_input, "0";
 
 LINK =
     "from": Text, [], "", "";
@@ -151,6 +183,7 @@ LINK =
     "com": Place, [], centre_in_link_frame, no_default;
     "mass": Number(Of(Measure::Mass)), [], mass_of_link, "0";
     "inertia": Number(Of(Measure::Inertia)), [], inertia_of_link, "0";
+    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_link, tolerance_of_scene;
 
 PLACE =
     "from": Text, [], point_that_sees, origin_by_default;
@@ -164,6 +197,12 @@ SLIDE =
     "through": Pair(Of(Measure::Coordinate)), [], point_of_the_guide, "";
     "angle": Number(Of(Measure::Angle)), [], angle_of_guide, "0";
     "turn": Number(Of(Measure::Angle)), ["link"], turn_of_slider, "0";
+    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_guide, tolerance_of_scene;
+
+LIMIT =
+    "link": Text, [], "", "";
+    "from": Text, [], link_and_from_where, "`\"ground\"`";
+    "angle": Ends(Of(Measure::Angle)), [], ends_of_an_angle, "";
 
 LOAD =
     "point": Text, ["force"], "", "";
@@ -177,10 +216,14 @@ LOAD =
     "end": Text, ["press"], end_of_a_press, the_lower_end;
 
 SPRING =
-    "from": Text, [], "", "";
+    "from": Text, ["spring", "gas"], "", "";
     "to": Text, [], ends_of_a_spring, "";
-    "stiffness": Number(Of(Measure::Stiffness)), [], stiffness_of_spring, "0";
-    "length": Number(Of(Measure::Length)), [], free_length, "0";
+    "stiffness": Number(Of(Measure::Stiffness)), ["spring", "torsion"], stiffness_of_spring, "0";
+    "length": Number(Of(Measure::Length)), ["spring"], free_length, "0";
+    "force": Knots([Of(Measure::Length), Of(Measure::Force)], "size"), ["gas"], force_of_gas_spring, "";
+    "link": Text, ["torsion"], link_of_torsion_spring, "";
+    "angle": Number(Of(Measure::Angle)), ["torsion"], free_angle, "0";
+    "preload": Number(Of(Measure::Force)), ["spring", "torsion"], preload_of_spring, "0";
     "damping": Number(Of(Measure::Damping)), [], damping_of_spring, "0";
 
 MOTOR =
@@ -190,7 +233,8 @@ MOTOR =
     "speed": Rate(Degree::Speed), [], rated_speed, unknown_by_default;
     "flywheel": Number(Of(Measure::Inertia)), ["link"], flywheel_of_motor, "0";
     "fluctuation": Number(Of(Measure::Factor)), ["link"], fluctuation_wished, no_default;
-    "tolerance": Number(Of(Measure::Length)), [], rest_of_ram, no_default;
+    "rest": Number(Of(Measure::Length)), [], rest_of_ram, no_default;
+    "tolerance": Number(Of(Measure::Length)), [], "", "";
 
 REDUNDANT =
     "misfit": Number(Of(Measure::Length)), [], misfit_accepted, "0";
@@ -228,9 +272,12 @@ impl SceneKey {
     fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {
-            Text | Number(_) | Pair(_) | Rate(_) | Knots(..) | Place | Places => None,
-            Points(_) | Vectors | Formulas => Some((format!("[{name}]"), &[])),
-            Table(keys) | Each(keys) => Some((format!("[{name}]"), keys)),
+            Text | Number(_) | Ends(_) | Pair(_) | Rate(_) | Knots(..) | Place | Places
+            | Steps(_) => None,
+            Numbers(_) | Points(_) | Vectors | Formulas | Parameters => {
+                Some((format!("[{name}]"), &[]))
+            }
+            Table(keys) | Each(keys) | Limits(keys) => Some((format!("[{name}]"), keys)),
             List(keys) => Some((format!("[[{name}]]"), keys)),
         }
     }
@@ -259,7 +306,10 @@ fn row(table: &mut String, name: &str, key: &SceneKey) {
 mod tests {
     use super::*;
     use crate::document::Lenient;
-    use crate::scene::{draft, input, link, loads, motor, redundant, sighted, slide};
+    use crate::scene::{
+        draft, input, link, loads, motor, redundant, sighted, slide, spring, timed_inputs,
+        timed_motion,
+    };
     use crate::wording::Language;
     use serde::Deserialize;
     use serde::de::DeserializeOwned;
@@ -277,10 +327,12 @@ mod tests {
         for (table, read) in [
             (SCENE, read::<draft::SceneFile>()),
             (DRIVER, read::<input::DriverTable>()),
+            (STEP, read::<timed_motion::StepTable>()),
             (LINK, read::<link::LinkTable>()),
             (SLIDE, read::<slide::SlideTable>()),
+            (TIMED, read::<timed_inputs::TimedTable>()),
             (LOAD, read::<loads::LoadTable>()),
-            (SPRING, read::<loads::SpringTable>()),
+            (SPRING, read::<spring::SpringTable>()),
             (MOTOR, read::<motor::MotorTable>()),
             (REDUNDANT, read::<redundant::RedundantTable>()),
         ] {
@@ -294,6 +346,13 @@ mod tests {
     fn places_by_length_and_angle_have_their_keys() {
         let rows = PLACE.iter().map(|key| key.name);
         assert!(rows.eq(sighted::KEYS));
+    }
+
+    /// So is a limit of an angle.
+    #[test]
+    fn limits_of_angles_have_their_keys() {
+        let rows = LIMIT.iter().map(|key| key.name);
+        assert!(rows.eq(crate::scene::limits::ANGLE_KEYS));
     }
 
     /// Every key is told in the reference, none without words, and in both languages the same rows.

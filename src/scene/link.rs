@@ -1,5 +1,6 @@
 //! Reads links.
 
+use super::deviations::{self, DraftTolerance};
 use super::points::PlacedPoint;
 use super::reader::{ByteSpan, Name, Reader, SMALLEST_LENGTH, quoted};
 use super::sighted::{self, LinkPlace, LinkPlaces};
@@ -27,6 +28,7 @@ pub(super) struct LinkTable {
     com: Option<LinkPlace>,
     mass: Option<Lenient<f64>>,
     inertia: Option<Lenient<f64>>,
+    tolerance: Option<Lenient<f64>>,
 }
 
 #[derive(Debug)]
@@ -40,6 +42,8 @@ pub(super) struct DraftLink<'t> {
     pub(super) inertia: f64,
     /// The key `mass`, or `inertia` where there is no mass.
     pub(super) mass_key: Option<(&'static str, ByteSpan)>,
+    /// How far its length and the places of its points may be off.
+    pub(super) tolerance: Option<DraftTolerance>,
     /// Whether something about it was reported.
     pub(super) broken: bool,
 }
@@ -122,6 +126,7 @@ fn link<'v>(
         mass: 0.0,
         inertia: 0.0,
         mass_key: None,
+        tolerance: None,
         broken: false,
     };
     let of = words().link_called(&link.name.to_string());
@@ -130,6 +135,9 @@ fn link<'v>(
         *lost_points |= !link_ends(reader, &of, value, table, &mut link);
         *lost_points |= !link_points(reader, &of, value, table, &mut link);
         link_mass(reader, &of, value, table, &mut link);
+        let tolerance = table.tolerance.as_ref();
+        let what = words().key_of("tolerance", &of);
+        link.tolerance = tolerance.and_then(|value| deviations::tolerance(reader, &what, value));
         if reader.found.len() == before && link.ends.is_none() && link.points.is_empty() {
             reader.report(no_points(&of, &link.name));
         }

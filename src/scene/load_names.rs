@@ -1,7 +1,6 @@
-//! Joins the names of loads and springs.
+//! Joins the names of loads.
 
-use super::link::DraftLink;
-use super::loads::{DraftLoad, DraftSpring};
+use super::loads::DraftLoad;
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
@@ -124,66 +123,9 @@ impl<'t> Resolver<'_, '_, 't> {
         );
         None
     }
-
-    /// All springs.
-    pub(super) fn springs(&mut self) {
-        let draft = self.draft;
-        for spring in &draft.springs {
-            let of = words().the_spring();
-            let from = self.point(&words().key_of("from", of), &spring.from);
-            let to = self.point(&words().key_of("to", of), &spring.to);
-            let (Some(from), Some(to)) = (from, to) else {
-                continue;
-            };
-            if let Some(fault) = self.idle(spring) {
-                self.reader.report(fault);
-                continue;
-            }
-            self.builder.load(Load::Spring {
-                from,
-                to,
-                stiffness: spring.stiffness,
-                length: spring.length,
-                damping: spring.damping,
-            });
-        }
-    }
-
-    /// The fault of a spring whose length never changes.
-    fn idle(&self, spring: &DraftSpring<'t>) -> Option<Diagnostic> {
-        let DraftSpring { from, to, .. } = spring;
-        if from.text == to.text {
-            return Some(
-                Diagnostic::new(words().spring_to_itself(&from.to_string()))
-                    .at(to.span.clone(), words().end_is_beginning())
-                    .and(from.span.clone(), words().begins_here())
-                    .help(words().name_two_points()),
-            );
-        }
-        let grounded = |name: &Name<'_>| self.ground.contains_key(name.text);
-        let carried = |link: &&DraftLink<'_>| [from, to].iter().all(|name| carries(link, name));
-        let body = if grounded(from) && grounded(to) {
-            words().the_ground_as_body().to_owned()
-        } else {
-            let link = self.draft.links.iter().find(carried)?;
-            words().link_called(&link.name.to_string())
-        };
-        Some(
-            Diagnostic::new(words().spring_on_one_body(&body))
-                .at(to.span.clone(), words().length_never_changes())
-                .and(from.span.clone(), words().begins_here())
-                .help(words().springs_join_bodies()),
-        )
-    }
 }
 
 /// A key of a load, as a message calls it.
 fn of_load(key: &str) -> String {
     words().key_of(key, words().the_load())
-}
-
-/// Whether a point, or a centre of mass, is one of the link's.
-fn carries(link: &DraftLink<'_>, name: &Name<'_>) -> bool {
-    let centre = name.text.strip_suffix(".com");
-    centre == Some(link.name.text) || link.point_names().any(|point| point.text == name.text)
 }

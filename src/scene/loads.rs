@@ -1,4 +1,4 @@
-//! Reads what acts on the mechanism: loads and springs.
+//! Reads what acts on the mechanism: loads.
 
 use super::keys;
 use super::profile::{self, Knots};
@@ -10,19 +10,16 @@ use crate::{Profile, StrokeEnd, Vec2};
 use serde::Deserialize;
 
 const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
-const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
 
 /// A list, and keys of a table in it.
-type ListExample = [&'static str; 3];
+pub(super) type ListExample = [&'static str; 3];
 
-fn said([list, one, other]: ListExample) -> String {
+pub(super) fn said([list, one, other]: ListExample) -> String {
     words().example_of_list(list, one, other)
 }
 
 /// The list `[[loads]]` as it is written.
 pub(super) type Loads = Lenient<Vec<Lenient<LoadTable>>>;
-/// The list `[[springs]]` as it is written.
-pub(super) type Springs = Lenient<Vec<Lenient<SpringTable>>>;
 
 /// A load as it is written.
 #[derive(Debug, Deserialize)]
@@ -36,16 +33,6 @@ pub(super) struct LoadTable {
     slide: Option<Lenient<String>>,
     press: Option<Knots>,
     end: Option<Lenient<String>>,
-}
-
-/// A spring as it is written.
-#[derive(Debug, Deserialize)]
-pub(super) struct SpringTable {
-    from: Option<Lenient<String>>,
-    to: Option<Lenient<String>>,
-    stiffness: Option<Lenient<f64>>,
-    length: Option<Lenient<f64>>,
-    damping: Option<Lenient<f64>>,
 }
 
 #[derive(Debug)]
@@ -68,15 +55,6 @@ pub(super) enum DraftLoad<'t> {
         /// `None` where the file leaves it to the guide.
         end: Option<StrokeEnd>,
     },
-}
-
-#[derive(Debug)]
-pub(super) struct DraftSpring<'t> {
-    pub(super) from: Name<'t>,
-    pub(super) to: Name<'t>,
-    pub(super) stiffness: f64,
-    pub(super) length: f64,
-    pub(super) damping: f64,
 }
 
 /// The kinds of loads, each known by the key of its size.
@@ -123,13 +101,8 @@ pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<DraftL
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
-/// Reads the springs, likewise.
-pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<DraftSpring<'v>> {
-    let items = list(reader, "springs", SPRING, value);
-    items.iter().filter_map(|v| spring(reader, v)).collect()
-}
-
-fn list<'v, T>(
+/// The items of a list of tables; nothing of what is none, which is reported.
+pub(super) fn list<'v, T>(
     reader: &mut Reader<'_>,
     key: &str,
     example: ListExample,
@@ -294,42 +267,4 @@ fn stroke_end(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Stroke
             .help(words().which_ends_there_are()),
     );
     None
-}
-
-fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<DraftSpring<'v>> {
-    let of = words().the_spring();
-    let table = reader.table(words().a_spring(), &said(SPRING), value)?;
-    reader.only(of, value);
-    let mut end = |key: &str, given: &'v Option<Lenient<String>>| {
-        if given.is_none() && !value.meant(key) {
-            reader.report(
-                Diagnostic::new(words().spring_lacks_end(key))
-                    .at(value.span.clone(), words().springs_have_two_ends())
-                    .help(words().for_example(&said(SPRING))),
-            );
-        }
-        reader.text_of(key, of, given.as_ref())
-    };
-    let (from, to) = (end("from", &table.from), end("to", &table.to));
-    let mut number = |key, unit, given: &Option<Lenient<f64>>| {
-        reader.not_negative(of, key, unit, given.as_ref())
-    };
-    let stiffness = number("stiffness", " (N/m)", &table.stiffness);
-    let length = number("length", "", &table.length);
-    let damping = number("damping", " (N s/m)", &table.damping);
-    let works = table.stiffness.is_some() || table.damping.is_some();
-    if !works && !value.meant("stiffness") && !value.meant("damping") {
-        reader.report(
-            Diagnostic::new(words().spring_has_no_size())
-                .at(value.span.clone(), words().does_nothing())
-                .help(words().give_spring_a_size()),
-        );
-    }
-    Some(DraftSpring {
-        from: from?,
-        to: to?,
-        stiffness,
-        length,
-        damping,
-    })
 }

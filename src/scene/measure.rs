@@ -2,6 +2,7 @@
 
 use super::Unit;
 use super::rate::{Degree, RateKind};
+use crate::expression::Dimension;
 
 /// What a value measures, and what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub enum Measure {
     Coordinate,
     /// A rough coordinate of `[start]`, in the scene's unit: it chooses the assembly.
     Start,
+    /// How far a length may be off, or a pin is loose, in the scene's unit; not negative.
+    Deviation,
     /// In degrees, counter-clockwise.
     Angle,
     /// How fast the driver turns, with a unit of its own.
@@ -37,8 +40,16 @@ pub enum Measure {
     Stiffness,
     /// In N s/m, not negative.
     Damping,
+    /// In N m/rad, not negative.
+    TurnStiffness,
+    /// In N m s/rad, not negative.
+    TurnDamping,
+    /// In s.
+    Time,
     /// A plain number: the part of a load that acts, or of a speed by which it fluctuates.
     Factor,
+    /// A number with a name: what it measures is what it is used for.
+    Parameter,
 }
 
 /// The units of a measure.
@@ -58,6 +69,16 @@ pub(super) enum MeasureUnits {
 pub(super) type UnitScale = (&'static str, u32, u32);
 
 impl Measure {
+    /// What the same number of a torsion spring measures: of torques over angles.
+    pub(super) fn of_torsion(self) -> Measure {
+        match self {
+            Measure::Stiffness => Measure::TurnStiffness,
+            Measure::Damping => Measure::TurnDamping,
+            Measure::Force => Measure::Torque,
+            other => other,
+        }
+    }
+
     /// What a rate of the driver measures, which is turned or pushed.
     pub(super) fn of_rate(degree: Degree, turns: bool) -> Measure {
         match (degree, turns) {
@@ -72,7 +93,9 @@ impl Measure {
     pub(super) fn units(self, scene: Unit) -> MeasureUnits {
         let push = RateKind::Push(scene);
         let scales: &'static [UnitScale] = match self {
-            Measure::Length | Measure::Coordinate | Measure::Start => return MeasureUnits::Length,
+            Measure::Length | Measure::Coordinate | Measure::Start | Measure::Deviation => {
+                return MeasureUnits::Length;
+            }
             Measure::Angle => return MeasureUnits::Angle,
             Measure::TurnSpeed => return MeasureUnits::Rate(RateKind::Turn, Degree::Speed),
             Measure::TurnAcceleration => {
@@ -96,9 +119,39 @@ impl Measure {
             Measure::Gravity => &[("m/s^2", 1, 1), ("mm/s^2", 1, 1000)],
             Measure::Stiffness => &[("N/m", 1, 1), ("N/mm", 1000, 1), ("kN/m", 1000, 1)],
             Measure::Damping => &[("N s/m", 1, 1), ("N s/mm", 1000, 1)],
+            Measure::TurnStiffness => &[("N m/rad", 1, 1), ("N mm/rad", 1, 1000)],
+            Measure::TurnDamping => &[("N m s/rad", 1, 1), ("N mm s/rad", 1, 1000)],
+            Measure::Time => &[("s", 1, 1), ("ms", 1, 1000)],
             Measure::Factor => &[("", 1, 1), ("%", 1, 100)],
+            Measure::Parameter => &[("", 1, 1)],
         };
         MeasureUnits::Scales(scales)
+    }
+
+    /// What a formula that has units must measure; a rate and a parameter may be anything.
+    pub(super) fn dimension(self) -> Option<Dimension> {
+        Some(match self {
+            Measure::Length | Measure::Coordinate | Measure::Start | Measure::Deviation => {
+                Dimension::LENGTH
+            }
+            Measure::Angle => Dimension::DEGREES,
+            Measure::Mass => Dimension::KILOGRAM,
+            Measure::Inertia => Dimension::INERTIA,
+            Measure::Force => Dimension::FORCE,
+            Measure::Torque => Dimension::MOMENT,
+            Measure::Gravity => Dimension::FREE_FALL,
+            Measure::Stiffness => Dimension::STIFFNESS,
+            Measure::Damping => Dimension::DAMPING,
+            Measure::TurnStiffness => Dimension::TURN_STIFFNESS,
+            Measure::TurnDamping => Dimension::TURN_DAMPING,
+            Measure::Time => Dimension::SECOND,
+            Measure::Factor => Dimension::NUMBER,
+            Measure::TurnSpeed
+            | Measure::TurnAcceleration
+            | Measure::PushSpeed
+            | Measure::PushAcceleration
+            | Measure::Parameter => return None,
+        })
     }
 
     /// The unit in which the file has it; a rate brings its own.

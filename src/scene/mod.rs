@@ -11,7 +11,7 @@
 //! [ground]                        # points fixed in the frame
 //! A = [0, 0]
 //!
-//! [driver]                        # the input, one per scene
+//! [driver]                        # the input
 //! link  = "r2"
 //! angle = 60                      # deg, where the scene opens
 //! speed = "15 rad/s"
@@ -44,12 +44,15 @@
 //! solver finds, and [`Scene::explain`] says it in the same way.
 
 mod defect;
+mod deviations;
 mod draft;
 mod figures;
 mod frame;
+mod general_tolerance;
 mod guide;
 mod input;
 mod keys;
+mod limits;
 mod link;
 mod load_names;
 mod loads;
@@ -57,6 +60,7 @@ mod measure;
 mod motor;
 mod names;
 mod numeral;
+mod parameters;
 mod points;
 pub mod presets;
 mod profile;
@@ -68,10 +72,15 @@ mod retell;
 mod rewrite;
 mod sighted;
 mod slide;
+mod spring;
+mod spring_ends;
 mod syntax;
+mod timed_inputs;
+mod timed_motion;
 mod typed;
 mod unit;
 mod values;
+mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
 pub use figures::NamedFormula;
@@ -81,15 +90,16 @@ pub use measure::Measure;
 pub use motor::Motor;
 pub(crate) use names::{is_figure_name, reserved_for_figures};
 pub(crate) use numeral::{are_thousands, with_point};
+pub use parameters::Parameter;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
 
-use crate::document;
+use crate::document::{self, NamedNumbers};
 use crate::wording::words;
-use crate::{ElementId, LinkId, Mechanism, PointId, SlideId};
+use crate::{ElementId, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -114,11 +124,19 @@ pub struct Scene {
     pub vectors: Vec<Vector>,
     /// The figures that are made of others (`[figures]`), in the order of the file.
     pub figures: Vec<NamedFormula>,
+    /// How the driver moves over time (`motion` of `[driver]`).
+    pub motion: Option<MotionLaw>,
     /// The motor that is to drive it (`[motor]`).
     pub motor: Option<Motor>,
+    /// The numbers with names (`[parameters]`), in the order of the file.
+    pub parameters: Vec<Parameter>,
+    named: Arc<NamedNumbers>,
     pub(crate) point_names: Vec<Option<String>>,
     pub(crate) link_names: Vec<String>,
     pub(crate) slide_names: Vec<String>,
+    /// The limits by their names, with the places of their ends in the text.
+    limits: limits::LimitPlaces,
+    tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
     text: Arc<str>,
@@ -192,15 +210,21 @@ impl Scene {
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
+                motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
+                parameters: parameters::told(&reader.named, draft.parameters),
+                named: Arc::new(std::mem::take(&mut reader.named)),
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,
                 slide_names: resolved.slide_names,
+                limits: resolved.limits,
+                tolerances: resolved.tolerances,
                 places: resolved.places,
                 origin: origin.to_owned(),
                 text: text.into(),
             })
         });
+        let scene = scene.filter(|scene| worked::measures_fit(&mut reader, scene));
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }
 
@@ -254,10 +278,28 @@ impl Scene {
         &self.link_names[link.index()]
     }
 
+    /// A limit's name: what it is named after, or what the scene calls it; `driver` where the driver has a range.
+    #[must_use]
+    pub fn limit_name(&self, limit: LimitId) -> &str {
+        &self.limits[limit.index()].0
+    }
+
+    /// Where the ends of a limit stand in the text.
+    #[must_use]
+    pub fn limit_place(&self, limit: LimitId) -> Range<usize> {
+        self.limits[limit.index()].1.clone()
+    }
+
     /// The title as a person reads it: that of a scene that is built in, in the language that is spoken.
     #[must_use]
     pub fn title(&self) -> String {
         words().told_of_scene(&self.name)
+    }
+
+    /// How far lengths may be off, and how loose pins are.
+    #[must_use]
+    pub fn tolerances(&self) -> &Tolerances {
+        &self.tolerances
     }
 
     /// A slide's name.

@@ -25,7 +25,7 @@ pub struct Motor {
     /// The fluctuation of the speed that is wished: (greatest - least) / mean.
     pub fluctuation: Option<f64>,
     /// How far from the end of its stroke a ram still counts as at rest, in the scene's unit.
-    pub tolerance: Option<f64>,
+    pub rest: Option<f64>,
 }
 
 impl Scene {
@@ -58,6 +58,8 @@ pub(super) struct MotorTable {
     speed: Option<Lenient<String>>,
     flywheel: Option<Lenient<f64>>,
     fluctuation: Option<Lenient<f64>>,
+    rest: Option<Lenient<f64>>,
+    /// As it was called once.
     tolerance: Option<Lenient<f64>>,
 }
 
@@ -86,7 +88,8 @@ pub(super) fn read(
         peak: positive("peak", size, &table.peak),
         flywheel: positive("flywheel", " (kg m^2)", &table.flywheel),
         fluctuation: positive("fluctuation", "", &table.fluctuation),
-        tolerance: positive("tolerance", "", &table.tolerance),
+        rest: positive("rest", "", &table.rest)
+            .or_else(|| positive("tolerance", "", &table.tolerance)),
         speed: table.speed.as_ref().and_then(|speed| {
             let rate = input::rate(
                 reader,
@@ -162,7 +165,11 @@ fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor
         fault(place(&table.peak), message, words().is_too_small(), help);
     }
     if motor.fluctuation.is_some_and(|share| share > 1.0) {
-        let message = words().fluctuation_of_motor_too_large().to_owned();
+        let message = match motor.fluctuation {
+            // (w - 0) / (w / 2): at 2 it stands still, and more there is not.
+            Some(share) if share > 2.0 => words().fluctuation_of_motor_impossible().to_owned(),
+            _ => words().fluctuation_of_motor_too_large().to_owned(),
+        };
         let help = words().what_fluctuation_is();
         fault(
             place(&table.fluctuation),

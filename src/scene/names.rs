@@ -26,6 +26,8 @@ pub(super) enum Sort {
     Slide,
     Vector,
     Figure,
+    Parameter,
+    Limit,
 }
 
 impl Sort {
@@ -35,8 +37,10 @@ impl Sort {
         Sort::Slide,
         Sort::Vector,
         Sort::Figure,
+        Sort::Parameter,
+        Sort::Limit,
     ];
-    const COUNT: usize = 5;
+    const COUNT: usize = 7;
 
     fn noun(self) -> &'static str {
         match self {
@@ -45,6 +49,8 @@ impl Sort {
             Sort::Slide => words().noun_slide(),
             Sort::Vector => words().noun_vector(),
             Sort::Figure => words().noun_figure(),
+            Sort::Parameter => words().noun_parameter(),
+            Sort::Limit => words().noun_limit(),
         }
     }
 }
@@ -212,6 +218,12 @@ fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize
     for (i, figure) in draft.figures.iter().enumerate() {
         all.push((&figure.name, Sort::Figure, i));
     }
+    for (i, parameter) in draft.parameters.iter().enumerate() {
+        all.push((&parameter.name, Sort::Parameter, i));
+    }
+    // Others are named after what they hold.
+    let of_angles = draft.limits.iter().filter(|limit| limit.angle.is_some());
+    all.extend(of_angles.map(|limit| (&limit.name, Sort::Limit, 0)));
     all
 }
 
@@ -229,7 +241,7 @@ pub(crate) fn reserved_for_figures(text: &str) -> Option<String> {
 /// The names that a sort may not have, if this is one of them.
 fn reserved(text: &str, sort: Sort) -> Option<String> {
     let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
-        Sort::Figure => RESERVED_IN_FORMULAS.len(),
+        Sort::Figure | Sort::Parameter => RESERVED_IN_FORMULAS.len(),
         _ => 0,
     }];
     let all = [&RESERVED, of_formulas].concat();
@@ -264,6 +276,10 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
             words().name_is_too_long(&name.to_string(), count, LONGEST),
             words().is_too_long(),
         ));
+    }
+    if sort == Sort::Parameter && text.starts_with(|c: char| c.is_ascii_digit()) {
+        let message = words().parameter_reads_as_number(&name.to_string());
+        return Some(fault(message, words().is_no_name()).help(words().begin_it_with_a_letter()));
     }
     let odd = text.chars().find(|&c| !fits(c))?;
     Some(

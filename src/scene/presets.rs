@@ -44,6 +44,16 @@ static PRESETS: &[Preset] = presets! {
     "antiparallelogram"
     "kite"
     "triple-parallelogram"
+    "shaper"
+    "knuckle-press"
+    "drag-link-press"
+    "v-twin"
+    "radial-engine"
+    "wiper"
+    "double-wishbone"
+    "ackermann"
+    "backhoe"
+    "lift-table"
 };
 
 /// All presets, in the order in which they are listed.

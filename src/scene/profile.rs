@@ -9,6 +9,7 @@ use crate::wording::words;
 pub(super) type Knots = Lenient<Vec<CoordinatePair>>;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
+const GAS: &str = "force = [[200, 900], [300, 700]]";
 const PRESS: &str = "press = [[12, 0], [4, 200e3], [0, 350e3]]";
 
 /// A knot with the places of its two numbers.
@@ -42,12 +43,59 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Pro
 /// file has it: towards the end, or away from it.
 pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     let what = &words().key_of("press", words().the_load());
-    let mut knots = knots(reader, what, words().distance_and_force(), PRESS, value)?;
-    if let Some(fault) = knots.iter().find_map(|knot| pulling(reader, what, knot)) {
+    let knots = knots(reader, what, words().distance_and_force(), PRESS, value)?;
+    let pulling = |knot| before_end(reader, what, knot).or_else(|| helping(reader, what, knot));
+    if let Some(fault) = knots.iter().find_map(pulling) {
         reader.report(fault);
         return None;
     }
-    let grows = matches!(&knots[..], [first, second, ..] if first.at < second.at);
+    either_way(reader, what, knots)
+}
+
+/// The force of a gas spring over its length, in the order in which the file has it.
+pub(super) fn gas(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
+    let what = &words().key_of("force", words().the_spring());
+    let knots = knots(reader, what, words().length_and_force(), GAS, value)?;
+    if let Some(fault) = knots.iter().find_map(|knot| shorter(reader, what, knot)) {
+        reader.report(fault);
+        return None;
+    }
+    either_way(reader, what, knots)
+}
+
+/// Knots of time and coordinate: no two at one time.
+pub(super) fn over_time(
+    reader: &mut Reader<'_>,
+    what: &str,
+    example: &str,
+    value: &Knots,
+) -> Option<Vec<[f64; 2]>> {
+    let knots = knots(reader, what, words().time_and_coordinate(), example, value)?;
+    let grows = |pair: &[Knot]| pair[0].at < pair[1].at;
+    if let Some(pair) = knots.windows(2).find(|pair| !grows(pair)) {
+        let [first, second] = [&pair[0], &pair[1]].map(|knot| reader.literal(&knot.at_place));
+        reader.report(
+            Diagnostic::new(words().times_must_grow(what, &first, &second))
+                .at(pair[1].at_place.clone(), words().does_not_grow())
+                .and(pair[0].at_place.clone(), words().the_knot_before()),
+        );
+        return None;
+    }
+    if knots.len() < 2 {
+        reader.report(
+            Diagnostic::new(words().table_of_one_knot(what))
+                .at(value.span.clone(), words().two_knots_are_needed())
+                .help(words().for_example(example)),
+        );
+        return None;
+    }
+    Some(knots.iter().map(|knot| [knot.at, knot.value]).collect())
+}
+
+/// Knots that may grow or fall: what they do first is what is meant.
+fn either_way(reader: &mut Reader<'_>, what: &str, mut knots: Vec<Knot>) -> Option<Profile> {
+    let differs = knots.windows(2).find(|pair| pair[0].at != pair[1].at);
+    let grows = differs.is_some_and(|pair| pair[0].at < pair[1].at);
     ordered(reader, what, &knots, grows)?;
     if !grows {
         knots.reverse();
@@ -55,25 +103,44 @@ pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     profile(knots)
 }
 
-/// What is wrong with a knot that lies beyond the end, or whose force is not against the motion.
-fn pulling(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
-    let (message, place, help) = if knot.at < 0.0 {
-        let literal = reader.literal(&knot.at_place);
-        let message = words().negative_distance(what, &literal);
-        (message, &knot.at_place, words().distances_from_end())
-    } else if knot.value < 0.0 {
-        let literal = reader.literal(&knot.value_place);
-        let message = words().negative_press(what, &literal);
-        (
-            message,
-            &knot.value_place,
-            words().press_is_against_motion(),
-        )
-    } else {
-        return None;
-    };
-    let fault = Diagnostic::new(message).at(place.clone(), words().is_negative());
-    Some(fault.help(help))
+/// What is wrong with a knot that lies beyond the end of the stroke.
+fn before_end(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
+    let message = |literal: &str| words().negative_distance(what, literal);
+    negative(
+        reader,
+        (knot.at, &knot.at_place),
+        message,
+        words().distances_from_end(),
+    )
+}
+
+/// What is wrong with a knot whose force is not against the motion.
+fn helping(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
+    let message = |literal: &str| words().negative_press(what, literal);
+    let help = words().press_is_against_motion();
+    negative(reader, (knot.value, &knot.value_place), message, help)
+}
+
+/// What is wrong with a knot at a length below 0.
+fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
+    let message = |literal: &str| words().negative_length(what, literal);
+    negative(
+        reader,
+        (knot.at, &knot.at_place),
+        message,
+        words().lengths_of_gas_spring(),
+    )
+}
+
+/// The fault of a number below 0.
+fn negative(
+    reader: &Reader<'_>,
+    (value, place): (f64, &ByteSpan),
+    message: impl Fn(&str) -> String,
+    help: &'static str,
+) -> Option<Diagnostic> {
+    let fault = || Diagnostic::new(message(&reader.literal(place)));
+    (value < 0.0).then(|| fault().at(place.clone(), words().is_negative()).help(help))
 }
 
 /// A list of at least one knot.
@@ -118,34 +185,39 @@ fn each(
     Some(knots)
 }
 
-/// Reports the first knot that turns back.
+/// Reports the first knot that turns back, or the first that is the third at one coordinate: two are a jump.
 fn ordered(reader: &mut Reader<'_>, what: &str, knots: &[Knot], grows: bool) -> Option<()> {
-    let goes_on = |pair: &&[Knot]| {
+    let turns_back = |pair: &[Knot]| {
         let (before, after) = (pair[0].at, pair[1].at);
         if grows {
-            before < after
-        } else {
             before > after
+        } else {
+            before < after
         }
     };
-    let Some([before, after]) = knots.windows(2).find(|pair| !goes_on(pair)) else {
+    let turned = (1..knots.len()).find(|&k| turns_back(&knots[k - 1..=k]));
+    let third = (2..knots.len()).find(|&k| knots[k - 2].at == knots[k].at);
+    let Some(k) = turned.or(third) else {
         return Some(());
     };
+    let (before, after) = (&knots[k - 1], &knots[k]);
     let [first, second] = [before, after].map(|knot| reader.literal(&knot.at_place));
-    let (message, label, help) = if grows {
-        let message = words().knots_must_grow(what, &first, &second);
-        (
-            message,
+    let (message, label, help) = match (turned, grows) {
+        (None, _) => (
+            words().three_knots_at_one_place(what, &second),
+            words().a_third_knot_there(),
+            words().a_jump_has_two_knots(),
+        ),
+        (Some(_), true) => (
+            words().knots_must_grow(what, &first, &second),
             words().does_not_grow(),
             words().order_growing_knots(),
-        )
-    } else {
-        let message = words().knots_must_fall(what, &first, &second);
-        (
-            message,
+        ),
+        (Some(_), false) => (
+            words().knots_must_fall(what, &first, &second),
             words().does_not_fall(),
             words().order_falling_knots(),
-        )
+        ),
     };
     reader.report(
         Diagnostic::new(message)

@@ -70,14 +70,37 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
     if !units(kind, degree).contains(&unit) {
         return Err(Misfit::Unit(unit));
     }
+    let rate = of(number, unit, kind);
+    let is_finite = rate.value.is_finite();
+    is_finite.then_some(rate).ok_or(Misfit::NotFinite)
+}
+
+/// A number in one of its units.
+pub(super) fn of(number: f64, unit: &str, kind: RateKind) -> Rate {
     let converted = converted(number, unit, kind);
-    let value = converted.unwrap_or(number);
-    let is_converted = converted.is_some();
-    let rate = Rate {
-        value,
-        is_converted,
+    Rate {
+        value: converted.unwrap_or(number),
+        is_converted: converted.is_some(),
+    }
+}
+
+/// The formula in front of a unit, which is that of the whole: `2 * n rpm`. None where a plain number stands there.
+pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
+    let text = text.trim();
+    let heads = units(kind, degree).iter().filter_map(|unit| {
+        let head = text.strip_suffix(unit)?;
+        head.ends_with([' ', '\t', ')'])
+            .then_some((head.trim(), *unit))
+    });
+    let is_formula = |(head, _): &(&str, _)| {
+        let plain = head.replace(',', ".");
+        let is_number = head
+            .chars()
+            .all(|c| c.is_ascii_digit() || c == '.' || c == ',');
+        // `nan` and `inf` are no names.
+        !is_number && number_length(&plain) < plain.len() && plain.parse::<f64>().is_err()
     };
-    value.is_finite().then_some(rate).ok_or(Misfit::NotFinite)
+    heads.into_iter().find(is_formula)
 }
 
 /// A number and a unit as they stand in the file.
@@ -165,6 +188,27 @@ mod tests {
         assert_eq!((rate.value, rate.is_converted), (0.05, true));
         let rate = parse("50 m/s^2", metres, Degree::Acceleration).unwrap();
         assert_eq!((rate.value, rate.is_converted), (50.0, false));
+    }
+
+    #[test]
+    fn formulas_stand_before_their_unit() {
+        let turn = |text| formula(text, RateKind::Turn, Degree::Speed);
+        assert_eq!(turn(" 2 * n rpm "), Some(("2 * n", "rpm")));
+        assert_eq!(turn("(n + 1)rad/s"), Some(("(n + 1)", "rad/s")));
+        for plain in [
+            "15 rad/s",
+            "15,5 rpm",
+            "1e3 deg/s",
+            "n",
+            "nrpm",
+            "nan rpm",
+            "rpm",
+            "n mm/s",
+        ] {
+            assert_eq!(turn(plain), None, "{plain}");
+        }
+        let push = formula("v mm/s", PUSH, Degree::Speed);
+        assert_eq!(push, Some(("v", "mm/s")));
     }
 
     #[test]

@@ -22,10 +22,10 @@ impl Reader<'_> {
     pub(super) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
             Ok(number) => number,
+            Err(Misplaced::Text(formula)) => self.worked_out(what, formula, &value.span)?,
             Err(found) => {
                 let fault = self.wrong_type(what, words().a_number(), found, &value.span);
-                let help = found.text().and_then(bare_number);
-                self.report(fault.maybe_help(help));
+                self.report(fault);
                 return None;
             }
         };
@@ -126,7 +126,7 @@ impl Reader<'_> {
     }
 
     /// Exactly two values of a list.
-    fn two_of<'v, T>(
+    pub(super) fn two_of<'v, T>(
         &mut self,
         what: &str,
         (form, example): (&str, &str),
@@ -157,7 +157,7 @@ impl Reader<'_> {
 }
 
 /// The mend for a number that was written as a text.
-fn bare_number(text: &str) -> Option<String> {
+pub(super) fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
     let (number, rest) = text.split_at(number_length(text));
     let help = match (number.is_empty(), rest.is_empty()) {

@@ -69,16 +69,16 @@ error: the scene has no links: nothing moves
          [links]
          r2 = { from = `A`, to = `B`, length = 100 }
 
-error: y of ground point `A` must be a number, not a text
- --> caf\u{e9}\u{1b}.toml:4:9
+error: y of ground point `A`: `\u{202e}` is no part of a formula
+ --> caf\u{e9}\u{1b}.toml:4:10
   |
 4 | A    = [0, `?1`] # ??
-  |            ^^^^ expected a number
+  |             ^
 ";
     assert_eq!(faults.render(true, false).replace('"', "`"), ascii[1..]);
     let unicode = faults.render(false, false);
     assert!(
-        unicode.contains("--> caf\u{e9}\\u{1b}.toml:4:9\n"),
+        unicode.contains("--> caf\u{e9}\\u{1b}.toml:4:10\n"),
         "{unicode}"
     );
     assert!(

@@ -1,7 +1,9 @@
 //! Joins the names of a draft and builds the mechanism.
 
+use super::deviations::Settling;
 use super::draft::SceneDraft;
 use super::input::DraftInput;
+use super::limits::LimitPlaces;
 use super::link::DraftLink;
 use super::names::{Names, Sort};
 use super::points::PlacedPoint;
@@ -12,7 +14,7 @@ use super::{TextPlaces, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::wording::words;
-use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, mechanism};
+use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, Tolerances, mechanism};
 use std::collections::{HashMap, HashSet};
 
 /// Everything of a scene that comes from joining names.
@@ -22,6 +24,8 @@ pub(super) struct Resolved {
     pub(super) point_names: Vec<Option<String>>,
     pub(super) link_names: Vec<String>,
     pub(super) slide_names: Vec<String>,
+    pub(super) limits: LimitPlaces,
+    pub(super) tolerances: Tolerances,
     pub(super) places: TextPlaces,
 }
 
@@ -37,6 +41,8 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Op
     resolver.centres();
     resolver.slides();
     resolver.driver();
+    resolver.timed_inputs();
+    resolver.limits();
     resolver.start();
     resolver.vectors();
     resolver.loads();
@@ -64,6 +70,7 @@ pub(super) struct Resolver<'r, 's, 't> {
     /// The slides that could be built, by id.
     built_slides: Vec<&'r DraftSlide<'t>>,
     point_names: Vec<Option<String>>,
+    pub(super) limit_places: LimitPlaces,
     vectors: Vec<(ByteSpan, Vector)>,
     places: TextPlaces,
 }
@@ -82,6 +89,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             slides: HashMap::new(),
             built_slides: Vec::new(),
             point_names: Vec::new(),
+            limit_places: Vec::new(),
             vectors: Vec::new(),
             places: TextPlaces {
                 driver: draft.driver_key.clone().unwrap_or_default(),
@@ -181,7 +189,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let draft = self.draft;
         let Some(driver) = &draft.driver else { return };
         let input = match &driver.input {
-            DraftInput::Link(name) => self.driven_link(name).map(mechanism::Input::Turn),
+            DraftInput::Link(name) => {
+                let what = words().key_of("link", words().the_driver());
+                self.driven_link(&what, name).map(mechanism::Input::Turn)
+            }
             DraftInput::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
         };
         if let Some(input) = input {
@@ -207,9 +218,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     /// A link pinned to the ground at two places could not turn.
-    fn driven_link(&mut self, name: &Name<'t>) -> Option<LinkId> {
-        let what = words().key_of("link", words().the_driver());
-        let link = self.names.find(self.reader, &what, name, Sort::Link);
+    pub(super) fn driven_link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
+        let link = self.names.find(self.reader, what, name, Sort::Link);
         if link.is_none() && self.slides.contains_key(name.text) {
             self.reader.help(words().driven_slide_is_given());
         }
@@ -354,6 +364,20 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                 return None;
             }
         };
+        let settling = Settling {
+            reader: &mut *self.reader,
+            draft: self.draft,
+            names: self.names,
+            points: &self.points,
+            point_names: &self.point_names,
+            slides: &self.built_slides,
+            mechanism: &mechanism,
+        };
+        let tolerances = settling.settle();
+        if !self.reader.found.is_empty() {
+            return None;
+        }
+        let limits = self.limit_places;
         let mut places = self.places;
         let mut point_names = self.point_names;
         name_origins(&mechanism, &mut point_names, &mut places);
@@ -366,6 +390,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             point_names,
             link_names: self.draft.links.iter().map(|l| name(&l.name)).collect(),
             slide_names: self.built_slides.iter().map(|s| name(&s.name)).collect(),
+            limits,
+            tolerances,
             places,
         })
     }

@@ -1,5 +1,6 @@
 //! Reads slides.
 
+use super::deviations::{self, DraftTolerance};
 use super::keys;
 use super::reader::{CoordinatePair, Name, Reader};
 use crate::Vec2;
@@ -22,6 +23,7 @@ pub(super) struct SlideTable {
     through: Option<CoordinatePair>,
     angle: Option<Lenient<f64>>,
     turn: Option<Lenient<f64>>,
+    tolerance: Option<Lenient<f64>>,
 }
 
 #[derive(Debug)]
@@ -32,6 +34,8 @@ pub(super) struct DraftSlide<'t> {
     pub(super) on: Option<Name<'t>>,
     pub(super) through: Option<Through<'t>>,
     pub(super) angle: f64,
+    /// How far the coordinates of `through` may be off.
+    pub(super) tolerance: Option<DraftTolerance>,
 }
 
 #[derive(Debug)]
@@ -65,12 +69,16 @@ fn slide<'v>(
         on: None,
         through: None,
         angle: 0.0,
+        tolerance: None,
     };
     let Some(table) = reader.table(&of, SLIDE, value) else {
         return slide;
     };
     slide.slider = slider(reader, &of, &slide.name, value, table);
     slide.angle = angle(reader, &of, "angle", table.angle.as_ref());
+    let tolerance = table.tolerance.as_ref();
+    let what = words().key_of("tolerance", &of);
+    slide.tolerance = tolerance.and_then(|value| deviations::tolerance(reader, &what, value));
     let mut required = |key: &str, given: bool, example: &str| {
         // A misspelt key was reported already; what it leaves missing is no second fault.
         let misspelt = || meant(&value.keys, &keys::of(keys::SLIDE, "link"), key);

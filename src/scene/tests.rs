@@ -156,6 +156,31 @@ from = "ram.com"
 to = "T"
 damping = 2
 
+[[springs]]
+from = "O"
+to = "T"
+stiffness = 3
+preload = -4
+
+[[springs]]
+from = "T"
+to = "O"
+force = [[5, 60], [4, 70], [4, 80], [3, 90]]
+damping = 1.5
+
+[[springs]]
+link = "arm"
+to = "ram"
+stiffness = 12
+angle = -35
+preload = 2
+damping = 0.5
+
+[[springs]]
+link = "ram"
+to = "ground"
+stiffness = 6
+
 [motor]
 force = 2000
 peak = 6e3
@@ -213,6 +238,7 @@ fn every_kind_of_load_is_read() {
         to: named(to),
         stiffness,
         length,
+        preload: 0.0,
         damping,
     };
     let press = |end, knots: &[[f64; 2]]| Load::Press {
@@ -239,6 +265,37 @@ fn every_kind_of_load_is_read() {
             press(StrokeEnd::Greatest, &[[0.0, 10.0], [0.1, 0.0]]),
             spring("O", "T", 1200.0, 3.5, 5.0),
             spring("ram.com", "T", 0.0, 0.0, 2.0),
+            Load::Spring {
+                from: named("O"),
+                to: named("T"),
+                stiffness: 3.0,
+                length: 0.0,
+                preload: -4.0,
+                damping: 0.0,
+            },
+            // The knots fall: they are put in order, the jump with them.
+            Load::GasSpring {
+                from: named("T"),
+                to: named("O"),
+                force: over(&[[3.0, 90.0], [4.0, 80.0], [4.0, 70.0], [5.0, 60.0]]),
+                damping: 1.5,
+            },
+            Load::TorsionSpring {
+                link: arm,
+                to: Body::Link(ram),
+                stiffness: 12.0,
+                angle: -35.0,
+                preload: 2.0,
+                damping: 0.5,
+            },
+            Load::TorsionSpring {
+                link: ram,
+                to: Body::Ground,
+                stiffness: 6.0,
+                angle: 0.0,
+                preload: 0.0,
+                damping: 0.0,
+            },
         ]
     );
     assert_eq!(
@@ -247,7 +304,7 @@ fn every_kind_of_load_is_read() {
             rated: Some(2000.0),
             peak: Some(6000.0),
             speed: Some(2.0),
-            tolerance: Some(0.1),
+            rest: Some(0.1),
             ..Motor::default()
         })
     );
@@ -289,7 +346,7 @@ fn a_motor_turns_where_a_link_is_driven() {
             speed: Some(2.0 * std::f64::consts::PI),
             flywheel: Some(0.5),
             fluctuation: Some(0.02),
-            tolerance: None,
+            rest: None,
         })
     );
     assert_eq!(motor(""), Some(Motor::default()));

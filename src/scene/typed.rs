@@ -5,10 +5,11 @@
 //! become `300`.
 
 use super::Unit;
-use super::measure::MeasureUnits;
+use super::measure::{Measure, MeasureUnits};
 use super::numeral::{number_length, with_point};
 use super::rate;
-use super::values::Value;
+use super::values::{Value, quoted};
+use crate::expression::{self, Malformed};
 use crate::wording::words;
 use std::fmt;
 
@@ -34,6 +35,11 @@ pub enum Mistyped {
         /// What could stand there.
         units: Vec<&'static str>,
     },
+    /// A formula that cannot be worked out.
+    Formula {
+        /// Why, in words.
+        why: String,
+    },
     /// More than a double can hold.
     TooLarge {
         /// What was typed.
@@ -51,6 +57,7 @@ impl fmt::Display for Mistyped {
             Mistyped::Unit { unit, units } => {
                 f.write_str(&words().unit_does_not_fit(unit, &units.join(", ")))
             }
+            Mistyped::Formula { why } => f.write_str(why),
             Mistyped::TooLarge { typed } => f.write_str(&words().typed_too_large(typed)),
         }
     }
@@ -60,12 +67,48 @@ impl std::error::Error for Mistyped {}
 
 impl Value {
     /// What stands in the file for what was typed: a number in the value's own unit, or one with a unit
-    /// behind it. A comma is taken for the point where it can be nothing else.
+    /// behind it; or a formula. A comma is taken for the point where it can be nothing else.
     ///
     /// # Errors
-    /// What is no number, or has a unit that measures something else.
+    /// What is no number, or has a unit that measures something else; a formula that cannot be worked out.
     pub fn typed(&self, typed: &str) -> Result<String, Mistyped> {
         let typed = typed.trim();
+        self.typed_number(typed)
+            .or_else(|why| match self.typed_formula(typed) {
+                Some(Ok(formula)) => Ok(formula),
+                Some(Err(fault)) => Err(Mistyped::Formula { why: fault.words() }),
+                None => Err(why),
+            })
+    }
+
+    /// What stands in the file for a formula; `None` for what is none.
+    fn typed_formula(&self, typed: &str) -> Option<Result<String, Malformed>> {
+        let is_parameter = self.measure == Measure::Parameter;
+        let (head, unit) = match self.measure.units(self.scene) {
+            MeasureUnits::Rate(kind, degree) => {
+                let split = rate::formula(typed, kind, degree);
+                split.unwrap_or((typed, self.unit))
+            }
+            _ => (typed, ""),
+        };
+        let tree = expression::parse(head).ok()?;
+        let is_number = match is_parameter {
+            true => head.parse::<f64>().is_ok(),
+            false => tree.is_number(),
+        };
+        // Where nothing has a name, a word is no formula.
+        let is_word = tree.is_name() && self.named.worth.is_empty();
+        if is_number || is_word {
+            return None;
+        }
+        let found = self.named.worth_of_text(head);
+        Some(found.map(|_| match unit {
+            "" => quoted(head),
+            unit => format!("{head} {unit}"),
+        }))
+    }
+
+    fn typed_number(&self, typed: &str) -> Result<String, Mistyped> {
         let Some(text) = with_point(typed) else {
             let typed = typed.to_owned();
             return Err(Mistyped::TwoMarks { typed });

@@ -3,8 +3,7 @@
 
 use super::elements::{Arm, Spin, Step};
 use super::engine::Engine;
-use super::network::Network;
-use crate::PointId;
+use crate::{Mechanism, PointId};
 
 /// Lengths that differ by less than this part of the longest count as equal: 4 u, as everywhere
 /// where given lengths decide between a motion and its change point.
@@ -69,8 +68,35 @@ pub enum DrivenLoop {
     },
 }
 
+/// The class of a loop, whatever its lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoopKind {
+    /// Of a four-bar.
+    FourBar(Inversion, Grashof),
+    /// Of a slider-crank.
+    SliderCrank {
+        /// Whether the crank turns fully.
+        turns: bool,
+    },
+}
+
+impl DrivenLoop {
+    /// Its class.
+    #[must_use]
+    pub fn kind(self) -> LoopKind {
+        match self {
+            DrivenLoop::FourBar {
+                grashof, inversion, ..
+            } => LoopKind::FourBar(inversion, grashof),
+            DrivenLoop::SliderCrank { margin, .. } => LoopKind::SliderCrank {
+                turns: margin > 0.0,
+            },
+        }
+    }
+}
+
 /// The loop that the driven link closes with a dyad and the ground, if there is one.
-pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<DrivenLoop> {
+pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenLoop> {
     let steps = &engine.program.steps;
     let (pin, pivot, crank) = steps.iter().find_map(|step| match *step {
         Step::Spin(Spin {
@@ -85,8 +111,9 @@ pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<DrivenL
     steps.iter().find_map(|step| match step {
         Step::Circles(c) => {
             let (coupler, follower) = arms(pin, [c.near, c.far])?;
-            let is_known = follower.pivot.index() < network.mechanism.points().len();
-            (is_known && network.is_ground(follower.pivot)).then(|| {
+            let is_known = follower.pivot.index() < mechanism.points().len();
+            let is_ground = || mechanism.point(follower.pivot).ground.is_some();
+            (is_known && is_ground()).then(|| {
                 let frame = (place(follower.pivot) - place(pivot)).norm();
                 let [coupler, follower] = [coupler, follower].map(|arm| arm.length.hi);
                 four_bar([crank.nearest().norm(), coupler, follower, frame].map(|l| l * scale))

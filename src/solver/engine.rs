@@ -4,13 +4,16 @@ use super::change_point::Passages;
 use super::coupled::{Coupled, Scratch};
 use super::demand::{Marks, PlacedPart, prune};
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
+use super::following::InputMotion;
 use super::frame::Frame;
 use super::motion::Folded;
 use super::plan::{Gauge, Program, WatchedConstraint};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::workspace::Workspace;
 use super::{Demand, Order};
-use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle, vectorized};
+use crate::{
+    Constant, Input, LinkId, Mechanism, Number, PointId, TimedInput, Vec2, angle, vectorized,
+};
 use std::sync::Arc;
 
 /// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
@@ -23,6 +26,8 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    /// The further inputs, to know when they come round.
+    timed: Vec<TimedInput>,
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
     /// What is not placed, because nobody asked for it.
@@ -42,13 +47,14 @@ impl Engine {
             Input::Push(_) => None,
         };
         let turns = driven.is_some();
-        let driver_rates = rates(mechanism, &frame);
+        let driver_rates = driver_rates(mechanism, &frame);
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
             program,
             frame,
             turns,
+            timed: mechanism.timed().to_vec(),
             driven,
             accepted: frame.length(mechanism.misfit()),
             driver_rates,
@@ -71,7 +77,7 @@ impl Engine {
     /// The same at the speed and acceleration that the driver of a mechanism has, alike otherwise.
     pub(super) fn at_speed_of(&self, mechanism: &Mechanism) -> Engine {
         Engine {
-            driver_rates: rates(mechanism, &self.frame),
+            driver_rates: driver_rates(mechanism, &self.frame),
             ..self.clone()
         }
     }
@@ -286,11 +292,21 @@ impl Engine {
         work.condition
     }
 
-    /// The driver's coordinate for the steps: a length, or a direction.
+    /// Whether all further inputs are where they were after so many turns.
+    pub(super) fn comes_round(&self, turns: usize) -> bool {
+        self.timed.iter().all(|timed| timed.comes_round(turns))
+    }
+
+    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any input follows it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
-            (T::default(), T::unit(at))
+            let q = if self.timed.is_empty() {
+                T::default()
+            } else {
+                at
+            };
+            (q, T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())
         }
@@ -427,14 +443,20 @@ fn look_closer(step: &Step, q: f64, state: &mut State) -> StepOutcome {
 }
 
 /// The driver's speed and acceleration in the solver's units.
-fn rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
+fn driver_rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
     let driver = mechanism.driver();
     let unit = match driver.input {
         Input::Turn(_) => 1.0,
         Input::Push(_) => frame.scale,
     };
-    let given = [driver.speed, driver.acceleration].map(|rate| Constant::given_in(rate, unit));
-    if mechanism.has_converted_rates() {
+    let given = [driver.speed, driver.acceleration];
+    rates(given, unit, mechanism.has_converted_rates())
+}
+
+/// A speed and an acceleration in units of a size; `are_converted` tells that they were given in others.
+pub(super) fn rates(given: [f64; 2], unit: f64, are_converted: bool) -> [Constant; 2] {
+    let given = given.map(|rate| Constant::given_in(rate, unit));
+    if are_converted {
         given.map(Constant::converted)
     } else {
         given
@@ -465,11 +487,20 @@ impl Gauge {
                 let t = turned(line.link, line.along);
                 (t.cross(at(point) - at(line.through)), at(point))
             }
-            Gauge::Pushed { point, line } => {
+            Gauge::Pushed {
+                point,
+                line,
+                ref following,
+            } => {
                 let t = turned(line.link, line.along);
                 let travel = t.dot(at(point) - at(line.through));
-                let pushed = state.at / T::exactly(state.frame.scale);
-                (travel - pushed, at(point))
+                let q = if state.turns() {
+                    state.at
+                } else {
+                    state.at / T::exactly(state.frame.scale)
+                };
+                let pushed = InputMotion::of(following.as_ref(), q);
+                (travel - pushed.p, at(point))
             }
         };
         (miss, place.nearest().norm().max(1.0))

@@ -1,4 +1,4 @@
-use crate::{ElementId, LinkId, PointId, Vec2};
+use crate::{ElementId, LimitId, LinkId, PointId, Vec2};
 use thiserror::Error;
 
 /// Why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
@@ -59,6 +59,22 @@ pub enum Fault {
     ChangePoint {
         /// What names the dyad.
         group: ElementId,
+    },
+    /// The mechanism is assembled beyond a stop where the scene opens.
+    #[error("it opens beyond a stop, at {value}")]
+    BeyondStop {
+        /// The limit that is passed.
+        limit: LimitId,
+        /// The value of its coordinate there, in degrees or the scene's length unit.
+        value: f64,
+    },
+    /// Two stops that hold the mechanism where the scene opens: the one allows no way down, the other none up.
+    #[error("two stops hold it where it opens")]
+    HeldByStops {
+        /// The limit that ends the way down.
+        down: LimitId,
+        /// The limit that ends the way up.
+        up: LimitId,
     },
     /// A pick that its group does not have.
     #[error("the group has no such assembly, but {found}")]

@@ -110,6 +110,11 @@ impl Frame {
         }
     }
 
+    /// A number of the scene that is no place, as it is taken.
+    pub(super) fn number(&self, value: f64) -> Constant {
+        self.read(Vec2::new(value, 0.0)).x
+    }
+
     /// The solver's origin in the scene.
     pub(super) fn origin(&self) -> Vec2<Constant> {
         self.origin

@@ -56,7 +56,7 @@ impl Solver {
     }
 
     /// Change points may lie between the lanes.
-    fn choose_in_lanes(&self, at: [f64; LANES], state: &mut State<Lanes>) {
+    pub(super) fn choose_in_lanes(&self, at: [f64; LANES], state: &mut State<Lanes>) {
         let passages = &self.motion.passages;
         if passages.is_empty() {
             return;
@@ -75,7 +75,7 @@ impl Solver {
 
 impl Engine {
     /// Whether all steps are done in all lanes.
-    fn run_lanes(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
+    pub(super) fn run_lanes(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
         vectorized(
             #[inline(always)]
             || self.run_lanes_here(at, order, state),

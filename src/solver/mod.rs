@@ -12,13 +12,14 @@
 //!            chain     groups become steps: dyads in closed form, the rest coupled -> plan
 //!            assemble  the assembly that is meant, at the start        choices  the others
 //!            motion    the range, its limits and change points         passage  the way through these
+//!            stops     where it meets the end of a limit, and ends
 //! each time  workspace the room: a state, which is the result, and what finding it takes besides
 //!            engine    runs the steps: elements (closed forms), coupled (Newton's method with lu)
 //!            edge      near an end of the motion: in twice the digits, from the numbers that are meant (exact)
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
-//! besides    transmission, dead_centres (of slides), classify, by_length (derivatives), methods (other
+//! besides    transmission, conditioning, dead_centres (of slides), classify, by_length (derivatives), methods (other
 //!            ways to solve, to compare)
 //! ```
 //!
@@ -31,6 +32,7 @@ mod chain;
 mod change_point;
 mod choices;
 mod classify;
+mod conditioning;
 mod coupled;
 mod dead_centres;
 mod demand;
@@ -39,6 +41,7 @@ mod elements;
 mod engine;
 mod exact;
 mod fault;
+mod following;
 mod forces;
 mod frame;
 mod known;
@@ -53,13 +56,16 @@ mod plan;
 mod rank;
 mod speed;
 mod state;
+mod stops;
 mod transmission;
 mod twice;
+mod varied;
 mod workspace;
 
 pub use by_length::ByLength;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
-pub use classify::{DrivenLoop, Grashof, Inversion};
+pub use classify::{DrivenLoop, Grashof, Inversion, LoopKind};
+pub use conditioning::Conditioning;
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use dead_centres::DeadCentre;
 pub use fault::{Fault, OpenChoice};
@@ -69,12 +75,13 @@ pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Resid
 pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
-pub use motion::{Motion, NearMiss, Range};
+pub use motion::{EndStop, Motion, NearMiss, Range};
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub(crate) use state::Sliding;
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
+pub use varied::Varied;
 pub use workspace::Workspace;
 
 use crate::{ElementId, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
@@ -175,12 +182,21 @@ impl Solver {
                 at,
             });
         }
+        if let Some(link) = network.given_twice() {
+            return Err(Fault::OverConstrained {
+                element: ElementId::Link(link),
+                others: vec![mechanism.driver().input.element()],
+                misfit: frame.longest * frame.scale,
+                at,
+            });
+        }
         let with = |ordering: &Ordering, near: &[(PointId, Vec2)]| {
             let solver = Solver::with(&network, ordering, at, near, picks)?;
             rank::judged(&network, solver)
         };
         let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, near));
-        first.or_else(|fault| rank::reopened(&network, fault, at, near, with))
+        let whole = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
+        whole.and_then(Solver::between_stops)
     }
 
     fn with(
@@ -209,7 +225,7 @@ impl Solver {
         if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
             return Err(stuck);
         }
-        let first_loop = classify::classify(&engine, network);
+        let first_loop = classify::classify(&engine, mechanism);
         let mut solver = Solver {
             mechanism: mechanism.clone(),
             first_loop,

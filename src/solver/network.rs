@@ -4,6 +4,7 @@
 //! links that keep their angles to each other (links locked on slides). A link of k joints gives
 //! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
 
+use super::following::Following;
 use super::frame::Frame;
 use crate::{
     Body, Constant, ElementId, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider,
@@ -26,7 +27,7 @@ pub(super) enum ScalarEquation {
     Across { link: LinkId, end: PointId },
     /// A point on its guide.
     Slot(SlideId),
-    /// The driven slide's position along its guide.
+    /// A driven slide's position along its guide.
     Push(SlideId),
 }
 
@@ -83,6 +84,8 @@ pub(super) struct Network<'m> {
     pub clash: Option<LockClash>,
     /// By what sine two locks of one link may disagree.
     slack: f64,
+    /// Whether lengths are to be changed later: a point at another one does not stay there.
+    pub is_varied: bool,
 }
 
 impl<'m> Network<'m> {
@@ -102,6 +105,7 @@ impl<'m> Network<'m> {
             locks_apart: 0.0,
             clash: None,
             slack: slack(mechanism, &frame),
+            is_varied: false,
         };
         network.find_classes();
         network.find_joints();
@@ -113,6 +117,14 @@ impl<'m> Network<'m> {
     pub(super) fn by_length(self, length: Length) -> Self {
         Network {
             slopes: Some(self.mechanism.slopes(length)),
+            ..self
+        }
+    }
+
+    /// The same, to be made into what lengths are changed of: see [`super::Varied`].
+    pub(super) fn varied(self) -> Self {
+        Network {
+            is_varied: true,
             ..self
         }
     }
@@ -328,20 +340,61 @@ impl<'m> Network<'m> {
         }
         for slide in self.mechanism.slide_ids() {
             rows.push(ScalarEquation::Slot(slide));
-            if self.mechanism.driver().input == Input::Push(slide) {
+            if self.mechanism.is_pushed(slide) {
                 rows.push(ScalarEquation::Push(slide));
             }
         }
         self.rows = rows;
     }
 
-    /// Whether a class's direction is given from the start: the ground's, and the driven link's.
+    /// Whether a class's direction is given from the start: the ground's, and that of a driven link.
     pub(super) fn is_given(&self, class: ClassId) -> bool {
         class == GROUND
-            || match self.mechanism.driver().input {
-                Input::Turn(link) => self.class(link) == class,
-                Input::Push(_) => false,
-            }
+            || self
+                .mechanism
+                .inputs()
+                .any(|input| self.gives(input, class))
+    }
+
+    /// Whether an input gives the direction of a class.
+    fn gives(&self, input: Input, class: ClassId) -> bool {
+        match input {
+            Input::Turn(link) => self.class(link) == class,
+            Input::Push(_) => false,
+        }
+    }
+
+    /// A link whose direction is given, though another input gives it, or it cannot turn.
+    pub(super) fn given_twice(&self) -> Option<LinkId> {
+        let mut given = vec![GROUND];
+        self.mechanism
+            .inputs()
+            .skip(1)
+            .find_map(|input| match input {
+                Input::Turn(link) => {
+                    let class = self.class(link);
+                    let driver = self.mechanism.driver().input;
+                    let is_taken = given.contains(&class) || self.gives(driver, class);
+                    given.push(class);
+                    is_taken.then_some(link)
+                }
+                Input::Push(_) => None,
+            })
+    }
+
+    /// How an input follows the driver; `None` of the driver itself.
+    pub(super) fn following(&self, input: Input) -> Option<Following> {
+        let number = self.mechanism.inputs().position(|of| of == input)?;
+        Following::new(self.mechanism, &self.frame, number)
+    }
+
+    /// The links that further inputs turn, and how these follow the driver.
+    pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, Following)> + '_ {
+        let links = self.mechanism.timed().iter().filter_map(|t| match t.input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        });
+        links.filter_map(|link| Some((link, self.following(Input::Turn(link))?)))
     }
 
     /// The unknowns of an equation: each point stands for its two coordinates.

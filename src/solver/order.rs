@@ -174,7 +174,7 @@ pub(super) fn ordering(
         .collect();
     if !loose.is_empty() {
         return Err(Fault::Mobility {
-            mobility: 1 + loose.len(),
+            mobility: network.mechanism.inputs().count() + loose.len(),
             redundant: set_aside.len() + network.repeated_locks.len(),
             repeating: elements(&set_aside),
             is_unclear: false,

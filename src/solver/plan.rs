@@ -3,6 +3,7 @@
 use super::coupled::Coupled;
 use super::elements::Step;
 use super::fault::Fault;
+use super::following::Following;
 use super::frame::Frame;
 use super::network::Network;
 use crate::mechanism::id;
@@ -115,7 +116,7 @@ impl Group {
 pub struct Plan {
     /// The groups by [`GroupId`], the driver's first.
     pub groups: Vec<Group>,
-    /// Degrees of freedom by rank: 1 for a mechanism that opens.
+    /// Degrees of freedom by rank: as many as there are inputs for a mechanism that opens.
     pub mobility: usize,
     /// Elements with a constraint that repeats others and was set aside.
     pub redundant: Vec<ElementId>,
@@ -183,10 +184,12 @@ pub(super) enum Gauge {
         point: PointId,
         line: super::elements::GuideLine,
     },
-    /// A driven point at the driver's coordinate along a line of a body.
+    /// A driven point at the coordinate of its input along a line of a body.
     Pushed {
         point: PointId,
         line: super::elements::GuideLine,
+        /// How the input follows the driver; none where it is the driver.
+        following: Option<Following>,
     },
 }
 
@@ -208,6 +211,16 @@ pub(super) struct Leg {
     pub link: LinkId,
     pub from: PointId,
     pub to: PointId,
+}
+
+impl Program {
+    /// Hands out every place that it was made of, always in the same order, and follows what becomes of them.
+    pub(super) fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        self.points.iter_mut().for_each(&mut *place);
+        for step in &mut self.steps {
+            step.vary(&mut self.coupled, place);
+        }
+    }
 }
 
 /// What the solver runs: the steps in order, and what they start from.

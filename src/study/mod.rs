@@ -9,6 +9,8 @@
 //! outside, and no text goes out.
 
 mod cycle;
+mod design;
+mod excursion;
 mod exercise;
 mod findings;
 mod front;
@@ -18,8 +20,18 @@ pub mod motor;
 mod rk4;
 mod spread;
 mod tally;
+mod tolerance;
 
 pub use crate::solver::{Method, Start, Unfit};
+pub use design::{
+    BestDesign, Design, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, DesignState,
+    FoundDesign, Goal, GoalSearch, GoalSense, MistypedAxis, MistypedGoal, NoDesign, OptimiseOrder,
+    PlanAxis, SearchOutcome,
+};
+pub use excursion::{
+    CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionWish, FigurePlace, NoFigure,
+    TimeRatio, TurningPlace, USUAL_DWELL, UnknownCycleFigure,
+};
 pub use exercise::{Exercise, ExerciseMaker, ExerciseTitles};
 pub use findings::{
     Finding, Findings, IterationCounts, MethodErrors, MethodFigures, MethodVerdict,
@@ -33,6 +45,10 @@ pub use iterations::{
     NewtonTrace, SoughtKind, SoughtVector, VectorPart, half_turn,
 };
 pub use spread::Spread;
+pub use tolerance::{
+    BandKind, Contribution, Distribution, NoTolerance, Offsets, Percentiles, SampleOrder, Samples,
+    ToleranceFigure, ToleranceOf, ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
+};
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
 use cycle::IntegrationCycle;

@@ -10,6 +10,7 @@ mod driving;
 mod editing;
 mod export;
 mod filing;
+mod goals;
 mod helping;
 mod leaving;
 mod looking;
@@ -334,6 +335,9 @@ impl App {
     /// Does what was asked.
     pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
         self.shell.message = None;
+        if self.is_held_up(action) {
+            return Effect::Show;
+        }
         match action {
             Action::Quit => return self.quit(),
             Action::Leave => return Effect::Quit,

@@ -26,6 +26,9 @@ pub(crate) trait Words:
     + CheckingWords
     + CommandsWords
     + ConfigurationWords
+    + CoursesWords
+    + CyclesWords
+    + DesignsWords
     + EditingWords
     + ErrorsWords
     + ExamplesWords
@@ -52,6 +55,7 @@ pub(crate) trait Words:
     + ReportingWords
     + SceneKeysWords
     + TerminalsWords
+    + TolerancesWords
     + TourWords
     + ViewsWords
     + WorkingWords

@@ -73,7 +73,7 @@ fn the_scene_that_is_read_is_not_written_over() {
         "../files-input-is-output/scene.toml",
     ] {
         for command in [
-            "sweep", "table", "check", "explain", "report", "draw", "motor", "accuracy",
+            "sweep", "table", "check", "explain", "report", "draw", "motor", "cycle", "accuracy",
         ] {
             let told = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
             assert_eq!(told.code, 2, "{command} {name}: {}", told.err);

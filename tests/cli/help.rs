@@ -246,5 +246,5 @@ fn what_is_shown_is_what_is_done() {
         }
     }
     let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
-    assert_eq!(ran, 14 + in_pixels);
+    assert_eq!(ran, 18 + in_pixels);
 }

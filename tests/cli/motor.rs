@@ -290,6 +290,11 @@ fn what_makes_no_sense_is_refused() {
         (
             2,
             &["motor", "four-bar-load", "--fluctuation", "3"],
+            "impossible",
+        ),
+        (
+            2,
+            &["motor", "four-bar-load", "--fluctuation", "1.5"],
             "above 1",
         ),
         (

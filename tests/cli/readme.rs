@@ -107,8 +107,24 @@ fn the_commands_of_the_readme_run() {
         let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
         // The rest opens the workbench, or measures for a while.
         if [
-            "list", "check", "table", "explain", "report", "draw", "plot", "sweep", "start",
-            "motor", "help", "exercise", "grade",
+            "list",
+            "check",
+            "table",
+            "explain",
+            "report",
+            "draw",
+            "plot",
+            "sweep",
+            "start",
+            "motor",
+            "help",
+            "exercise",
+            "grade",
+            "cycle",
+            "solve",
+            "study",
+            "tolerance",
+            "export",
         ]
         .contains(&args[0])
         {
@@ -117,6 +133,6 @@ fn the_commands_of_the_readme_run() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 18);
+    assert_eq!(ran, 23);
     assert!(README.len() <= 15_000, "{} bytes", README.len());
 }

@@ -166,7 +166,7 @@ fn a_course_stands_beside_krank_s() {
         let line = text.lines().find(|line| line.starts_with(name)).unwrap();
         line.split_whitespace().map(str::to_owned).collect()
     };
-    assert_eq!(row(&of(), "C.x")[2..], ["37", "0", "-", "-", "0"]);
+    assert_eq!(row(&of(), "C.x")[2..], ["37", "0", "0", "-", "-", "0"]);
     let given = std::fs::read_to_string(&file).unwrap();
     let changed: Vec<String> = given
         .lines()
@@ -183,10 +183,11 @@ fn a_course_stands_beside_krank_s() {
     std::fs::write(&file, changed.join("\n")).unwrap();
     let text = of();
     let off = row(&text, "C.x");
-    assert_eq!(off[2..5], ["37", "0.500", "120.000"], "{text}");
-    assert_eq!(off[6], "1", "{text}");
+    // One of 37 is off: the root mean square is 0.5 / sqrt(37).
+    assert_eq!(off[2..6], ["37", "0.0822", "0.500", "120.000"], "{text}");
+    assert_eq!(off[7], "1", "{text}");
     // A turn more is the same direction.
-    assert_eq!(row(&text, "r3.angle")[6], "0", "{text}");
+    assert_eq!(row(&text, "r3.angle")[7], "0", "{text}");
     // Whoever counts in turns says so, and is not taken for degrees.
     let turns = given.replacen("[deg]", "[turns]", 1);
     std::fs::write(&file, turns).unwrap();

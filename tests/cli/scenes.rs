@@ -368,3 +368,59 @@ fn both_cranks_of_a_parallelogram_turn() {
     let text = done(&["check", "drag-link"]);
     assert!(text.contains("double crank (drag link): Grashof"), "{text}");
 }
+
+#[test]
+fn check_lists_parameters_with_what_they_are_worth() {
+    let text = MINE.replacen(
+        "[ground]",
+        "[parameters]\nrod = \"2 * crank + 0.1 + 0.2\"\ncrank = 1.35\n[ground]",
+        1,
+    );
+    let text = text.replacen("length = 3 }", "length = \"rod\" }", 1);
+    let file = folder("parameters").join("scene.toml");
+    std::fs::write(&file, text).unwrap();
+    let name = file.to_str().unwrap();
+    let shown = done(&["check", name]);
+    let told = "parameters rod = 2 * crank + 0.1 + 0.2 = 3\n           crank = 1.35\n";
+    assert!(shown.contains(told), "{shown}");
+    let found = json(&done(&["check", name, "--format", "json"]));
+    let expected = serde_json::json!([
+        { "name": "rod", "value": 3.0, "formula": "2 * crank + 0.1 + 0.2" },
+        { "name": "crank", "value": 1.35 },
+    ]);
+    assert_eq!(found["parameters"], expected);
+    // Without any nothing is told of them.
+    assert!(!done(&["check", "four-bar"]).contains("parameters"));
+}
+
+/// A figure is made of columns and of parameters, which are plain numbers.
+#[test]
+fn figures_may_name_parameters() {
+    let text = MINE.replacen(
+        "[ground]",
+        "[parameters]\ncrank = 1.35\n[figures]\npast = \"C.x - 2 * crank * 1 cm\"\n[ground]",
+        1,
+    );
+    let file = folder("figure-of-parameters").join("scene.toml");
+    std::fs::write(&file, &text).unwrap();
+    let name = file.to_str().unwrap();
+    let table = done(&[
+        "sweep",
+        name,
+        "--from",
+        "90",
+        "--to",
+        "90",
+        "--columns",
+        "C.x,past",
+        "--no-units",
+    ]);
+    let row: Vec<f64> = (table.lines().nth(1).unwrap().split(','))
+        .filter_map(|cell| cell.parse().ok())
+        .collect();
+    assert!((row[1] - 2.7 - row[2]).abs() < 1e-12, "{table}");
+    // As a length it needs its unit.
+    std::fs::write(&file, text.replace(" * 1 cm", "")).unwrap();
+    let said = refused(2, &["check", name]);
+    assert!(said.contains("`2 * crank` is a plain number"), "{said}");
+}

@@ -636,3 +636,29 @@ fn figures_of_a_scene_are_known_to_every_command() {
         "{told}"
     );
 }
+
+/// A slot of 250 to 380 mm under a slider-crank of 100 and 300: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
+#[test]
+fn a_sweep_ends_at_the_stops_with_all_rates() {
+    let file = folder("stops").join("slot.toml");
+    std::fs::write(
+        &file,
+        "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+         r2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 300 }\n[slides]\n\
+         rod = { point = \"C\", on = \"ground\", through = \"A\", angle = 0 }\n[start]\nC = [350, 0]\n[limits]\n\
+         rod = [250, 380]\n",
+    )
+    .unwrap();
+    let scene = file.to_str().unwrap();
+    let sweep = done(&["sweep", scene, "--step", "30", "--columns", "C.x,C.vx"]);
+    let swept = rows(&sweep);
+    let (first, last) = (&swept[0], &swept[swept.len() - 1]);
+    assert_eq!([&first[0], &first[1]], ["32.07341239210894", "380"]);
+    assert_eq!([&last[0], &last[1]], ["110.48731511472266", "250"]);
+    assert!(swept.iter().all(|row| row[3] == "ok" && !row[2].is_empty()));
+    let past = refused(1, &["table", scene, "--at", "120"]);
+    assert!(
+        past.contains("a stop of rod ends the motion before 120 deg"),
+        "{past}"
+    );
+}

@@ -90,12 +90,18 @@ fn its_commands_run() {
         .filter_map(|line| line.strip_prefix("    krank "));
     let mut ran = 0;
     for line in shown {
-        let args: Vec<&str> = line.split(' ').collect();
+        let args: Vec<&str> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
         let heard = spoken(language, &here, &args);
         assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
+        // The numbers that the text tells of what was found.
+        if args[0] == "solve" {
+            for number in ["36.341", "82.276", "60.00000", "1.200000"] {
+                assert!(heard.out.contains(number), "{}", heard.out);
+            }
+        }
         ran += 1;
     }
-    assert_eq!(ran, 4);
+    assert_eq!(ran, 7);
 }
 
 /// What stands in the text is what is shown, scene by scene.

@@ -3,7 +3,9 @@
 //! that every machine can be assembled.
 
 use crate::chance::Chance;
-use krank::{Body, Builder, Driver, Input, LinkId, Load, Mechanism, PointId, SlideId, Vec2, angle};
+use krank::{
+    Body, Builder, Driver, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Vec2, angle,
+};
 
 /// A mechanism and how it came about, to be told where it fails.
 pub(crate) struct Machine {
@@ -602,9 +604,53 @@ impl<'a> Grower<'a> {
                     to,
                     stiffness,
                     length: (self.digits)(self.chance.within(0.0, 2.0)),
+                    preload: (self.digits)(self.chance.within(-10.0, 10.0)),
                     damping: (self.digits)(0.1 * stiffness),
                 });
             }
+        }
+        self.gas_spring(&all);
+        self.torsion_spring(&links);
+    }
+
+    /// Now and then: over distances on both sides of what it has here.
+    fn gas_spring(&mut self, all: &[PointId]) {
+        let [from, to] = [self.chance.one_of(all), self.chance.one_of(all)];
+        let distance = (self.at(to) - self.at(from)).norm();
+        if distance > 0.2 && self.chance.is(0.4) {
+            let mut knot = |part: f64| {
+                let push = self.chance.within(2.0, 20.0);
+                [(self.digits)(part * distance), (self.digits)(push)]
+            };
+            let knots = vec![knot(0.3), knot(0.9), knot(1.7)];
+            let damping = (self.digits)(self.chance.within(0.0, 2.0));
+            self.builder.load(Load::GasSpring {
+                from,
+                to,
+                force: Profile::new(knots).unwrap(),
+                damping,
+            });
+        }
+    }
+
+    /// Now and then: to another link or the ground.
+    fn torsion_spring(&mut self, links: &[LinkId]) {
+        let [link, other] = [self.chance.one_of(links), self.chance.one_of(links)];
+        if self.chance.is(0.4) {
+            let to = if link == other {
+                Body::Ground
+            } else {
+                Body::Link(other)
+            };
+            let mut number = |low, high| (self.digits)(self.chance.within(low, high));
+            self.builder.load(Load::TorsionSpring {
+                link,
+                to,
+                stiffness: number(0.0, 20.0),
+                angle: number(-180.0, 180.0),
+                preload: number(-5.0, 5.0),
+                damping: number(0.0, 2.0),
+            });
         }
     }
 }

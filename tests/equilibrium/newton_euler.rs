@@ -6,13 +6,15 @@
 //! few: so they may stand beside forces.
 
 use krank::solver::State;
-use krank::{Body, Input, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
+use krank::{Body, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Slider, Vec2};
 use nalgebra::{DMatrix, DVector};
 
 /// What acts in one state: forces at points in N, and couples on links.
 pub(crate) struct Acting {
     points: Vec<Vec2>,
     links: Vec<f64>,
+    /// The couple on the frame.
+    frame: f64,
 }
 
 impl Acting {
@@ -21,6 +23,7 @@ impl Acting {
         let mut acting = Acting {
             points: vec![Vec2::ZERO; mechanism.points().len()],
             links: vec![0.0; mechanism.links().len()],
+            frame: 0.0,
         };
         for load in mechanism.loads() {
             match *load {
@@ -44,22 +47,93 @@ impl Acting {
                     to,
                     stiffness,
                     length,
+                    preload,
                     damping,
                 } => {
-                    let e = state.position(to).unwrap() - state.position(from).unwrap();
-                    let along = e / e.norm();
-                    let rate =
-                        along.dot(state.velocity(to).unwrap() - state.velocity(from).unwrap());
-                    let tension = stiffness * (e.norm() - length) + damping * rate;
-                    let pull = along * (tension * mechanism.metres());
-                    acting.points[from.index()] += pull;
-                    acting.points[to.index()] += -pull;
+                    let (distance, rate, _) = between(from, to, state);
+                    let tension = stiffness * (distance - length) + damping * rate;
+                    acting.pull(from, to, tension * mechanism.metres() + preload, state);
+                }
+                Load::GasSpring {
+                    from,
+                    to,
+                    ref force,
+                    damping,
+                } => {
+                    let (distance, rate, _) = between(from, to, state);
+                    let tension = damping * rate * mechanism.metres() - level(force, distance);
+                    acting.pull(from, to, tension, state);
+                }
+                Load::TorsionSpring {
+                    link,
+                    to,
+                    stiffness,
+                    angle,
+                    preload,
+                    damping,
+                } => {
+                    let [own, other] = [Some(link), of(to)].map(|link| turning(link, state));
+                    let off = own[0] - other[0] - angle;
+                    let off = (off - 360.0 * (off / 360.0).round()).to_radians();
+                    let torque = preload - stiffness * off - damping * (own[1] - other[1]);
+                    acting.links[link.index()] += torque / mechanism.metres();
+                    match of(to) {
+                        Some(other) => {
+                            acting.links[other.index()] -= torque / mechanism.metres();
+                        }
+                        None => acting.frame -= torque / mechanism.metres(),
+                    }
                 }
                 _ => panic!("no machine of these tests has another load"),
             }
         }
         acting
     }
+}
+
+impl Acting {
+    /// What pulls two points together.
+    fn pull(&mut self, from: PointId, to: PointId, tension: f64, state: &State) {
+        let (.., along) = between(from, to, state);
+        self.points[from.index()] += along * tension;
+        self.points[to.index()] += -(along * tension);
+    }
+}
+
+/// From one point to another: how far, how fast that grows, and in which direction.
+fn between(from: PointId, to: PointId, state: &State) -> (f64, f64, Vec2) {
+    let e = state.position(to).unwrap() - state.position(from).unwrap();
+    let along = e / e.norm();
+    let rate = along.dot(state.velocity(to).unwrap() - state.velocity(from).unwrap());
+    (e.norm(), rate, along)
+}
+
+/// The value of a profile: a line from knot to knot, and level beyond them.
+fn level(profile: &Profile, at: f64) -> f64 {
+    let knots = profile.knots();
+    let behind = knots.iter().position(|knot| at < knot[0]);
+    match behind {
+        Some(0) => knots[0][1],
+        None => knots[knots.len() - 1][1],
+        Some(next) => {
+            let ([x0, y0], [x1, y1]) = (knots[next - 1], knots[next]);
+            y0 + (y1 - y0) * (at - x0) / (x1 - x0)
+        }
+    }
+}
+
+fn of(body: Body) -> Option<LinkId> {
+    match body {
+        Body::Ground => None,
+        Body::Link(link) => Some(link),
+    }
+}
+
+/// The direction of a link in degrees and how fast it turns; of the ground nothing.
+fn turning(link: Option<LinkId>, state: &State) -> [f64; 2] {
+    link.map_or([0.0; 2], |link| {
+        [state.angle(link).unwrap(), state.omega(link).unwrap()]
+    })
 }
 
 /// What a link's mass asks for: m (a - g) at its centre of mass, and the couple I alpha.
@@ -438,7 +512,7 @@ fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
             feel(place, -Vec2::new(x[unknown], x[unknown + 1]));
         }
     }
-    let mut couple = 0.0;
+    let mut couple = acting.frame;
     for slide in mechanism.slide_ids() {
         let given = mechanism.slide(slide);
         let t = along(mechanism, slide, state);

@@ -114,7 +114,7 @@ fn h14_two_ground_points_at_one_place_are_legal() {
 fn h19_a_length_that_is_no_positive_number_is_refused_in_a_file() {
     for (place, name) in NAMES.iter().enumerate() {
         for length in [
-            "nan", "inf", "-inf", "-1", "-0.0", "1e400", "5e-324", "\"100\"",
+            "nan", "inf", "-inf", "-1", "-0.0", "1e400", "5e-324", "\"-100\"",
         ] {
             let said = refusal(&scene(with(LENGTHS, place, length), "60", SPEED));
             assert!(

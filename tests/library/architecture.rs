@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 24] = [
+const PLACES: [(&str, u8); 25] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -33,6 +33,7 @@ const PLACES: [(&str, u8); 24] = [
     ("study", 6),
     ("drawing", 7),
     ("report", 8),
+    ("handover", 8),
     ("capability", 9),
     ("manual", 9),
     ("tui", 10),

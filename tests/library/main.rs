@@ -10,6 +10,7 @@ mod accuracy;
 mod architecture;
 mod broken;
 mod harmless;
+mod machines;
 mod presets;
 mod properties;
 mod report;

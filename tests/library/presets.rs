@@ -54,7 +54,7 @@ const fn within(name: &'static str, low: f64, high: f64, groups: &'static [Group
 
 use GroupKind::{Coupled, Rpp, Rpr, Rrp, Rrr};
 
-const EXPECTED: [Expected; 25] = [
+const EXPECTED: [Expected; 35] = [
     turning("four-bar", &[Rrr]),
     turning("slider-crank", &[Rrp]),
     turning("press", &[Rrr, Rrr]),
@@ -99,6 +99,43 @@ const EXPECTED: [Expected; 25] = [
     turning("antiparallelogram", &[Rrr]),
     turning_twice("kite", &[Rrr]),
     turning("triple-parallelogram", &[Rrr]),
+    turning("shaper", &[Rpr, Rrp]),
+    turning("knuckle-press", &[Rrr, Rrp]),
+    turning("drag-link-press", &[Rrr, Rrp]),
+    turning("v-twin", &[Rrp, Rrp]),
+    turning("radial-engine", &[Rrp; 5]),
+    turning("wiper", &[Rrr, Rrr]),
+    // The upright and the upper arm in line: acos((360^2 + AD^2 - 500^2) / 720 AD) about the direction of AD.
+    within(
+        "double-wishbone",
+        -39.875_396_582_378_17,
+        189.365_159_176_262_6,
+        &[Rrr],
+    ),
+    // Rod and right arm in line: |BD| = 1260 + |DC|, by the law of cosines, less the direction of B on its arm.
+    within(
+        "ackermann",
+        -33.008_615_022_460_404,
+        169.405_796_049_756_8,
+        &[Rrr],
+    ),
+    // |OP| from |OQ| - 0.4 to |OQ| + 0.4.
+    within(
+        "backhoe",
+        0.959_448_417_557_650_4,
+        1.759_448_417_557_650_5,
+        &[Rrr, Rrr],
+    ),
+    // The arms on each other, 500 - 300, and both upright, 500 + 300.
+    within("lift-table", 200.0, 800.0, &[Coupled { unknowns: 0 }, Rpr]),
+];
+
+/// Between which stops a preset is kept, inside what its geometry gives: the stroke of a cylinder, the travel of a wheel.
+const STOPS: [(&str, f64, f64); 4] = [
+    ("double-wishbone", -15.0, 15.0),
+    ("ackermann", -32.0, 32.0),
+    ("backhoe", 1.0, 1.65),
+    ("lift-table", 250.0, 620.0),
 ];
 
 /// So many places over the range; none of them a limit or a multiple of 90 degrees.
@@ -108,10 +145,24 @@ fn folder() -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "presets"].iter().collect()
 }
 
-fn open(name: &str) -> Scene {
+fn text(name: &str) -> String {
     let path = folder().join(format!("{name}.toml"));
-    let text = std::fs::read_to_string(&path).expect("a preset's file");
-    Scene::parse(&text, name).unwrap_or_else(|e| panic!("{name}: {e:?}"))
+    std::fs::read_to_string(&path).expect("a preset's file")
+}
+
+fn parsed(text: &str, name: &str) -> Scene {
+    Scene::parse(text, name).unwrap_or_else(|e| panic!("{name}: {e:?}"))
+}
+
+fn open(name: &str) -> Scene {
+    parsed(&text(name), name)
+}
+
+/// A preset without the stops of its driver.
+fn freed(name: &str) -> Scene {
+    let text = text(name);
+    let lines = text.lines().filter(|line| !line.starts_with("range"));
+    parsed(&lines.collect::<Vec<_>>().join("\n"), name)
 }
 
 fn solver(scene: &Scene) -> Solver {
@@ -160,7 +211,7 @@ fn every_preset_says_where_it_comes_from_and_what_there_is_to_see() {
 #[test]
 fn every_preset_covers_the_range_of_its_geometry() {
     for Expected { name, reach, .. } in &EXPECTED {
-        let scene = open(name);
+        let scene = freed(name);
         match (reach, solver(&scene).motion().range) {
             (Reach::Turn, Range::Full { period }) => assert_eq!(period, 360.0, "{name}"),
             (Reach::TurnTwice, Range::Full { period }) => assert_eq!(period, 720.0, "{name}"),
@@ -170,6 +221,18 @@ fn every_preset_covers_the_range_of_its_geometry() {
             }
             (_, other) => panic!("{name}: {other:?}"),
         }
+    }
+}
+
+#[test]
+fn stops_keep_a_preset_inside_the_range_of_its_geometry() {
+    for Expected { name, .. } in &EXPECTED {
+        let free = solver(&freed(name)).motion().range;
+        let stops = STOPS.iter().find(|stops| stops.0 == *name);
+        let kept = stops.map_or(free, |&(_, low, high)| Range::Limited { low, high });
+        assert_eq!(solver(&open(name)).motion().range, kept, "{name}");
+        let ((low, high), (least, most)) = (kept.ends(), free.ends());
+        assert!(stops.is_none() || least < low && high < most, "{name}");
     }
 }
 

@@ -18,6 +18,7 @@ fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) ->
         solver,
         columns: &columns,
         steps,
+        clock: None,
         format: RowFormat::Csv(CsvDialect::default()),
     };
     let mut csv = Vec::new();

@@ -47,7 +47,9 @@ pub(crate) fn spelled(screen: &str) -> String {
 pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
     // The zero line of a chart may touch them.
     let bare = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
-    let words = screen.split_whitespace().map(bare);
+    // A cursor's bracket may touch the next figure.
+    let apart = |c: char| c.is_whitespace() || c == '[' || c == ']';
+    let words = screen.split(apart).map(bare);
     words.filter(|word| word.parse::<f64>().is_ok()).collect()
 }
 

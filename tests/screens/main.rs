@@ -24,6 +24,8 @@ mod forces;
 #[cfg(feature = "tui")]
 mod frames;
 #[cfg(feature = "tui")]
+mod gathering;
+#[cfg(feature = "tui")]
 mod glyphs;
 #[cfg(feature = "tui")]
 mod light;

@@ -50,7 +50,7 @@ fn the_topics_of_the_manual_stand_behind_the_keys() {
     for (name, text) in topics() {
         let mut seen = session.press("Tab").look();
         assert!(seen.contains(&format!(" Help: {name} ")), "{seen}");
-        for _ in 0..20 {
+        for _ in 0..40 {
             seen += &session.press("PgDn").look();
         }
         let words: HashSet<&str> = seen.split_whitespace().collect();
@@ -75,7 +75,7 @@ fn the_manual_is_searched_through_all_its_topics() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? Tab /").type_in("SECOND dyad").look();
     assert!(
-        screen.contains("Help: tutorial  1/11 /SECOND dyad"),
+        screen.contains("Help: tutorial  1/13 /SECOND dyad"),
         "{screen}"
     );
     assert!(
@@ -244,7 +244,7 @@ fn every_key_of_the_help_is_reached() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
         let mut session = four_bar(cols, rows);
         let mut seen = session.press("?").look();
-        for _ in 0..20 {
+        for _ in 0..40 {
             seen += &session.press("PgDn").look();
         }
         for (title, _, help) in krank::tui::key_list() {

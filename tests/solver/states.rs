@@ -10,7 +10,7 @@ use krank::{
 
 const GROUND: Body = Body::Ground;
 
-fn turn(link: LinkId, start: f64) -> Driver {
+pub(super) fn turn(link: LinkId, start: f64) -> Driver {
     Driver {
         input: Input::Turn(link),
         start,
@@ -19,7 +19,7 @@ fn turn(link: LinkId, start: f64) -> Driver {
     }
 }
 
-fn push(slide: SlideId, start: f64) -> Driver {
+pub(super) fn push(slide: SlideId, start: f64) -> Driver {
     Driver {
         input: Input::Push(slide),
         start,
@@ -28,18 +28,18 @@ fn push(slide: SlideId, start: f64) -> Driver {
     }
 }
 
-fn solver(builder: Builder) -> (Mechanism, Solver) {
+pub(super) fn solver(builder: Builder) -> (Mechanism, Solver) {
     let mechanism = builder.build().unwrap();
     let solver = Solver::new(&mechanism).unwrap();
     (mechanism, solver)
 }
 
-fn kinds(solver: &Solver) -> Vec<GroupKind> {
+pub(super) fn kinds(solver: &Solver) -> Vec<GroupKind> {
     solver.plan().groups.iter().map(|g| g.kind).collect()
 }
 
 /// The state at a coordinate, which must exist.
-fn at(solver: &Solver, q: f64) -> State {
+pub(super) fn at(solver: &Solver, q: f64) -> State {
     let mut state = solver.state();
     assert_eq!(
         solver.solve(q, Order::Acceleration, &mut state),
@@ -173,7 +173,7 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
 }
 
 /// Checks states all over the range, away from its ends.
-fn check(mechanism: &Mechanism, solver: &Solver) {
+pub(super) fn check(mechanism: &Mechanism, solver: &Solver) {
     let (low, high) = match solver.motion().range {
         Range::Full { period } => (0.0, period),
         Range::Limited { low, high } => (low, high),

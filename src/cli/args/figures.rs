@@ -41,6 +41,9 @@ pub(in crate::cli) struct TableArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
+    #[arg(help = words().moment_of_motion())]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, conflicts_with_all = ["at", "sensitivity"])]
+    pub(in crate::cli) time: Option<WrittenDecimal>,
     #[arg(help = words().columns_of_table())]
     #[arg(long, value_name = "PATTERNS")]
     pub(in crate::cli) columns: Vec<String>,
@@ -123,9 +126,15 @@ pub(in crate::cli) struct SweepArgs {
     #[arg(help = words().row_to_row())]
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
     pub(in crate::cli) step: Option<WrittenDecimal>,
+    #[arg(help = words().rows_over_time())]
+    #[arg(long, conflicts_with_all = ["measured", "sensitivity"])]
+    pub(in crate::cli) time: bool,
     #[arg(help = words().columns_or_all())]
     #[arg(long, value_name = "PATTERNS")]
     pub(in crate::cli) columns: Vec<String>,
+    #[arg(help = words().measured_figures())]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["from", "to", "step", "bounds", "sensitivity"])]
+    pub(in crate::cli) measured: Option<PathBuf>,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]
     pub(in crate::cli) format: OutputFormat,

@@ -1,15 +1,22 @@
 //! The command line as its users write it.
 
+mod cycle;
 mod exercise;
+mod export;
 mod figures;
 mod language;
 mod motor;
 mod pictures;
 mod report;
+mod solve;
 mod spreadsheet;
+mod study;
+mod tolerance;
 mod workbench;
 
+pub(super) use cycle::CycleArgs;
 pub(super) use exercise::{ExerciseArgs, GradeArgs, GradeFormat};
+pub(super) use export::ExportArgs;
 pub(super) use figures::{
     AccuracyArgs, ExplainArgs, OutputFormat, SweepArgs, TableArgs, TextFormat,
 };
@@ -17,7 +24,10 @@ pub(super) use language::LanguageChoice;
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
 pub(super) use report::ReportArgs;
+pub(super) use solve::{FoundFormat, SolveArgs};
 pub(super) use spreadsheet::CsvArgs;
+pub(super) use study::{StudyArgs, StudyFormat};
+pub(super) use tolerance::{BandChoice, ToleranceArgs};
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
@@ -81,8 +91,18 @@ pub(super) enum Command {
     Sweep(SweepArgs),
     #[command(about = words().does_plot(), after_help = words().examples_of_plot())]
     Plot(PlotArgs),
+    #[command(about = words().does_cycle(), after_help = words().examples_of_cycle())]
+    Cycle(CycleArgs),
+    #[command(about = words().does_export(), after_help = words().examples_of_export())]
+    Export(ExportArgs),
+    #[command(about = words().does_study(), after_help = words().examples_of_study())]
+    Study(StudyArgs),
     #[command(about = words().does_motor(), after_help = words().examples_of_motor())]
     Motor(MotorArgs),
+    #[command(about = words().does_solve(), after_help = words().examples_of_solve())]
+    Solve(SolveArgs),
+    #[command(about = words().does_tolerance(), after_help = words().examples_of_tolerance())]
+    Tolerance(ToleranceArgs),
     #[command(about = words().does_start(), after_help = words().examples_of_start())]
     Start(StartArgs),
     #[command(about = words().does_accuracy(), after_help = words().examples_of_accuracy())]

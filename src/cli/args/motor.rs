@@ -34,8 +34,8 @@ pub(in crate::cli) struct MotorArgs {
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) torque: Option<f64>,
     #[arg(help = words().tolerance_of_rest())]
-    #[arg(long, value_name = "LENGTH", value_parser = positive, allow_negative_numbers = true)]
-    pub(in crate::cli) tolerance: Option<f64>,
+    #[arg(long, alias = "tolerance", value_name = "LENGTH", value_parser = positive, allow_negative_numbers = true)]
+    pub(in crate::cli) rest: Option<f64>,
     #[arg(help = words().there_and_back_from())]
     #[arg(
         long,
@@ -63,7 +63,7 @@ pub(in crate::cli) struct MotorArgs {
     pub(in crate::cli) output: OutputArgs,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let value = not_negative(text)?;
     let wrong = || words().must_be_positive().to_owned();
     (value > 0.0).then_some(value).ok_or_else(wrong)

@@ -1,12 +1,13 @@
 //! Drawings and plots.
 
-use super::{OutputArgs, PlaceArgs, SceneArgs};
+use super::{BandChoice, OutputArgs, PlaceArgs, SceneArgs};
 use crate::cli::draw::{DrawFormat, FORMATS};
 use crate::drawing::{Blocks, Glyphs};
 use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 /// The characters to draw with.
@@ -80,6 +81,36 @@ impl FromStr for Size {
     }
 }
 
+/// How large a drawing is on paper: `1:2` is half as large as the linkage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::cli) struct PaperScale(f64);
+
+impl PaperScale {
+    /// The length on paper for a length of the linkage.
+    pub(in crate::cli) fn factor(self) -> f64 {
+        self.0
+    }
+}
+
+impl FromStr for PaperScale {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(':');
+        let side = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|n: &f64| n.is_normal() && *n > 0.0)
+        };
+        let factor = sides.and_then(|(paper, linkage)| Some(side(paper)? / side(linkage)?));
+        let factor = factor.filter(|factor| factor.is_normal());
+        factor
+            .map(PaperScale)
+            .ok_or_else(|| words().scale_is_meant().into())
+    }
+}
+
 /// More positions would hide each other.
 const MOST_GHOSTS: i64 = 360;
 
@@ -127,6 +158,9 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value = "text")]
     pub(in crate::cli) format: &'static DrawFormat,
+    #[arg(help = words().scale_on_paper())]
+    #[arg(long, value_name = "PAPER:LINKAGE")]
+    pub(in crate::cli) scale: Option<PaperScale>,
     #[arg(help = words().width_in_pixels())]
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(16..=MOST_PIXELS))]
     pub(in crate::cli) width: Option<u16>,
@@ -173,6 +207,9 @@ pub(in crate::cli) struct PlotArgs {
     #[arg(help = words().plot_against())]
     #[arg(long, value_name = "NAME", default_value = "driver")]
     pub(in crate::cli) against: String,
+    #[arg(help = words().measured_figures())]
+    #[arg(long, value_name = "FILE")]
+    pub(in crate::cli) measured: Option<PathBuf>,
     #[arg(help = words().driver_begins())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) from: Option<WrittenDecimal>,
@@ -182,6 +219,9 @@ pub(in crate::cli) struct PlotArgs {
     #[arg(help = words().leave_extrema_out())]
     #[arg(long)]
     pub(in crate::cli) no_extrema: bool,
+    #[arg(help = words().band_of_tolerances())]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) band: Option<BandChoice>,
     #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) glyphs: GlyphChoice,

@@ -15,6 +15,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "cast",
     about: <dyn Words>::format_cast,
     takes: &[FormatOption::Glyphs, FormatOption::Seconds],
+    is_picture: true,
     is_binary: false,
     write,
 };

@@ -1,7 +1,7 @@
 //! The ways to write a drawing: one table, a file each.
 
 use super::DrawnScene;
-use crate::cli::args::DrawArgs;
+use crate::cli::args::{DrawArgs, NamesChoice};
 use crate::cli::failure::Failure;
 use crate::wording::{Wording, words};
 
@@ -13,6 +13,8 @@ pub(in crate::cli) struct DrawFormat {
     pub(in crate::cli) about: Wording,
     /// Which of the options that are not for every format it takes.
     pub(super) takes: &'static [FormatOption],
+    /// Whether it is looked at as it is: then it takes what only shows.
+    pub(super) is_picture: bool,
     /// Whether it is no text: a terminal is not sent such bytes.
     pub(super) is_binary: bool,
     pub(super) write: fn(&DrawnScene<'_>) -> Result<Vec<u8>, Failure>,
@@ -25,12 +27,22 @@ pub(super) enum FormatOption {
     Width,
     Dark,
     Seconds,
+    Scale,
+    Size,
+    Velocities,
+    Accelerations,
+    Forces,
+    Ghosts,
+    Names,
+    Centres,
+    NoGuides,
 }
 
 /// All of them, as the help lists them.
-pub(in crate::cli) static FORMATS: [&DrawFormat; 5] = [
+pub(in crate::cli) static FORMATS: [&DrawFormat; 6] = [
     &super::text::FORMAT,
     &super::svg::FORMAT,
+    &super::dxf::FORMAT,
     &super::png::FORMAT,
     &super::gif::FORMAT,
     &super::cast::FORMAT,
@@ -40,10 +52,10 @@ impl DrawFormat {
     /// Nothing that was asked for is passed over in silence.
     pub(super) fn check(&self, args: &DrawArgs) -> Result<(), Failure> {
         let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
-        match asked.find(|option| !self.takes.contains(option)) {
+        match asked.find(|option| !self.takes_it(*option)) {
             None => Ok(()),
             Some(option) => {
-                let others = FORMATS.iter().filter(|f| f.takes.contains(&option));
+                let others = FORMATS.iter().filter(|f| f.takes_it(option));
                 let others: Vec<&str> = others.map(|format| format.name).collect();
                 Err(Failure::Usage(words().format_takes_no(
                     self.name,
@@ -53,15 +65,40 @@ impl DrawFormat {
             }
         }
     }
+
+    fn takes_it(&self, option: FormatOption) -> bool {
+        self.takes.contains(&option) || self.is_picture && option.only_shows()
+    }
 }
 
 impl FormatOption {
-    const ALL: [FormatOption; 4] = [
+    const ALL: [FormatOption; 13] = [
         FormatOption::Glyphs,
         FormatOption::Width,
         FormatOption::Dark,
         FormatOption::Seconds,
+        FormatOption::Scale,
+        FormatOption::Size,
+        FormatOption::Velocities,
+        FormatOption::Accelerations,
+        FormatOption::Forces,
+        FormatOption::Ghosts,
+        FormatOption::Names,
+        FormatOption::Centres,
+        FormatOption::NoGuides,
     ];
+
+    /// Whether it tells what a picture shows, and how large: every picture takes it.
+    fn only_shows(self) -> bool {
+        !matches!(
+            self,
+            FormatOption::Glyphs
+                | FormatOption::Width
+                | FormatOption::Dark
+                | FormatOption::Seconds
+                | FormatOption::Scale
+        )
+    }
 
     fn name(self) -> &'static str {
         match self {
@@ -69,6 +106,15 @@ impl FormatOption {
             FormatOption::Width => "--width",
             FormatOption::Dark => "--dark",
             FormatOption::Seconds => "--seconds",
+            FormatOption::Scale => "--scale",
+            FormatOption::Size => "--size",
+            FormatOption::Velocities => "--velocities",
+            FormatOption::Accelerations => "--accelerations",
+            FormatOption::Forces => "--forces",
+            FormatOption::Ghosts => "--ghosts",
+            FormatOption::Names => "--names",
+            FormatOption::Centres => "--centres",
+            FormatOption::NoGuides => "--no-guides",
         }
     }
 
@@ -78,6 +124,15 @@ impl FormatOption {
             FormatOption::Width => args.width.is_some(),
             FormatOption::Dark => args.dark,
             FormatOption::Seconds => args.seconds.is_some(),
+            FormatOption::Scale => args.scale.is_some(),
+            FormatOption::Size => args.size.is_some(),
+            FormatOption::Velocities => args.velocities.is_some(),
+            FormatOption::Accelerations => args.accelerations.is_some(),
+            FormatOption::Forces => args.forces,
+            FormatOption::Ghosts => args.ghosts > 0,
+            FormatOption::Names => args.names != NamesChoice::Points,
+            FormatOption::Centres => args.centres,
+            FormatOption::NoGuides => args.no_guides,
         }
     }
 }

@@ -16,6 +16,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
         FormatOption::Dark,
         FormatOption::Seconds,
     ],
+    is_picture: true,
     is_binary: true,
     write,
 };

@@ -1,6 +1,7 @@
 //! `krank draw`: the linkage at one coordinate of its driver, or all along its motion, in the formats of one table.
 
 mod cast;
+mod dxf;
 mod format;
 mod gif;
 mod png;

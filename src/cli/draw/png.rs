@@ -10,6 +10,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "png",
     about: <dyn Words>::format_png,
     takes: &[FormatOption::Width, FormatOption::Dark],
+    is_picture: true,
     is_binary: true,
     write,
 };

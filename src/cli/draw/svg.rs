@@ -1,27 +1,57 @@
 //! A drawing as an SVG document.
 
 use super::{DrawFormat, DrawnScene, FormatOption};
+use crate::cli::args::Size;
 use crate::cli::failure::Failure;
-use crate::drawing::{self, Labels};
+use crate::drawing::{self, Labels, WorldView};
 use crate::pixels::PaintError;
+use crate::scene::Unit;
 use crate::wording::Words;
 #[cfg(feature = "pictures")]
 use crate::wording::words;
 
+/// A column on paper, in millimetres: eight units at 96 to the inch.
+const COLUMN_ON_PAPER: f64 = 8.0 * 25.4 / 96.0;
+/// A drawing to scale has no fewer columns, and no more.
+const LEAST_COLUMNS: f64 = 40.0;
+const MOST_COLUMNS: f64 = 1000.0;
+
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "svg",
     about: <dyn Words>::format_svg,
-    takes: &[FormatOption::Dark],
+    takes: &[FormatOption::Dark, FormatOption::Scale],
+    is_picture: true,
     is_binary: false,
     write: |drawn| Ok(document(drawn).into_bytes()),
 };
 
 pub(super) fn document(drawn: &DrawnScene<'_>) -> String {
-    let view = drawn.document_view(|size| drawn.view(size));
+    let usual = drawn.document_view(|size| drawn.view(size));
+    let (view, millimetres) = match drawn.args.scale {
+        None => (usual, None),
+        Some(scale) => to_scale(drawn, usual, scale.factor()),
+    };
     let legend = drawn.overlay.legend(&view, 1.0);
     let (figure, title) = (drawn.figure(drawn.state), drawn.title());
     let labels = &mut Labels::default();
-    drawing::svg_on(drawn.ground(), &figure, &view, &title, &legend, labels)
+    let art = drawing::artwork(&figure, &view, &title, &legend, labels);
+    art.svg_on_paper(drawn.ground(), millimetres)
+}
+
+/// A window in which letters and pins are about as large on paper as on a screen, where none was asked for, and the
+/// millimetres on paper of a user unit.
+fn to_scale(drawn: &DrawnScene<'_>, usual: WorldView, scale: f64) -> (WorldView, Option<f64>) {
+    let paper = drawn.scene.unit.in_units_of(Unit::Millimetre) * scale;
+    let per_column = |view: &WorldView| paper / view.cells_along(1.0);
+    let view = match drawn.args.size {
+        Some(_) => usual,
+        None => {
+            let wish = f64::from(usual.cols()) * per_column(&usual) / COLUMN_ON_PAPER;
+            let cols = wish.clamp(LEAST_COLUMNS, MOST_COLUMNS) as u16;
+            WorldView::snug(cols, |rows| drawn.view(Size { cols, rows }))
+        }
+    };
+    (view, Some(per_column(&view) / drawing::COLUMN))
 }
 
 /// Why a document did not become pixels.

@@ -11,6 +11,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "text",
     about: <dyn Words>::format_characters,
     takes: &[FormatOption::Glyphs],
+    is_picture: true,
     is_binary: false,
     write,
 };

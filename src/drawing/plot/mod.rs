@@ -18,6 +18,7 @@
 mod chart;
 mod frame;
 mod layout;
+mod map;
 mod paint;
 mod paper;
 mod path;
@@ -26,6 +27,7 @@ mod tests;
 mod ticks;
 
 pub use chart::{Chart, Datum, DecadeAxis};
+pub use map::GridMap;
 
 use crate::Mechanism;
 use crate::Vec2;
@@ -87,6 +89,18 @@ pub struct PlotCurve {
     pub link: Option<Role>,
 }
 
+impl PlotCurve {
+    /// Whether it is places alone, as of measurements.
+    fn is_places(&self) -> bool {
+        self.is_dotted && !self.pieces.is_empty() && self.pieces.iter().all(|p| is_place(p))
+    }
+}
+
+/// Whether a piece is a line to itself.
+fn is_place(piece: &[Vec2]) -> bool {
+    matches!(piece, [from, to] if from == to)
+}
+
 /// A place where a curve turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveTurn {
@@ -117,6 +131,8 @@ pub struct PlotStyle {
 
 /// A curve that does not change is shown in the middle of this part of its size, or of 1.
 const ROOM: f64 = 0.5;
+/// An axis grows by no more than this part of itself for a band, which grows beyond all bounds near a dead point.
+const BAND_ROOM: f64 = 0.25;
 
 impl Plot {
     /// The plot of what was sampled: a panel for each unit, in the order in which they come first.
@@ -151,6 +167,56 @@ impl Plot {
         Plot { x, panels, is_true }
     }
 
+    /// The plot of figures over a value: the title and the unit of each, and what it is at every place.
+    #[must_use]
+    pub fn over(
+        [name, unit]: [&str; 2],
+        places: &[f64],
+        figures: &[([&str; 2], Vec<Option<f64>>)],
+    ) -> Plot {
+        let range = |values: &mut dyn Iterator<Item = f64>| {
+            values
+                .map(|v| (v, v))
+                .fold(None, |all, one| union(all, Some(one)))
+        };
+        let (low, high) = spread(range(&mut places.iter().copied()));
+        let mut panels: Vec<Panel> = Vec::new();
+        for (number, ([name, unit], values)) in figures.iter().enumerate() {
+            let known = panels.iter().position(|panel| panel.y.unit == *unit);
+            let place = known.unwrap_or_else(|| {
+                panels.push(Panel::of(unit));
+                panels.len() - 1
+            });
+            panels[place].curves.push(PlotCurve {
+                name: (*name).to_owned(),
+                figure: Some(number),
+                pieces: pieces(places, values),
+                turns: Vec::new(),
+                is_dotted: false,
+                link: None,
+            });
+        }
+        for panel in &mut panels {
+            let points = panel
+                .curves
+                .iter()
+                .flat_map(|curve| curve.pieces.iter().flatten());
+            (panel.y.low, panel.y.high) = spread(range(&mut points.map(|p| p.y)));
+        }
+        let x = Axis {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            is_angle: unit == "deg",
+            low,
+            high,
+        };
+        Plot {
+            x,
+            panels,
+            is_true: false,
+        }
+    }
+
     /// Adds the curves of another scene, dotted: to the panel of their unit. The axes grow as they must.
     /// What has no panel is left out, for there is nothing to compare it with.
     pub fn compare(&mut self, other: &Plot, name: &str) {
@@ -173,6 +239,76 @@ impl Plot {
                     }));
             }
         }
+    }
+
+    /// Adds places alone, as of measurements: to the panel of their unit. The axes grow as they must.
+    pub fn mark(&mut self, unit: &str, name: &str, places: &[(f64, f64)]) {
+        let Some(panel) = self.panels.iter_mut().find(|panel| panel.y.unit == unit) else {
+            return;
+        };
+        let places = places.iter().map(|&(x, y)| Vec2::new(x, y));
+        let places: Vec<Vec2> = places.filter(|place| place.is_finite()).collect();
+        for place in &places {
+            (self.x.low, self.x.high) = (self.x.low.min(place.x), self.x.high.max(place.x));
+            panel.y.low = panel.y.low.min(place.y);
+            panel.y.high = panel.y.high.max(place.y);
+        }
+        panel.curves.push(PlotCurve {
+            name: name.to_owned(),
+            figure: None,
+            turns: Vec::new(),
+            is_dotted: true,
+            // A line to itself is a point.
+            pieces: places.into_iter().map(|place| vec![place, place]).collect(),
+            link: None,
+        });
+    }
+
+    /// Adds how far the curve of a figure may be off, at each of its samples below and above: both edges, dotted. The
+    /// axis grows as it must.
+    pub fn add_band(
+        &mut self,
+        curves: &Curves,
+        figure: usize,
+        offsets: &[Option<[f64; 2]>],
+        name: String,
+    ) {
+        let is_of = |line: &PlotCurve| line.figure == Some(figure);
+        let mut panels = self.panels.iter_mut();
+        let Some((panel, at)) = panels.find_map(|panel| {
+            let at = panel.curves.iter().position(is_of)?;
+            Some((panel, at))
+        }) else {
+            return;
+        };
+        let edge = |side: usize| {
+            curves.pieces_beside(figure, |i| {
+                offsets.get(i).copied().flatten().map(|o| o[side])
+            })
+        };
+        let places = |piece: Vec<[f64; 2]>| piece.into_iter().map(|[x, y]| Vec2::new(x, y));
+        let pieces = edge(0).into_iter().chain(edge(1));
+        let pieces = pieces.map(|piece| places(piece).filter(|p| p.is_finite()).collect());
+        let (low, high) = (panel.y.low, panel.y.high);
+        let most = BAND_ROOM * (high - low);
+        let values = curves.curves[figure].values.iter().zip(offsets);
+        for (value, offset) in values {
+            // As far as the curve itself is shown.
+            let shown = value.filter(|value| (low..=high).contains(value));
+            if let (Some(value), Some([below, above])) = (shown, offset) {
+                panel.y.low = panel.y.low.min((value + below).max(low - most));
+                panel.y.high = panel.y.high.max((value + above).min(high + most));
+            }
+        }
+        let role = panel.role(at);
+        panel.curves.push(PlotCurve {
+            name,
+            figure: None,
+            pieces: pieces.collect(),
+            turns: Vec::new(),
+            is_dotted: true,
+            link: Some(role),
+        });
     }
 
     /// The same with lengths and their rates counted in another unit, of which one of `unit` is `scale`.
@@ -296,6 +432,19 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
         is_dotted: false,
         link: None,
     }
+}
+
+/// The parts of a curve between places at which it has no value.
+fn pieces(places: &[f64], values: &[Option<f64>]) -> Vec<Vec<Vec2>> {
+    let mut pieces = vec![Vec::new()];
+    for (&x, value) in places.iter().zip(values) {
+        match (value, pieces.last_mut()) {
+            (Some(y), Some(piece)) => piece.push(Vec2::new(x, *y)),
+            _ => pieces.push(Vec::new()),
+        }
+    }
+    pieces.retain(|piece| !piece.is_empty());
+    pieces
 }
 
 /// Whether both axes are places in the plane, in one unit.

@@ -2,7 +2,7 @@
 
 use super::frame::{FrameGlyphs, length, write};
 use super::layout::{PanelArea, PlotLayout};
-use super::path::Pen;
+use super::path::{PLACE, Pen};
 use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
 use crate::Vec2;
@@ -244,6 +244,9 @@ impl PlotPainter<'_> {
 
     /// What stands for a curve in the legend and on the curve.
     fn symbol(&self, panel: &Panel, i: usize) -> char {
+        if panel.curves[i].is_places() {
+            return PLACE;
+        }
         if panel.curves[i].is_dotted {
             return if self.look.glyphs == Glyphs::Ascii {
                 '.'

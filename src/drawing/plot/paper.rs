@@ -40,6 +40,7 @@ const SHEET: StyleSheet = StyleSheet {
 .c3{stroke:#005a9c;stroke-dasharray:12 4 3 4}
 .c4{stroke:#00695c;stroke-dasharray:16 6}
 .mark{fill:#222}
+.place{fill:none;stroke-width:1.2}
 ",
     dark: "\
 .grid{stroke:#555}
@@ -155,7 +156,10 @@ impl PaperSheet<'_> {
         for (i, line) in panel.curves.iter().enumerate() {
             let middle = base - HALF_TEXT;
             let ends = [Vec2::new(x, middle), Vec2::new(x + SAMPLE, middle)];
-            self.line(ends[0], ends[1], &class(line, i));
+            match line.is_places() {
+                true => self.art.circle((ends[0] + ends[1]) * 0.5, MARK, "place"),
+                false => self.line(ends[0], ends[1], &class(line, i)),
+            }
             let value = line.figure.and_then(|i| self.here?.values.get(i).copied());
             let value = value.map(|v| v.map_or(" -".into(), |v| format!(" {}", digits.text(v))));
             let text = format!("{}{}", line.name, value.unwrap_or_default());
@@ -179,6 +183,12 @@ impl PaperSheet<'_> {
                 }
             });
             let inside: Vec<Vec2> = inside.collect();
+            if line.is_places() {
+                let at = inside.first().copied();
+                self.art
+                    .circle(at.unwrap_or(Vec2::new(f64::NAN, 0.0)), MARK, "place");
+                continue;
+            }
             self.art.polyline(inside, &class(line, i));
         }
     }

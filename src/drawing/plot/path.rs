@@ -9,6 +9,7 @@ use super::super::figure::Role;
 use super::super::raster::Raster;
 use super::super::render::Glyphs;
 use super::super::stroke::{clip_to, dot};
+use super::is_place;
 use crate::Vec2;
 
 /// A block of cells: what is drawn stays inside.
@@ -106,12 +107,20 @@ pub(super) struct Pen {
     pub(super) marks: Option<(usize, usize)>,
 }
 
+/// Stands for a place alone.
+pub(super) const PLACE: char = 'o';
 /// Of a dotted curve one cell, or dot, of so many is drawn.
 const SPARSE: usize = 3;
 
 impl Pen {
     /// Draws a piece of a curve, given in cell coordinates.
     pub(super) fn draw(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
+        if self.dotted && is_place(points) {
+            for way in ways(points, block, WHOLE) {
+                self.cells(&way, PLACE, raster);
+            }
+            return;
+        }
         match self.glyphs {
             Glyphs::Ascii => {
                 let glyph = if self.dotted { '.' } else { self.symbol };

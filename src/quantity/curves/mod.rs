@@ -9,11 +9,12 @@ mod tests;
 use super::clock::{Clock, paced};
 use super::hidden::Hidden;
 use super::{Catalogue, Quantity};
+use crate::angle::beside;
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
 use crate::wording::words;
 pub use extrema::Extremum;
-use probe::{Probe, beside};
+use probe::Probe;
 use span::{NEAR, shown};
 use thiserror::Error;
 
@@ -117,9 +118,7 @@ impl Curves {
         window: Option<(f64, f64)>,
     ) -> Result<Curves, NoTime> {
         let clock = match abscissa {
-            Abscissa::Time => {
-                Some(Clock::new(scene.mechanism.driver()).ok_or(NoTime::StandsStill)?)
-            }
+            Abscissa::Time => Some(Clock::of(scene).ok_or(NoTime::StandsStill)?),
             Abscissa::Driver | Abscissa::Figure(_) => None,
         };
         let range = solver.motion().range;
@@ -134,7 +133,7 @@ impl Curves {
                 [figure.name.clone(), figure.unit.clone()]
             }
         };
-        let mut probe = Probe::new(solver, &columns, range, clock);
+        let mut probe = Probe::new(solver, &columns, range, clock.clone());
         let mechanism = &scene.mechanism;
         let rows = mechanism.points().len() + mechanism.links().len();
         let count = (MOST_ROWS / rows.max(1)).clamp(FEWEST_SAMPLES, SAMPLES);
@@ -163,12 +162,13 @@ impl Curves {
         let period = period(range, clock.as_ref(), window);
         let turn = match range {
             Range::Full { period: turn } => {
-                (clock.is_some() && period.is_none() && window.is_none()).then_some(turn)
+                let uneven = clock.as_ref().is_some_and(|clock| !clock.is_even());
+                (uneven && window.is_none()).then_some(turn)
             }
             Range::Limited { .. } => None,
         };
         let ends = match range {
-            Range::Limited { .. } => window.is_none(),
+            Range::Limited { .. } => window.is_none() && period.is_none(),
             Range::Full { .. } => false,
         };
         let mut curves = Vec::with_capacity(quantities.len());
@@ -250,17 +250,27 @@ impl Curves {
     /// one sample are possible, parts of none are not.
     #[must_use]
     pub fn pieces(&self, curve: usize) -> Vec<Vec<[f64; 2]>> {
+        self.pieces_beside(curve, |_| Some(0.0))
+    }
+
+    /// The same of a curve beside it, as far above it at each sample as is told; a gap where nothing is.
+    #[must_use]
+    pub fn pieces_beside(
+        &self,
+        curve: usize,
+        above: impl Fn(usize) -> Option<f64>,
+    ) -> Vec<Vec<[f64; 2]>> {
         let Some(curve) = self.curves.get(curve) else {
             return Vec::new();
         };
         let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
         let mut hangs_on = false;
         for (i, (x, y)) in self.along.iter().zip(&curve.values).enumerate() {
-            let (Some(x), Some(y)) = (*x, *y) else {
+            let (Some(x), Some(y), Some(above)) = (*x, *y, above(i)) else {
                 hangs_on = false;
                 continue;
             };
-            let y = curve.level.unwrap_or(y);
+            let y = curve.level.unwrap_or(y) + above;
             match pieces.last_mut() {
                 Some(piece) if hangs_on => piece.push([x, y]),
                 _ => pieces.push(vec![[x, y]]),
@@ -305,8 +315,8 @@ impl Curves {
         let (low, high) = (first.min(last), first.max(last));
         let place = match (&self.clock, self.period) {
             (None, _) => at,
-            (Some(clock), Some(_)) => clock.time(at)?,
-            (Some(clock), None) => {
+            (Some(clock), Some(_)) if clock.is_even() => clock.time(at)?,
+            (Some(clock), _) => {
                 let comes_by = |at| clock.time_between(at, low, high);
                 comes_by(at).or_else(|| comes_by(self.reduced(at)))?
             }
@@ -322,10 +332,10 @@ impl Curves {
     /// The coordinate on the way of a driver that does not keep its speed, at which the linkage is as at
     /// this one.
     fn reduced(&self, at: f64) -> f64 {
-        let (Some(turn), [first, .., last]) = (self.turn, &self.at[..]) else {
+        let Some(turn) = self.turn else {
             return at;
         };
-        let low = first.min(*last);
+        let low = self.at.iter().copied().fold(f64::INFINITY, f64::min);
         low + (at - low).rem_euclid(turn)
     }
 }
@@ -374,13 +384,14 @@ fn stretch(
 
 /// After what the samples repeat, where they cover just that: in degrees or seconds.
 fn period(range: Range, clock: Option<&Clock>, window: Option<(f64, f64)>) -> Option<f64> {
-    let Range::Full { period } = range else {
-        return None;
+    let way = match range {
+        Range::Full { period } => Some(period),
+        Range::Limited { .. } => None,
     };
-    let covers = window.is_none_or(|(from, to)| (to - from).abs() == period);
+    let covers = window.is_none_or(|(from, to)| Some((to - from).abs()) == way);
     match clock {
         _ if !covers => None,
-        None => Some(period),
-        Some(clock) => clock.is_even().then(|| (period / clock.speed()).abs()),
+        None => way,
+        Some(clock) => clock.period(range),
     }
 }

@@ -1,11 +1,11 @@
 //! Reading quantities anywhere on the way: samples, slopes, and jumps between samples.
 
-use super::super::clock::{Clock, Pace, paced};
+use super::super::clock::Clock;
 use super::super::{Hidden, Quantity, demand};
 use super::span::usual;
-use crate::angle::{self, TURN};
+use crate::angle::{self, TURN, beside};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
-use crate::{LANES, Lanes};
+use crate::{DriverMoment, Input, LANES, Lanes};
 
 /// Of its range, a curve that goes through more than this from one sample to the next is looked at
 /// more closely: it may jump.
@@ -16,15 +16,8 @@ const HALVINGS: u32 = 20;
 const ROUNDING: f64 = 1e-11;
 /// A change is one where it is more than so many times what an error may be.
 const DOUBT: f64 = 4.0;
-/// What rounding makes of a coordinate that is had from a time, as a part of the range.
-const BESIDE: f64 = 1e-12;
 /// The places at which errors are looked at, to tell such a change.
 const WITNESSES: usize = 16;
-
-/// A direction as it is counted by whoever counts from another one: within half a turn of that.
-pub(super) fn beside(other: f64, direction: f64) -> f64 {
-    direction - TURN * ((direction - other) / TURN).round()
-}
 
 /// Reads the quantities anywhere on the way, by coordinate or by time.
 pub(super) struct Probe {
@@ -69,45 +62,42 @@ impl Probe {
 
     /// The driver's coordinate at a place; rounding leads neither out of a limit nor beside it.
     pub(super) fn coordinate(&self, place: f64) -> f64 {
-        let Some(clock) = &self.clock else {
-            return place;
-        };
-        let at = clock.coordinate(place);
-        let Range::Limited { low, high } = self.range else {
-            return at;
-        };
-        // Beside a dead point rates are beyond all bounds, at it they do not exist.
-        let limit = if at - low < high - at { low } else { high };
-        let is_there = (at - limit).abs() <= BESIDE * (high - low);
-        if is_there {
-            limit
-        } else {
-            at.max(low).min(high)
+        match &self.clock {
+            None => place,
+            Some(clock) => clock.moment(place, self.range).at,
         }
     }
 
-    fn pace(&self, place: f64) -> Option<Pace> {
-        self.clock.as_ref()?.pace(place)
+    /// Where a driver that does not keep its speed is, and how fast.
+    fn moment(&self, place: f64) -> Option<DriverMoment> {
+        let uneven = self.clock.as_ref().filter(|clock| !clock.is_even())?;
+        Some(uneven.moment(place, self.range))
     }
 
     fn solve(&mut self, place: f64) -> Condition {
         let at = self.coordinate(place);
+        if let Some(moment) = self.moment(place) {
+            self.solver.drive(&mut self.state, &moment);
+        }
         self.solver.solve(at, self.order, &mut self.state)
     }
 
     pub(super) fn value(&mut self, column: usize, place: f64) -> Option<f64> {
         let _ = self.solve(place);
-        paced(&self.columns[column], &self.state, self.pace(place))
+        self.columns[column].value(&self.state)
     }
 
     /// The slope of a column over its place, but for a factor that is the same everywhere; `None` where
     /// it has none, and of what no rate is known.
     pub(super) fn slope(&mut self, column: usize, place: f64) -> Option<f64> {
         let rate = self.columns[column].rate()?;
-        let (at, pace) = (self.coordinate(place), self.pace(place));
+        let (at, moment) = (self.coordinate(place), self.moment(place));
         let (solver, state) = &mut self.slopes;
+        if let Some(moment) = moment {
+            solver.drive(state, &moment);
+        }
         let _ = solver.solve(at, rate.order(), state);
-        paced(&rate, state, pace)
+        rate.value(state)
     }
 
     /// Every column at these places, and what the states are.
@@ -124,9 +114,8 @@ impl Probe {
                 if self.hidden.is_none() {
                     self.hidden = Hidden::of(&self.columns, &self.state);
                 }
-                let pace = self.pace(place);
                 for (quantity, values) in self.columns.iter().zip(&mut columns) {
-                    values.push(paced(quantity, &self.state, pace));
+                    values.push(quantity.value(&self.state));
                 }
             }
         }
@@ -135,7 +124,7 @@ impl Probe {
 
     /// Whether all places could be solved at once; then they are in the columns.
     fn sample_at_once(&mut self, block: &[f64], columns: &mut [Vec<Option<f64>>]) -> bool {
-        let Some(&last) = block.last().filter(|&&p| self.pace(p).is_none()) else {
+        let Some(&last) = block.last().filter(|&&p| self.moment(p).is_none()) else {
             return false;
         };
         let mut at = [self.coordinate(last); LANES];
@@ -172,10 +161,24 @@ impl Probe {
                     return false;
                 };
                 let change = (b - a).abs();
+                let ends = [ends[0], ends[1]];
                 (wraps && change > TURN / 2.0)
-                    || (change > STEEP * size && self.jumps(column, [ends[0], ends[1]], [a, b]))
+                    || ((change > STEEP * size || self.is_jump_of_load(column, ends))
+                        && self.jumps(column, ends, [a, b]))
             })
             .collect()
+    }
+
+    /// Whether a load jumps between two places, and the column has to do with forces.
+    fn is_jump_of_load(&self, column: usize, ends: [f64; 2]) -> bool {
+        if self.columns[column].order() != Order::Force {
+            return false;
+        }
+        let mechanism = self.solver.mechanism();
+        let turns = matches!(mechanism.driver().input, Input::Turn(_));
+        let [a, b] = ends.map(|place| self.coordinate(place));
+        let mut profiles = mechanism.loads().iter().filter_map(|load| load.over());
+        profiles.any(|over| over.jumps_between(a.min(b), a.max(b), turns))
     }
 
     /// Whether the change between two places does not become less however close they are.
@@ -254,6 +257,9 @@ impl Probe {
     fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
         let _ = self.solve(place);
         let mut enclosure = self.solver.enclosure();
+        if let Some(moment) = self.moment(place) {
+            self.solver.drive(&mut enclosure, &moment);
+        }
         self.solver
             .enclose(&mut self.state, self.order, &mut enclosure);
         self.columns[column].bound(&self.state, &enclosure)

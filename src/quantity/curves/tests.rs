@@ -54,6 +54,41 @@ fn strokes_end_at_the_dead_centres() {
     close(&turns(&curves.curves[0]), &wanted);
 }
 
+/// A cutting stroke is drawn with breaks at its ends, which lie between samples, and with no slope.
+#[test]
+fn a_jump_of_a_load_is_a_break() {
+    let text = presets::find("four-bar").unwrap().text.to_owned()
+        + "[[loads]]\nlink = \"r2\"\ntorque = -5\n\
+           over = [[0, 0], [80.2, 0], [80.2, 1], [120.3, 1], [120.3, 0], [360, 0]]\n";
+    let curves = sampled(&opened(&text), &["driver.torque"], Abscissa::Driver);
+    let pieces = curves.pieces(0);
+    let spans: Vec<_> = pieces.iter().map(|p| (p[0], p[p.len() - 1])).collect();
+    assert_eq!(spans.len(), 3, "{spans:?}");
+    for (piece, torque) in pieces.iter().zip([0.0, 5.0, 0.0]) {
+        assert!(piece.iter().all(|[_, y]| (y - torque).abs() < 1e-12));
+    }
+    assert_eq!((spans[1].0[0], spans[1].1[0]), (80.5, 120.0));
+}
+
+/// So is a jump that is small beside the rest of the curve, also in a later turn.
+#[test]
+fn a_small_jump_of_a_load_is_a_break_too() {
+    let text = presets::find("four-bar").unwrap().text.to_owned()
+        + "[[loads]]\nlink = \"r2\"\ntorque = -100\n\
+           over = [[0, 0], [80.2, 0.5], [80.2, 0.55], [180, 1], [360, 0]]\n";
+    let opened = opened(&text);
+    let figures = Catalogue::new(&opened.0)
+        .select(&["driver.torque"])
+        .unwrap();
+    for first in [0.0, 720.0] {
+        let window = Some((first, first + 360.0));
+        let curves = Curves::new(&opened.0, &opened.1, &figures, Abscissa::Driver, window).unwrap();
+        let pieces = curves.pieces(0);
+        assert_eq!(pieces.len(), 2, "{first}");
+        assert_eq!((pieces[0].len(), pieces[1][0][0]), (161, first + 80.5));
+    }
+}
+
 /// The rocker of a crank-rocker turns back where crank and coupler are in line: the law of cosines.
 #[test]
 fn a_rocker_turns_back_where_crank_and_coupler_are_in_line() {
@@ -96,7 +131,7 @@ fn denser_samples_know_no_other_extrema() {
         let (scene, solver) = opened(&text);
         let figures = Catalogue::new(&scene).figures();
         let curves = Curves::new(&scene, &solver, &figures, abscissa.clone(), None).unwrap();
-        let clock = curves.clock;
+        let clock = curves.clock.clone();
         let mut probe = Probe::new(&solver, &figures, solver.motion().range, clock);
         let (first, last) = (curves.places(0), curves.places(usize::MAX));
         let count = DENSER * (curves.at.len() - 1);

@@ -4,6 +4,7 @@ use super::DIGITS;
 use super::foreign::ForeignCourse;
 use super::list::{apart, is_rounding};
 use crate::page::{Page, Setting, Table};
+use crate::quantity::Quantity;
 use crate::report::number::significant;
 use crate::solver::{Condition, Order, Solver};
 use crate::wording::words;
@@ -14,6 +15,8 @@ struct Furthest {
     rows: usize,
     at: f64,
     off: f64,
+    /// The sum of the squares of all differences.
+    squares: f64,
     /// The largest of krank's figures in the column.
     most: f64,
     /// As often the difference is more than rounding to the digits of the other figure.
@@ -22,7 +25,62 @@ struct Furthest {
 
 pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
     page.part(&words().beside_file(file));
+    add_table(page, file, course, solver);
+}
+
+/// The same without its title.
+pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
     page.text(words().beside_course(file, course.rows.len()));
+    let furthest = furthest(course, solver);
+    let at = format!("{} [{}]", words().at_driver(), course.driver.unit);
+    let heads = [
+        words().rows_compared(),
+        words().root_mean_square(),
+        words().largest_difference(),
+        &at,
+        words().of_largest(),
+        words().beyond_rounding(),
+    ];
+    let mut table = Table::new(words().figure(), heads).set(Setting::default());
+    for (quantity, one) in course.columns.iter().zip(&furthest) {
+        let name = format!("{} [{}]", quantity.name, quantity.unit);
+        table.row(name, one.cells(quantity));
+    }
+    if !(course.columns.is_empty() || course.rows.is_empty()) {
+        page.table(table);
+    }
+    if !course.strangers.is_empty() {
+        page.text(words().not_compared(&course.strangers.join(", ")));
+    }
+}
+
+impl Furthest {
+    fn cells(&self, quantity: &Quantity) -> [String; 6] {
+        let part = match self.off != 0.0 && self.most > 0.0 && !quantity.is_direction() {
+            true => format!("{:.1e}", self.off.abs() / self.most),
+            false => "-".into(),
+        };
+        let (off, at) = match self.off == 0.0 {
+            true => ("0".into(), "-".into()),
+            false => (significant(self.off, DIGITS), significant(self.at, 6)),
+        };
+        let mean = match self.rows {
+            0 => "-".into(),
+            rows => significant((self.squares / rows as f64).sqrt(), DIGITS),
+        };
+        [
+            self.rows.to_string(),
+            mean,
+            off,
+            at,
+            part,
+            self.beyond.to_string(),
+        ]
+    }
+}
+
+/// The largest difference of each column.
+fn furthest(course: &ForeignCourse, solver: &Solver) -> Vec<Furthest> {
     let orders = course.columns.iter().map(|quantity| quantity.order());
     let order = orders.max().unwrap_or(Order::Position);
     let mut furthest = vec![Furthest::default(); course.columns.len()];
@@ -38,6 +96,7 @@ pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver
             let foreign = foreign.nearer(|value| apart(quantity, value, own));
             let off = apart(quantity, foreign.value, own);
             one.rows += 1;
+            one.squares += off * off;
             one.most = one.most.max(own.abs());
             one.beyond += usize::from(!is_rounding(foreign, (own, off)));
             if off.abs() > one.off.abs() {
@@ -45,34 +104,5 @@ pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver
             }
         }
     }
-    let at = format!("{} [{}]", words().at_driver(), course.driver.unit);
-    let heads = [
-        words().rows_compared(),
-        words().largest_difference(),
-        &at,
-        words().of_largest(),
-        words().beyond_rounding(),
-    ];
-    let mut table = Table::new(words().figure(), heads).set(Setting::default());
-    for (quantity, one) in course.columns.iter().zip(&furthest) {
-        let part = match one.off != 0.0 && one.most > 0.0 && !quantity.is_direction() {
-            true => format!("{:.1e}", one.off.abs() / one.most),
-            false => "-".into(),
-        };
-        let (off, at) = match one.off == 0.0 {
-            true => ("0".into(), "-".into()),
-            false => (significant(one.off, DIGITS), significant(one.at, 6)),
-        };
-        let name = format!("{} [{}]", quantity.name, quantity.unit);
-        table.row(
-            name,
-            [one.rows.to_string(), off, at, part, one.beyond.to_string()],
-        );
-    }
-    if !(course.columns.is_empty() || course.rows.is_empty()) {
-        page.table(table);
-    }
-    if !course.strangers.is_empty() {
-        page.text(words().not_compared(&course.strangers.join(", ")));
-    }
+    furthest
 }

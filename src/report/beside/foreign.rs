@@ -60,6 +60,20 @@ pub(super) struct ForeignCourse {
     pub(super) strangers: Vec<String>,
 }
 
+impl ForeignCourse {
+    /// Leaves out the columns that are not wanted.
+    pub(super) fn keep(&mut self, wanted: impl Fn(&Quantity) -> bool) {
+        let kept: Vec<bool> = self.columns.iter().map(wanted).collect();
+        let mut marks = kept.iter();
+        self.columns
+            .retain(|_| marks.next().is_some_and(|&kept| kept));
+        for (_, values) in &mut self.rows {
+            let mut marks = kept.iter();
+            values.retain(|_| marks.next().is_some_and(|&kept| kept));
+        }
+    }
+}
+
 impl ForeignFigures {
     /// Reads a file of this name: cells between commas, semicolons or tabs.
     ///

@@ -3,8 +3,10 @@
 mod course;
 mod foreign;
 mod list;
+mod measured;
 
 pub use foreign::{ForeignFigures, NoFigures};
+pub use measured::Measured;
 
 use crate::page::Page;
 use crate::quantity::Catalogue;

@@ -1,6 +1,8 @@
 //! The sheet that is handed out: the drawing, what is given, and tables to fill.
 
 use crate::page::{Content, Facts, Page, Table};
+use crate::report::check::DriverKind;
+use crate::report::input_facts::InputFacts;
 use crate::report::number::concise;
 use crate::report::paper::{Report, ReportedState};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
@@ -131,7 +133,13 @@ fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
     for slide in mechanism.slide_ids() {
         facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
-    facts.tell(words().driver(), [driver_told(scene, state)]);
+    let (kind, _) = DriverKind::of(scene, mechanism.driver().input);
+    let inputs = InputFacts::of(scene);
+    let inputs = inputs.iter().map(|input| input.text(kind, unit));
+    facts.tell(
+        words().driver(),
+        [driver_told(scene, state)].into_iter().chain(inputs),
+    );
     facts
 }
 
@@ -163,7 +171,11 @@ fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> S
     let is_it = |v: &Value| v.owner == ValueOwner::Driver && measures.contains(&v.measure);
     match scene.values().into_iter().find(is_it) {
         Some(given) if given.unit != unit => {
-            format!("{} ({} {unit})", given.text(), concise(value, SPEED_DIGITS))
+            let told = match given.formula {
+                Some(_) => format!("{} {}", figure(given.number), given.unit),
+                None => given.text(),
+            };
+            format!("{told} ({} {unit})", concise(value, SPEED_DIGITS))
         }
         _ => format!("{} {unit}", figure(value)),
     }

@@ -4,7 +4,9 @@ use super::DIGITS;
 use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
 use crate::report::motor::NOTHING;
 use crate::report::number::{concise, significant};
-use crate::study::motor::{Cycle, DriveEffort, MotorDemand, Rule, SMALL_FLUCTUATION};
+use crate::study::motor::{
+    Cycle, DriveEffort, LARGEST_FLUCTUATION, MotorDemand, Rule, SMALL_FLUCTUATION,
+};
 use crate::wording::words;
 
 /// Columns of a label, and of a figure behind it.
@@ -115,11 +117,12 @@ pub(super) fn is_constant(effect: &DriveEffort) -> bool {
     })
 }
 
-/// What is said of a fluctuation, and that a large one is no more than a rough figure.
+/// What is said of a fluctuation: that a large one is no more than a rough figure, and one beyond all is none.
 pub(super) fn rough(says: String, fluctuation: f64) -> String {
-    match fluctuation > SMALL_FLUCTUATION {
-        true => words().roughly(&says),
-        false => says,
+    match fluctuation {
+        share if share > LARGEST_FLUCTUATION => words().impossible(&says),
+        share if share > SMALL_FLUCTUATION => words().roughly(&says),
+        _ => says,
     }
 }
 

@@ -11,7 +11,7 @@ use crate::page::{Block, Content, Head, Page, Setting, Table, Units};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
-use crate::{Mechanism, angle};
+use crate::{Input, Mechanism, angle};
 
 /// What the working is written from.
 pub(super) struct Context<'a> {
@@ -77,21 +77,34 @@ impl<'a> Context<'a> {
             sides.map(|side| side.read(mechanism, self.state)).collect()
         } else {
             sides
-                .map(|side| side.given(mechanism, self.state.at()))
+                .map(|side| side.given(mechanism, self.given_at(side)))
                 .collect()
         };
         // The rates of a driven slide are given, not found: none of them is rounding. What the driver turns has
         // its rates where nothing else has any.
         let rates = [self.state.driver_speed(), self.state.driver_acceleration()];
         for (side, reading) in self.polygon.sides.iter().zip(&mut readings) {
-            if self.schedule.is_pushed(side) {
-                [reading.rate, reading.accel] = rates;
-            }
-            if !self.has_rates() && self.schedule.is_driven(side) {
-                [reading.omega, reading.alpha] = rates;
+            let Some(input) = self.schedule.input(side) else {
+                continue;
+            };
+            let timed = mechanism.timed_input(input);
+            let ratio = timed.map_or(1.0, |timed| timed.rate(mechanism.driver().input));
+            let rates = rates.map(|rate| rate * ratio);
+            match input {
+                Input::Push(_) => [reading.rate, reading.accel] = rates,
+                Input::Turn(_) if !self.has_rates() => [reading.omega, reading.alpha] = rates,
+                Input::Turn(_) => {}
             }
         }
         self.readings = readings;
+    }
+
+    /// The coordinate of the input that a side goes with; the driver's, where none is its own.
+    fn given_at(&self, side: &super::sides::Side) -> f64 {
+        let mechanism = &self.scene.mechanism;
+        let input = self.schedule.input(side);
+        let timed = input.and_then(|input| mechanism.timed_input(input));
+        timed.map_or(self.state.at(), |timed| timed.coordinate(self.state.at()))
     }
 
     /// The longest side in this state.

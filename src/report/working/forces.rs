@@ -20,6 +20,10 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
         draft.page.text(withheld.unwrap_or_else(absent));
         return;
     };
+    if !context.scene.mechanism.timed().is_empty() {
+        draft.page.text(words().forces_of_inputs_in_tables());
+        return;
+    }
     let acted = context.solver.acted(&context.state);
     loads(context, draft, &acted);
     super::loads::laws(context, draft, &acted);
@@ -64,7 +68,7 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 "-".into(),
             ]);
         }
-        if let Some((link, couple)) = acted.couple {
+        for &(link, couple) in &acted.couples {
             let name = words().acts_on(what, context.scene.link_name(link));
             rows.push([name, "-".into(), "-".into(), context.figures.number(couple)]);
         }
@@ -82,7 +86,9 @@ pub(super) fn kind(load: &Load) -> &'static str {
         Load::Force { .. } => words().force(),
         Load::Torque { .. } => words().torque(),
         Load::Press { .. } => words().kind_press(),
-        Load::Spring { .. } => words().kind_spring(),
+        Load::Spring { .. } | Load::GasSpring { .. } | Load::TorsionSpring { .. } => {
+            words().kind_spring()
+        }
     }
 }
 

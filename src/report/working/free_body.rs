@@ -162,20 +162,27 @@ impl FreeBody<'_> {
         let link = self.mechanism().link(self.id);
         let a = state.acceleration(self.about) * self.mechanism().metres();
         let [largest, reach] = self.sizes(rows);
+        // What the largest force alone would make of the link: beside it a part of the acceleration may be rounding.
+        let size_of_a = match link.mass > 0.0 {
+            true => a.norm().max(largest / link.mass),
+            false => a.norm(),
+        };
         if let Some(a) = self.acceleration() {
             let (length, direction) = (a.norm(), crate::angle::degrees(a));
             for (name, function) in [("ax", Function::Cos), ("ay", Function::Sin)] {
                 let at = Expression::figure(f.direction(direction), direction);
                 let along =
                     Expression::figure(f.number(length), length) * Expression::of(function, [at]);
-                draft.reckoned(name, &along, |v| format!("{} m/s^2", f.beside(v, length)));
+                draft.reckoned(name, &along, |v| {
+                    format!("{} m/s^2", f.beside(v, size_of_a))
+                });
             }
         }
         let force = |axis: &str, a_axis: f64, values: Vec<f64>| EquationOfMotion {
             values,
             size: largest,
             motion: Expression::known("m", f.given(link.mass), link.mass)
-                * Expression::known(format!("a{axis}"), f.beside(a_axis, a.norm()), a_axis),
+                * Expression::known(format!("a{axis}"), f.beside(a_axis, size_of_a), a_axis),
             unit: "N",
         };
         let alpha = state.alpha(self.id);
@@ -313,7 +320,7 @@ impl FreeBody<'_> {
 
     /// Torques, the driver's among them.
     fn couples(&self, rows: &mut Vec<BodyForce>) {
-        let couples = self.acted.iter().filter_map(|a| a.couple);
+        let couples = self.acted.iter().flat_map(|a| &a.couples);
         let own = couples.filter(|(link, _)| *link == self.id);
         let mut add = |name: &str, couple: f64, joint: Option<BodyJoint>| {
             rows.push(BodyForce {
@@ -324,8 +331,8 @@ impl FreeBody<'_> {
                 joint,
             });
         };
-        own.for_each(|(_, couple)| add(words().torque(), couple, None));
-        if self.mechanism().driver().input == Input::Turn(self.id)
+        own.for_each(|(_, couple)| add(words().torque(), *couple, None));
+        if self.mechanism().is_turned(self.id)
             && let Some(torque) = self.context.state.drive()
         {
             add(words().driver(), torque, Some(BodyJoint::Driver));
@@ -339,7 +346,7 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
     let given = mechanism.slide(slide);
     let t = state.travel(slide).guide;
     let mut force = t.perp() * state.normal(slide)?;
-    if mechanism.driver().input == Input::Push(slide) {
+    if mechanism.is_pushed(slide) {
         force += t * state.drive()?;
     }
     let couple = match given.slider {

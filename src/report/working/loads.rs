@@ -1,16 +1,17 @@
-//! How the loads come about: the factor of a load over the driver, the law of a spring; and what share of
+//! How the loads come about: the factor of a load over the driver, the law of a press; and what share of
 //! the driver's effort each of them has.
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::forces::{kind, point_name};
+use super::knots::{line_at, on_line};
 use crate::solver::{Acted, PressStroke};
 use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// The laws of loads that are not constant.
 pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
-    let (f, mechanism) = (context.figures, &context.scene.mechanism);
+    let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
             Load::Force {
@@ -34,40 +35,12 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 torque,
                 ref over,
             } if !over.is_one() && torque != 0.0 => {
-                let now = acted.couple.map_or(0.0, |couple| couple.1);
+                let now = acted.couples.first().map_or(0.0, |couple| couple.1);
                 let name = words().acts_on(words().torque(), context.scene.link_name(link));
                 scaled(context, draft, name, [now / torque, torque, now], "N m");
             }
-            Load::Spring {
-                from,
-                to,
-                stiffness,
-                length,
-                damping,
-            } => {
-                let spring = SpringNow::of(context, from, to);
-                let metres = mechanism.metres();
-                let [from, to] = [from, to].map(|point| point_name(context, point));
-                let name = words().spring_between(from, to);
-                let l = f.number(spring.length);
-                let rate = f.beside(spring.rate, context.fastest[0]);
-                draft.page.text(words().pull_of_spring());
-                draft.page.equation([name, format!("{l} {}", f.unit)]);
-                draft
-                    .page
-                    .equation(["dL/dt".to_owned(), format!("{rate} {}", f.length_unit(1))]);
-                let [l, l0] = [spring.length, length].map(|v| v * metres);
-                let l = Expression::known("L", f.number(l), l);
-                let l0 = Expression::known("L0", f.given(l0), l0);
-                let k = Expression::known("k", f.given(stiffness), stiffness);
-                let c = Expression::known("c", f.given(damping), damping);
-                let rate = spring.rate * metres;
-                let figure = f.beside(rate, context.fastest[0] * metres);
-                let rate = Expression::known("dL/dt", figure, rate);
-                let pull = k * (l - l0) + c * rate;
-                draft.worked(words().pull(), &pull, |pull| {
-                    format!("{} N", f.number(pull))
-                });
+            Load::Spring { .. } | Load::GasSpring { .. } | Load::TorsionSpring { .. } => {
+                super::springs::law(context, draft, load, acted);
             }
             Load::Press {
                 slide,
@@ -106,23 +79,15 @@ fn press(
         format!("{} {}", f.beside(d, size), f.unit)
     });
     draft.agree("d", d, stroke.distance, size);
-    let knots = curve.knots();
-    let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= stroke.distance && stroke.distance <= pair[1][0];
-    let line = knots.windows(2).find(is_on);
-    match (stroke.closes, line) {
+    match (stroke.closes, line_at(curve, stroke.distance)) {
         (false, _) => draft.page.text(words().press_opens()),
-        (true, Some(&[[d1, p1], [d2, p2]])) if force > 0.0 => {
+        (true, Some(line)) if force > 0.0 => {
             draft.page.text(words().press_by_line());
-            let given = |symbol: &str, value: f64| Expression::known(symbol, f.given(value), value);
-            let slope = (given("p2", p2) - given("p1", p1)) / (given("d2", d2) - given("d1", d1));
-            let d = Expression::known("d", f.beside(d, size), d);
-            let law = given("p1", p1) + slope * (d - given("d1", d1));
-            let worked = draft.worked("p", &law, |p| format!("{} N", f.number(p)));
-            let steep = (p2 - p1).abs() / (d2 - d1) * size;
-            draft.agree("p", worked, force, p1.abs().max(p2.abs()) + steep);
+            let (worked, reach) = on_line(context, draft, "d", (d, size), line);
+            draft.agree("p", worked, force, reach);
         }
         (true, _) => {
-            let first = knots.last().map_or(0.0, |knot| knot[0]);
+            let first = curve.knots().last().map_or(0.0, |knot| knot[0]);
             let reach = format!("{} {}", f.given(first), f.unit);
             draft.page.text(words().press_has_not_begun(&reach));
         }
@@ -144,27 +109,6 @@ fn scaled(
     draft.agree(&name, worked, now, whole.abs());
 }
 
-/// The present length of a spring, and its rate, in the scene's unit.
-struct SpringNow {
-    length: f64,
-    rate: f64,
-}
-
-impl SpringNow {
-    fn of(context: &Context<'_>, from: PointId, to: PointId) -> SpringNow {
-        let state = context.state;
-        let along = state.position(to) - state.position(from);
-        let length = along.norm();
-        let relative = state.velocity(to) - state.velocity(from);
-        let rate = if length > 0.0 {
-            along.dot(relative) / length
-        } else {
-            0.0
-        };
-        SpringNow { length, rate }
-    }
-}
-
 /// What the shares of the driver's effort are called in a formula.
 pub(super) fn share_names() -> [&'static str; 3] {
     [words().column_load(), words().gravity(), words().inertia()]
@@ -182,11 +126,16 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     if speed == 0.0 {
         return;
     }
-    let power = |force: Vec2, at: PointId| force.dot(state.velocity(at)) * metres;
-    let mut powers = [0.0; 3];
+    // A power, and how large it would be along the force: what it rounds by.
+    let power = |force: Vec2, at: PointId| {
+        let v = state.velocity(at);
+        [force.dot(v), force.norm() * v.norm()].map(|power| power * metres)
+    };
+    let (mut powers, mut sizes) = ([0.0; 3], [0.0; 3]);
     let mut rows = Vec::new();
-    let mut add = |share: usize, name: String, formula: &str, value: f64| {
+    let mut add = |share: usize, name: String, formula: &str, [value, size]: [f64; 2]| {
         powers[share] += value;
+        sizes[share] += size;
         if value != 0.0 {
             rows.push([name, formula.to_owned(), f.number(value)]);
         }
@@ -197,23 +146,25 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
             let name = words().acts_at(what, point_name(context, point));
             add(0, name, "F v", power(force, point));
         }
-        if let Some((link, couple)) = acted.couple {
+        for &(link, couple) in &acted.couples {
             let name = words().acts_on(what, context.scene.link_name(link));
-            add(0, name, "M ω", couple * state.omega(link));
+            let power = couple * state.omega(link);
+            add(0, name, "M ω", [power, power.abs()]);
         }
     }
     for id in mechanism.link_ids() {
         let (link, name) = (mechanism.link(id), context.scene.link_name(id));
         let turning = link.inertia * state.alpha(id) * state.omega(id);
         let Some(com) = link.com else {
-            add(2, words().inertia_of(name), "-I α ω", -turning);
+            let power = [-turning, turning.abs()];
+            add(2, words().inertia_of(name), "-I α ω", power);
             continue;
         };
         let weight = mechanism.gravity() * link.mass;
         add(1, words().weight_of(name), "m g v", power(weight, com));
-        let moving = power(state.acceleration(com) * (link.mass * metres), com);
-        let name = words().inertia_of(name);
-        add(2, name, "-m a v - I α ω", -moving - turning);
+        let [moving, size] = power(state.acceleration(com) * (link.mass * metres), com);
+        let (name, size) = (words().inertia_of(name), size + turning.abs());
+        add(2, name, "-m a v - I α ω", [-moving - turning, size]);
     }
     if !rows.is_empty() {
         let power = format!("{} [W]", words().power());
@@ -228,7 +179,8 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     };
     let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let names = share_names();
-    for ((name, power), part) in names.into_iter().zip(powers).zip(parts) {
+    let shares = powers.into_iter().zip(sizes).zip(parts);
+    for (name, ((power, of_terms), part)) in names.into_iter().zip(shares) {
         let figure = f.beside(power, size * speed.abs());
         if figure == "0" {
             draft.page.equation([name.to_owned(), format!("0 {unit}")]);
@@ -238,6 +190,6 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
         let worked = draft.reckoned(name, &-share, |share| {
             format!("{} {unit}", f.beside(share, size))
         });
-        draft.agree(name, worked, part, size);
+        draft.agree(name, worked, part, size.max(of_terms / speed.abs()));
     }
 }

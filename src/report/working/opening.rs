@@ -44,6 +44,32 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     if let Some(text) = condition_text(context) {
         draft.page.text(text);
     }
+    inputs(context, draft);
+}
+
+/// How the other inputs follow the driver, and where they are.
+fn inputs(context: &Context<'_>, draft: &mut Draft) {
+    let mechanism = &context.scene.mechanism;
+    let symbol = |input| match input {
+        Input::Turn(link) => symbols::theta(context.scene.link_name(link)),
+        Input::Push(slide) => context.scene.slide_name(slide).to_owned(),
+    };
+    if !mechanism.timed().is_empty() {
+        draft.page.text(words().inputs_are_given());
+    }
+    for timed in mechanism.timed() {
+        let [ratio, phase] = [timed.ratio, timed.phase].map(|v| concise(v, usize::MAX));
+        let at = timed.coordinate(context.state.at());
+        let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
+        let law = law.replace("+ -", "- ");
+        let [at, unit] = match timed.input {
+            Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
+            Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
+        };
+        draft
+            .page
+            .equation([symbol(timed.input), law, format!("{at} {unit}")]);
+    }
 }
 
 /// The unit vectors, as the lecture defines them: whatever is multiplied is multiplied with one of them.
@@ -186,8 +212,17 @@ pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
 fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {
     match context.schedule.length_group(side) {
         Some(_) => words().is_sought(),
-        None if context.schedule.is_pushed(side) => words().driver(),
+        None if context.schedule.is_pushed(side) => input_mark(context, side),
         None => words().given(),
+    }
+}
+
+/// What is said of the driver's own coordinate, and of an input's that follows it.
+fn input_mark(context: &Context<'_>, side: &Side) -> &'static str {
+    let driver = context.scene.mechanism.driver().input;
+    match context.schedule.input(side) == Some(driver) {
+        true => words().driver(),
+        false => words().given(),
     }
 }
 
@@ -204,7 +239,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     };
     let is_own = matches!(side.shape, super::sides::SideShape::Link(own) if own == link);
     match (is_own, context.schedule.is_driven(side)) {
-        (true, true) => words().driver().into(),
+        (true, true) => input_mark(context, side).into(),
         (true, false) => words().is_sought().into(),
         (false, _) => with_offset(context, link, offset),
     }
@@ -232,6 +267,7 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
             let driven = mechanism.driver().input == Input::Turn(link);
             let mark = match turns {
                 Turns::Never => words().given().into(),
+                _ if mechanism.is_turned(link) && !driven => words().given().into(),
                 _ if driven => words().driver().into(),
                 Turns::With(root, _) if root == link => words().is_sought().into(),
                 Turns::With(root, offset) => with_offset(context, root, offset),

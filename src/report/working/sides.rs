@@ -80,10 +80,10 @@ impl Locks {
             offset: vec![0.0; links],
         };
         let mut seen = vec![false; links];
-        let driven = match mechanism.driver().input {
+        let driven = mechanism.inputs().filter_map(|input| match input {
             Input::Turn(link) => Some(Body::Link(link)),
             Input::Push(_) => None,
-        };
+        });
         let roots = [Body::Ground].into_iter().chain(driven);
         for root in roots.chain(mechanism.link_ids().map(Body::Link)) {
             if let Body::Link(link) = root

@@ -56,9 +56,8 @@ pub(super) struct Schedule {
     links: Vec<usize>,
     /// For every slide the group that finds its position.
     slides: Vec<usize>,
-    driver: Input,
-    /// The link with which the driven one turns.
-    driven: Option<LinkId>,
+    /// Every input, with the link with which a driven one turns.
+    inputs: Vec<(Input, Option<LinkId>)>,
 }
 
 impl Schedule {
@@ -90,38 +89,57 @@ impl Schedule {
             };
             guide.max(points[given.slider.point().index()])
         };
-        let driver = mechanism.driver().input;
-        let driven = match driver {
+        let root = |input| match input {
             Input::Turn(link) => match polygon.locks.turns(Body::Link(link), 0.0) {
                 Turns::With(root, _) => Some(root),
                 Turns::Never | Turns::Freely => None,
             },
             Input::Push(_) => None,
         };
+        let inputs = mechanism.inputs().map(|input| (input, root(input)));
         Schedule {
             slides: mechanism.slide_ids().map(slide).collect(),
             links,
-            driver,
-            driven,
+            inputs: inputs.collect(),
         }
     }
 
-    /// Whether a side's direction is the driver's, or goes with it.
+    /// Whether a side's direction is that of an input, or goes with it.
     pub(super) fn is_driven(&self, side: &Side) -> bool {
-        side.turns_with()
-            .is_some_and(|link| Some(link) == self.driven)
+        side.turns_with().is_some_and(|link| self.drives(link))
     }
 
-    /// Whether a side's length is the driver's.
+    /// Whether an input turns what turns with a link.
+    fn drives(&self, link: LinkId) -> bool {
+        self.inputs.iter().any(|(_, root)| *root == Some(link))
+    }
+
+    /// Whether a side's length is that of an input.
     pub(super) fn is_pushed(&self, side: &Side) -> bool {
-        matches!(side.shape, SideShape::Slide(slide) if self.driver == Input::Push(slide))
+        matches!(side.shape, SideShape::Slide(slide) if self.pushes(slide))
+    }
+
+    fn pushes(&self, slide: SlideId) -> bool {
+        self.inputs
+            .iter()
+            .any(|(input, _)| *input == Input::Push(slide))
+    }
+
+    /// The input that gives a side its length or its direction, if one does.
+    pub(super) fn input(&self, side: &Side) -> Option<Input> {
+        let link = side.turns_with();
+        let gives = |(input, root): &&(Input, Option<LinkId>)| {
+            let turns = root.is_some() && *root == link;
+            turns || matches!(side.shape, SideShape::Slide(slide) if *input == Input::Push(slide))
+        };
+        self.inputs.iter().find(gives).map(|(input, _)| *input)
     }
 
     /// The group that finds a side's angle; `None` where it is given.
     pub(super) fn angle_group(&self, side: &Side) -> Option<usize> {
         match side.turns {
             Turns::Never => None,
-            Turns::With(link, _) if Some(link) == self.driven => None,
+            Turns::With(link, _) if self.drives(link) => None,
             Turns::With(link, _) => self.links.get(link.index()).copied(),
             Turns::Freely => Some(usize::MAX),
         }
@@ -131,7 +149,7 @@ impl Schedule {
     pub(super) fn length_group(&self, side: &Side) -> Option<usize> {
         match side.shape {
             SideShape::Link(_) | SideShape::Rigid(..) => None,
-            SideShape::Slide(slide) if self.driver == Input::Push(slide) => None,
+            SideShape::Slide(slide) if self.pushes(slide) => None,
             SideShape::Slide(slide) => self.slides.get(slide.index()).copied(),
             SideShape::Free(..) => Some(usize::MAX),
         }

@@ -98,7 +98,33 @@ const LOADED: &str = "[ground]\nA = [0, 0]\n[driver]\nlink = \"motor\"\nangle = 
     [[loads]]\nslide = \"ram\"\nend = \"least\"\npress = [[2, 0], [0.0, 10]]\n\
     [[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 11\n\
     [[springs]]\nfrom = \"A\"\nto = \"C\"\nlength = 0\ndamping = 12\n\
+    [[springs]]\nfrom = \"A\"\nto = \"C\"\npreload = 19\n\
+    [[springs]]\nfrom = \"A\"\nto = \"C\"\nforce = [[20, 21], [20, 22]]\n\
+    [[springs]]\nlink = \"rod\"\nstiffness = 23\ndamping = 24\n\
+    [[springs]]\nlink = \"rod\"\nto = \"motor\"\nangle = 25\npreload = 26\n\
     [motor]\ntorque = 13\npeak = 14\nspeed = '15 rpm'\nflywheel = 16\nfluctuation = 0.17\ntolerance = 18\n";
+
+/// Tolerances that are numbers, by what they belong to; a class is a text.
+#[test]
+fn tolerances_have_values() {
+    let text = "tolerance = 1\nclearance = 2\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 0\n\
+        [links]\nr = { from = \"A\", to = \"B\", length = 10, tolerance = 3 }\n\
+        s = { from = \"B\", to = \"C\", length = 30, tolerance = \"ISO 2768-m\" }\n\
+        [slides]\nram = { point = \"C\", on = \"ground\", through = [0, 0], tolerance = 4 }\n\
+        [start]\nC = [40, 0]\n[tolerances]\nA = 5\n[clearances]\nB = 0.5\n";
+    let found = names(text);
+    let is_off = |name: &&String| name.contains("tolerance") || name.contains("clearance");
+    let found: Vec<&String> = found.iter().filter(is_off).collect();
+    let expected = [
+        "tolerance = 1 mm",
+        "clearance = 2 mm",
+        "r tolerance = 3 mm",
+        "ram tolerance = 4 mm",
+        "A tolerance = 5 mm",
+        "B clearance = 0.5 mm",
+    ];
+    assert_eq!(found, expected);
+}
 
 #[test]
 fn what_acts_has_values() {
@@ -127,6 +153,15 @@ fn what_acts_has_values() {
             "spring A-C stiffness = 11 N/m",
             "spring A-C length (2) = 0 mm",
             "spring A-C damping (2) = 12 N s/m",
+            "spring A-C preload (3) = 19 N",
+            "spring A-C force knot 1 at (4) = 20 mm",
+            "spring A-C force knot 1 size (4) = 21 N",
+            "spring A-C force knot 2 at (4) = 20 mm",
+            "spring A-C force knot 2 size (4) = 22 N",
+            "spring rod-ground stiffness = 23 N m/rad",
+            "spring rod-ground damping = 24 N m s/rad",
+            "spring rod-motor angle = 25 deg",
+            "spring rod-motor preload = 26 N m",
             // A link is called so too.
             "motor torque (2) = 13 N m",
             "motor peak = 14 N m",
@@ -282,4 +317,244 @@ proptest! {
         let there = Value { number: value.moved(step).parse().unwrap(), ..value.clone() };
         prop_assert_eq!(there.moved(-step).parse::<f64>().unwrap(), number);
     }
+}
+
+/// Formulas wherever a number stands, and the same scene with every number written out.
+const BY_FORMULAS: &str = r#"unit = "mm"
+gravity = [0, "-g"]
+[parameters]
+rod = "2 * a + crank"
+a = 100
+crank = "0.1 * a + 0.2 * a + 70"
+g = 9.81
+n = 30
+[ground]
+A = [0, "a - 100"]
+D = ["4 * a", "sin(0)"]
+[driver]
+link = "r2"
+angle = "atan2(3, 3) + 15 deg"
+speed = "2 * n rpm"
+acceleration = "(n / 10) rad/s^2"
+[links]
+r2 = { from = "A", to = "B", length = "crank" }
+r3 = { from = "B", to = "C", length = "rod", com = ["rod / 2", 0], mass = "a / 50", inertia = "0.1 * 0.1" }
+r4 = { from = "C", to = "D", length = "10 in - 4 mm", points = { P = { length = "a", angle = "acos(0.5)" } } }
+[start]
+C = ["3 * a + 10", 230]
+[[loads]]
+point = "C"
+force = ["-5 * a", "hypot(3, 4)"]
+over = [["0", 1], ["n * 6", 0.5], ["360 deg", "1"]]
+[[loads]]
+link = "r4"
+torque = "a / 8"
+[[springs]]
+from = "A"
+to = "C"
+stiffness = "1 N/m * a * 10"
+length = "sqrt(a) + 1 cm"
+damping = "a"
+[motor]
+torque = "n"
+peak = "3 * n"
+speed = "100 * n / 2 rpm"
+"#;
+
+const BY_NUMBERS: &str = r#"unit = "mm"
+gravity = [0, -9.81]
+[ground]
+A = [0, 0]
+D = [400, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "60 rpm"
+acceleration = "3 rad/s^2"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300, com = [150, 0], mass = 2, inertia = 0.01 }
+r4 = { from = "C", to = "D", length = 250, points = { P = { length = 100, angle = 60 } } }
+[start]
+C = [310, 230]
+[[loads]]
+point = "C"
+force = [-500, 5]
+over = [[0, 1], [180, 0.5], [360, 1]]
+[[loads]]
+link = "r4"
+torque = 12.5
+[[springs]]
+from = "A"
+to = "C"
+stiffness = 1000
+length = 20
+damping = 100
+[motor]
+torque = 30
+peak = 90
+speed = "1500 rpm"
+"#;
+
+/// A mechanism as it is written with digits that tell every double.
+fn to_the_bit(scene: &Scene) -> String {
+    format!("{:?}", scene.mechanism)
+}
+
+#[test]
+fn formulas_stand_wherever_numbers_do() {
+    let [formulas, numbers] = [BY_FORMULAS, BY_NUMBERS].map(|text| {
+        let scene = Scene::parse(text, "test");
+        scene.unwrap_or_else(|faults| panic!("{}", faults.render(true, false)))
+    });
+    assert_eq!(to_the_bit(&formulas), to_the_bit(&numbers));
+    assert_eq!(formulas.motor, numbers.motor);
+    let values = |scene: &Scene| -> Vec<(String, f64)> {
+        let values = scene.values().into_iter();
+        let own = values.filter(|value| value.measure != Measure::Parameter);
+        own.map(|value| (value.name, value.number)).collect()
+    };
+    assert_eq!(values(&formulas), values(&numbers));
+    let parameters = formulas.parameters.iter();
+    let parameters: Vec<_> = parameters.map(|p| (&*p.name, p.number)).collect();
+    let worth = [
+        ("rod", 300.0),
+        ("a", 100.0),
+        ("crank", 100.0),
+        ("g", 9.81),
+        ("n", 30.0),
+    ];
+    assert_eq!(parameters, worth);
+    // In the list they stand first, whatever stands before them in the file.
+    let first: Vec<String> = formulas
+        .values()
+        .into_iter()
+        .map(|v| v.name)
+        .take(6)
+        .collect();
+    assert_eq!(first, ["rod", "a", "crank", "g", "n", "gravity x"]);
+}
+
+#[test]
+fn a_formula_is_shown_and_replaced_and_every_other_byte_stays() {
+    let scene = Scene::parse(BY_FORMULAS, "test").unwrap();
+    let named = |name: &str| scene.value_named(name).unwrap();
+    let rod = named("r3.length");
+    assert_eq!(rod.formula.as_deref(), Some("rod"));
+    assert_eq!(
+        (rod.number, &*rod.text(), rod.follows_from()),
+        (300.0, "\"rod\"", vec!["rod".to_owned()])
+    );
+    assert_eq!(named("driver speed").text(), "2 * n rpm");
+    assert_eq!(named("crank").owner, ValueOwner::Parameter("crank".into()));
+    for value in scene.values() {
+        assert_eq!(
+            scene.with_value(&value, &value.text()),
+            BY_FORMULAS,
+            "{}",
+            value.name
+        );
+    }
+    for (name, typed, before, after) in [
+        ("r3.length", "310", "length = \"rod\"", "length = 310"),
+        ("r3 length", "rod + 1,5 mm", "", ""),
+        (
+            "r3 length",
+            "3 * a - 1.5 mm",
+            "length = \"rod\"",
+            "length = \"3 * a - 1.5 mm\"",
+        ),
+        ("a", "4 in", "a = 100\n", "a = \"4 in\"\n"),
+        ("a", "101", "a = 100\n", "a = 101\n"),
+        ("a", "n * 3", "a = 100\n", "a = \"n * 3\"\n"),
+        ("driver.speed", "n / 2 rad/s", "2 * n rpm", "n / 2 rad/s"),
+        ("driver.speed", "3 * n", "2 * n rpm", "3 * n rpm"),
+        ("driver.speed", "90deg/s", "2 * n rpm", "90 deg/s"),
+        ("A.y", "12 in", "\"a - 100\"", "304.8"),
+    ] {
+        let value = named(name);
+        let Ok(text) = value.typed(typed) else {
+            assert!(
+                before.is_empty(),
+                "{typed}: {}",
+                value.typed(typed).unwrap_err()
+            );
+            continue;
+        };
+        let expected = BY_FORMULAS.replacen(before, after, 1);
+        assert_eq!(scene.with_value(&value, &text), expected, "{typed}");
+    }
+    let refused = |name: &str, typed: &str| named(name).typed(typed).unwrap_err().to_string();
+    assert_eq!(
+        refused("a", "2 * cranck"),
+        "there is no parameter `cranck`; did you mean `crank`?"
+    );
+    assert_eq!(
+        refused("a", "1 / (n - 30)"),
+        "`(n - 30)` is 0, and nothing is divided by that"
+    );
+    assert_eq!(
+        refused("r3 length", "12 kg"),
+        "kg does not fit here: mm, cm, m, in"
+    );
+    let no_value = scene.value_named("r3.lenght").unwrap_err();
+    assert_eq!(
+        no_value,
+        "the scene has no value `r3.lenght`; did you mean `r3.length`?"
+    );
+}
+
+#[test]
+fn long_chains_of_parameters_are_worked_out_in_any_order() {
+    let count = 20_000;
+    let mut text = String::from("[parameters]\n");
+    for i in (1..count).rev() {
+        text += &format!("p{i} = \"p{} + 1\"\n", i - 1);
+    }
+    text += "p0 = 5\n";
+    let scene = BY_NUMBERS.replacen("[ground]", &(text.clone() + "[ground]"), 1);
+    let scene = Scene::parse(&scene, "test").unwrap();
+    assert_eq!(scene.value_named("p19999").unwrap().number, 20_004.0);
+    // Closed to a circle it is refused, and once.
+    let circle = text.replace("p0 = 5", "p0 = \"p19999\"");
+    let circle = BY_NUMBERS.replacen("[ground]", &(circle + "[ground]"), 1);
+    assert_eq!(Scene::parse(&circle, "test").unwrap_err().items.len(), 1);
+}
+
+proptest! {
+    /// A decimal typed in parts is the decimal that the parts make: the scene is the same to the bit.
+    #[test]
+    fn sums_and_products_of_decimals_are_those_that_are_written_out(
+        whole in 1_u64..100_000, cents in 0_u64..100, times in 1_u64..50,
+    ) {
+        // In exact integers: so many hundredths.
+        let hundredths = (whole * 100 + cents) * times;
+        let written = format!("{}.{:02}", hundredths / 100, hundredths % 100);
+        let parameters = format!(
+            "[parameters]\na = \"{whole} + {} / 100\"\nb = \"c + a * {times} - c\"\nc = 0.3\n[ground]",
+            cents,
+        );
+        let formulas = BY_NUMBERS
+            .replacen("[ground]", &parameters, 1)
+            .replacen("length = 300", "length = \"b\"", 1);
+        let numbers = BY_NUMBERS.replacen("length = 300", &format!("length = {written}"), 1);
+        let [formulas, numbers] = [formulas, numbers].map(|text| Scene::parse(&text, "test").unwrap());
+        prop_assert_eq!(to_the_bit(&formulas), to_the_bit(&numbers));
+    }
+}
+
+#[test]
+fn formulas_stay_when_a_scene_is_told_anew() {
+    let scene = Scene::parse(BY_FORMULAS, "test").unwrap();
+    let told = scene.retold("n", "s", "t");
+    assert!(told.ends_with(BY_FORMULAS), "{told}");
+    // A start that is written takes the place of the one that was, and nothing else does.
+    let point = scene
+        .mechanism
+        .point_ids()
+        .find(|&p| scene.point_name(p) == Some("C"));
+    let start = [(point.unwrap(), crate::Vec2::new(58.25, -123.5))];
+    let text = scene.rewritten(&start, None, crate::scene::Precision::Rough);
+    let expected = BY_FORMULAS.replacen("[\"3 * a + 10\", 230]", "[58.25, -123.5]", 1);
+    assert_eq!(text, Some(expected));
 }

@@ -55,7 +55,7 @@ pub(in crate::solver) struct Errors {
     has_close_steps: bool,
     feeds_sharp: bool,
     /// All steps in the numbers that are meant, for what is near to an end.
-    pub(super) edge: Option<Box<State<Sharp>>>,
+    pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
 }
 
 /// The sum of the sizes of the components.

@@ -310,11 +310,7 @@ impl Engine {
         };
         let at = enclosure.at;
         let exact = Sharp::new(Double::exactly(at.mid), at.radius);
-        let q = if self.turns {
-            Sharp::default()
-        } else {
-            exact / Sharp::exactly(self.frame.scale)
-        };
+        let (q, _) = self.coordinate(exact);
         if let Some(group) = step.choice() {
             sharp.state.signs[group] = Sharp::exactly(state.signs[group]);
         }

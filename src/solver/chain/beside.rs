@@ -5,7 +5,7 @@ use super::Chain;
 use crate::solver::elements::SlideReadout;
 use crate::solver::network::ScalarEquation;
 use crate::solver::plan::{Gauge, WatchedConstraint};
-use crate::{Constant, LinkId, PointId, Vec2};
+use crate::{Constant, Input, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
     /// Where constraints were set aside, all are watched, those first. Which of them the steps then
@@ -56,7 +56,12 @@ impl Chain<'_> {
             ScalarEquation::Push(slide) => {
                 let point = self.network.mechanism.slide(slide).slider.point();
                 let line = self.line(slide)?;
-                Some(Gauge::Pushed { point, line })
+                let following = self.network.following(Input::Push(slide));
+                Some(Gauge::Pushed {
+                    point,
+                    line,
+                    following,
+                })
             }
         }
     }

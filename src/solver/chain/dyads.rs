@@ -184,13 +184,9 @@ impl Chain<'_> {
 
     /// The slides of the scope whose point is merely on the guide.
     fn slots(&self, scope: &Scope) -> Vec<SlideId> {
-        let driven = self.network.mechanism.driver().input;
-        scope
-            .slides
-            .iter()
-            .copied()
-            .filter(|&s| driven != Input::Push(s))
-            .collect()
+        let slides = scope.slides.iter().copied();
+        let mechanism = self.network.mechanism;
+        slides.filter(|&s| !mechanism.is_pushed(s)).collect()
     }
 
     /// RPR: a guide that turns about a known point and passes through one.
@@ -244,9 +240,12 @@ impl Chain<'_> {
 
     /// RRR with a driven slide as one arm: a cylinder between moving links.
     pub(super) fn cylinder(&mut self, scope: &Scope) -> bool {
-        let Input::Push(slide) = self.network.mechanism.driver().input else {
-            return false;
-        };
+        let mechanism = self.network.mechanism;
+        let mut pushed = scope.slides.iter().filter(|&&s| mechanism.is_pushed(s));
+        pushed.any(|&slide| self.cylinder_of(slide, scope))
+    }
+
+    fn cylinder_of(&mut self, slide: SlideId, scope: &Scope) -> bool {
         let given = self.network.mechanism.slide(slide);
         let Body::Link(link) = given.on else {
             return false;
@@ -255,9 +254,6 @@ impl Chain<'_> {
         let Some((pivot, at)) = self.footing(link).filter(|_| !self.knows(link)) else {
             return false;
         };
-        if !scope.slides.contains(&slide) {
-            return false;
-        }
         let anchors = self.anchors(scope);
         let class = self.network.class(link);
         let Some(&anchor) = anchors
@@ -279,6 +275,8 @@ impl Chain<'_> {
             along,
             far,
             group,
+            slide,
+            following: self.network.following(Input::Push(slide)),
         });
         self.learn_point(point);
         self.learn_class(link);

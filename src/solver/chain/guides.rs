@@ -26,7 +26,7 @@ impl Chain<'_> {
             Body::Link(on) => {
                 let (base, at) = self.knows(on).then(|| self.footing(on)).flatten()?;
                 let local = self.network.through(slide) - at;
-                if local == Vec2::default() {
+                if local == Vec2::default() && !self.network.is_varied {
                     base
                 } else {
                     self.ride(base, on, local)

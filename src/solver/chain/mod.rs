@@ -6,7 +6,7 @@ mod dyads;
 mod guides;
 
 use super::coupled::{self, Coupled};
-use super::elements::{Aim, Arm, Crank, Lock, Push, Ride, Spin, Step};
+use super::elements::{Aim, Arm, Crank, Lock, Push, Ride, Spin, Step, Timed};
 use super::fault::Fault;
 use super::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use super::order::{self, CoupledBlock, Ordering};
@@ -68,7 +68,7 @@ pub(super) fn build(
     redundant.extend(network.repeated_locks.iter().map(|&s| ElementId::Slide(s)));
     let plan = Plan {
         groups: chain.groups,
-        mobility: 1,
+        mobility: network.mechanism.inputs().count(),
         redundant,
     };
     Ok((plan, chain.program))
@@ -160,6 +160,11 @@ impl<'n> Chain<'n> {
                 self.settle_links(&self.network.members[self.network.class(link).0].clone());
             }
             Input::Push(_) => {}
+        }
+        for (link, following) in self.network.timed_links() {
+            self.push(Timed { link, following });
+            self.learn_class(link);
+            self.settle_links(&self.network.members[self.network.class(link).0].clone());
         }
         let ground = self.network.members[GROUND.0].clone();
         self.settle_links(&ground);
@@ -265,13 +270,16 @@ impl<'n> Chain<'n> {
     }
 
     /// A driven slide whose guide is known places its point.
-    fn push_slide(&mut self, slides: &[SlideId]) -> bool {
-        let Input::Push(slide) = self.network.mechanism.driver().input else {
-            return false;
-        };
+    fn push_slides(&mut self, slides: &[SlideId]) -> bool {
+        let mechanism = self.network.mechanism;
+        let mut pushed = slides.iter().filter(|&&slide| mechanism.is_pushed(slide));
+        pushed.any(|&slide| self.push_slide(slide))
+    }
+
+    fn push_slide(&mut self, slide: SlideId) -> bool {
         let given = self.network.mechanism.slide(slide);
         let point = given.slider.point();
-        if !slides.contains(&slide) || self.point_known[point.index()] {
+        if self.point_known[point.index()] {
             return false;
         }
         let Some(line) = self.line(slide) else {
@@ -283,6 +291,8 @@ impl<'n> Chain<'n> {
             base,
             link,
             along,
+            slide,
+            following: self.network.following(Input::Push(slide)),
         });
         self.learn_point(point);
         true
@@ -292,12 +302,12 @@ impl<'n> Chain<'n> {
 
     fn settle_block(&mut self, block: &CoupledBlock) -> Result<(), Fault> {
         let scope = self.scope(block);
-        while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
+        while self.settle_links(&scope.links) || self.push_slides(&scope.slides) {}
         loop {
             if !(self.aim_links(&scope.links) || self.dyad(&scope)) {
                 break;
             }
-            while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
+            while self.settle_links(&scope.links) || self.push_slides(&scope.slides) {}
         }
         if self.is_settled(&scope) {
             Ok(())

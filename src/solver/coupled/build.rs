@@ -57,6 +57,7 @@ impl<'a> Maker<'a> {
                 base: Base::Known(point),
                 arm: None,
                 along: Vec2::default(),
+                following: None,
                 seat: None,
             });
         }
@@ -72,6 +73,7 @@ impl<'a> Maker<'a> {
             base: Base::Free(self.free - 1),
             arm: None,
             along: Vec2::default(),
+            following: None,
             seat: None,
         }
     }
@@ -108,6 +110,7 @@ impl<'a> Maker<'a> {
             base,
             arm: Some((turning, arm)),
             along: Vec2::default(),
+            following: None,
             seat: Some(ArmSeat { link, foot, end }),
         })
     }
@@ -218,11 +221,15 @@ impl<'a> Maker<'a> {
     fn add_distance(&mut self, link: LinkId) {
         let ends: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
         if let [from, to] = ends[..] {
-            let length = (self.local(link, from) - self.local(link, to)).norm();
+            let span = self.local(link, from) - self.local(link, to);
             if let (Some(a), Some(b)) = (self.spot(from), self.spot(to)) {
-                let bar = (link, [from, to]);
-                self.equations
-                    .push(GroupEquation::Distance { a, b, length, bar });
+                self.equations.push(GroupEquation::Distance {
+                    a,
+                    b,
+                    span,
+                    length: span.norm(),
+                    bar: (link, [from, to]),
+                });
             }
         }
     }
@@ -245,10 +252,14 @@ impl<'a> Maker<'a> {
             return;
         };
         let along = network.frame.unit(given.angle).turned(turn);
-        if network.mechanism.driver().input == Input::Push(slide) {
+        if network.mechanism.is_pushed(slide) {
             self.equations.push(GroupEquation::Meeting {
                 a: x,
-                b: Spot { along, ..q },
+                b: Spot {
+                    along,
+                    following: network.following(Input::Push(slide)),
+                    ..q
+                },
                 pushed: Some(slide),
             });
         } else {
@@ -270,6 +281,7 @@ impl<'a> Maker<'a> {
             base,
             arm: Some((ground, Vec2::default())),
             along: Vec2::default(),
+            following: None,
             seat: None,
         })
     }

@@ -16,6 +16,10 @@ const MOST_HALVINGS: u32 = 60;
 pub(in crate::solver) struct Closing(ClosingWay);
 
 #[derive(Clone, Copy, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a group has one, and a copy of it is made once"
+)]
 enum ClosingWay {
     /// It is one: a link turns until the only equation holds.
     Turn,

@@ -1,6 +1,7 @@
 //! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
 
 use super::{Base, Coupled, GroupEquation, Moving, Room, Spot, Turning};
+use crate::solver::following::InputMotion;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, Vec2};
 
@@ -48,9 +49,13 @@ impl Coupled {
         };
         if let Some((turning, arm)) = spot.arm {
             let link = self.turning_state(turning, state, room);
-            let along = Vec2::of(spot.along);
-            let r = (Vec2::of(arm) + along * q).turned(link.d);
-            let tau = along.turned(link.d);
+            let r = spot.reach(arm, q).turned(link.d);
+            let mut tau = Vec2::of(spot.along).turned(link.d);
+            if let Some(following) = &spot.following {
+                let InputMotion { w, a, .. } = following.at(q);
+                moving.a += tau * a;
+                tau = tau * w;
+            }
             moving.p += r;
             moving.v += r.perp() * link.w + tau;
             moving.a += r.perp() * link.a - r * (link.w * link.w) + tau.perp() * link.w.scaled(2.0);
@@ -211,8 +216,9 @@ impl Coupled {
             room.matrix[row + 2 * i + 1] += weight.y;
         }
         if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
-            let arm = Vec2::of(arm) + Vec2::of(spot.along) * q;
-            let r = arm.turned(self.turning_state(turning, state, room).d);
+            let r = spot
+                .reach(arm, q)
+                .turned(self.turning_state(turning, state, room).d);
             room.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
         }
     }

@@ -21,6 +21,7 @@ pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
 use super::demand::PlacedPart;
+use super::following::Following;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
@@ -56,14 +57,34 @@ enum Turning {
     Unknown(usize),
 }
 
-/// A joint: `base + R (arm + along q)`, q the driver's coordinate where the joint is pushed.
+/// A joint: `base + R (arm + along p)`, p the coordinate of an input where the joint is pushed.
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     base: Base,
     arm: Option<(Turning, Vec2<Constant>)>,
     along: Vec2<Constant>,
+    /// How that input follows the driver, if it does.
+    following: Option<Following>,
     /// The link that carries the joint, where it has an arm on one.
     seat: Option<ArmSeat>,
+}
+
+impl Spot {
+    /// From the base, in the frame of what turns the arm.
+    #[inline(always)]
+    fn reach<T: Number>(&self, arm: Vec2<Constant>, q: T) -> Vec2<T> {
+        let p = match &self.following {
+            None => q,
+            Some(following) => following.at(q).p,
+        };
+        Vec2::of(arm) + Vec2::of(self.along) * p
+    }
+
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        if let Some((_, arm)) = &mut self.arm {
+            place(arm);
+        }
+    }
 }
 
 /// Where on a link an arm is: forces pass there.
@@ -81,6 +102,8 @@ enum GroupEquation {
     Distance {
         a: Spot,
         b: Spot,
+        /// From joint to joint in the bar's frame, and how long that is.
+        span: Vec2<Constant>,
         length: Constant,
         /// The bar, and its joints at a and b.
         bar: (LinkId, [PointId; 2]),
@@ -225,6 +248,31 @@ impl Coupled {
         let (points, links) = self.inputs();
         points.into_iter().for_each(|p| reads(PlacedPart::Point(p)));
         links.into_iter().for_each(|l| reads(PlacedPart::Link(l)));
+    }
+
+    /// See [`Element::vary`](super::elements::Element::vary).
+    pub(super) fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        self.spots.iter_mut().for_each(|(_, spot)| spot.vary(place));
+        for equation in &mut self.equations {
+            match equation {
+                GroupEquation::Distance {
+                    a, b, span, length, ..
+                } => {
+                    a.vary(place);
+                    b.vary(place);
+                    place(span);
+                    *length = span.norm();
+                }
+                GroupEquation::Meeting { a, b, .. } => {
+                    a.vary(place);
+                    b.vary(place);
+                }
+                GroupEquation::Slot { x, q, .. } => {
+                    x.vary(place);
+                    q.vary(place);
+                }
+            }
+        }
     }
 
     /// The length of z: two numbers for a joint, two for a direction.

@@ -86,10 +86,8 @@ impl Coupled {
         }
         let (turning, arm) = spot.arm?;
         let link = self.turning_state(turning, ledger.state, room);
-        let along = Vec2::of(spot.along);
-        let r = (Vec2::of(arm) + along * ledger.q).turned(link.d);
+        let r = spot.reach(arm, ledger.q).turned(link.d);
         let couple = r.cross(force);
-        forces.drive += along.turned(link.d).dot(force);
         self.twist(turning, spot, couple, forces);
         Some((turning, couple))
     }
@@ -137,6 +135,8 @@ impl Coupled {
                         let link = self.turning_state(turning, ledger.state, room);
                         let tau = Vec2::of(b.along).turned(link.d);
                         ledger.forces.normals[slide.index()] = tau.cross(force);
+                        let along = T::default() - tau.dot(force);
+                        ledger.forces.drive_by(b.following.as_ref(), along);
                     }
                 }
                 GroupEquation::Slot {

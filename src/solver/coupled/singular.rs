@@ -82,6 +82,24 @@ impl Coupled {
         det * det.abs()
     }
 
+    /// The matrix by rows, each of unit length, from what the state holds.
+    pub(in crate::solver) fn normalised<'s>(
+        &self,
+        q: f64,
+        state: &State,
+        scratch: &'s mut Scratch,
+    ) -> &'s [f64] {
+        let room = self.open(scratch);
+        self.read(state, room.z);
+        let mut room = self.open(scratch);
+        self.jacobian(q, state, &mut room);
+        for row in room.matrix.chunks_mut(self.unknowns()) {
+            let size = dot(row, row).sqrt();
+            row.iter_mut().for_each(|v| *v /= size);
+        }
+        room.matrix
+    }
+
     /// The determinant of the matrix with rows of unit length.
     pub(in crate::solver) fn determinant(
         &self,

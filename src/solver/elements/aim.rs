@@ -4,7 +4,7 @@ use super::{ACCELERATION, Arm, Backwards, Element, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, State};
-use crate::{Number, PointId, Vec2};
+use crate::{Constant, Number, PointId, Vec2};
 
 /// The direction of a link both of whose ends are known.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +54,10 @@ impl Element for Aim {
         }
         state.links[arm.link.index()] = link;
         StepOutcome::Done
+    }
+
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        self.arm = self.arm.varied(place);
     }
 
     fn back(&self, site: &Site<'_>) -> Option<AimBack> {

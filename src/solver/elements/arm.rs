@@ -33,6 +33,13 @@ impl Arm {
         }
     }
 
+    /// The same, its end changed.
+    pub(in crate::solver) fn varied(&self, place: &mut impl FnMut(&mut Vec2<Constant>)) -> Arm {
+        let mut local = self.local;
+        place(&mut local);
+        Arm::new(self.pivot, self.link, local)
+    }
+
     /// The direction of the link whose arm stands so.
     #[inline(always)]
     pub(in crate::solver) fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {

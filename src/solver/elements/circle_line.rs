@@ -17,7 +17,7 @@ use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, Held, Site};
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
-use crate::{Number, PointId, Vec2};
+use crate::{Constant, Number, PointId, Vec2};
 
 /// A circle and a line, RRP. The sign is the side along the line on which the point lies, seen from
 /// the foot of the pivot.
@@ -122,6 +122,11 @@ impl Element for CircleLine {
 
     fn dyad(&self) -> Option<Dyad<'_>> {
         Some(Dyad::CircleLine(self))
+    }
+
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        let arm = self.arm.varied(place);
+        *self = CircleLine::new(self.point, arm, self.line, self.group);
     }
 
     fn back(&self, site: &Site<'_>) -> Option<CircleLineBack> {

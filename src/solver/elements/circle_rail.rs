@@ -124,6 +124,13 @@ impl Element for CircleRail {
         Some(Dyad::CircleRail(self))
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        let arm = self.arm.varied(place);
+        place(&mut self.through);
+        let rail = [self.through, self.along];
+        *self = CircleRail::new(self.point, arm, rail, self.group);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<CircleRailBack> {
         Some(CircleRailBack {
             point: self.point,

@@ -174,6 +174,11 @@ impl Element for Circles {
         Some(Dyad::Circles(self))
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        let arms = [self.near, self.far].map(|arm| arm.varied(place));
+        *self = Circles::measured(self.point, arms, self.group);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<CirclesBack> {
         Some(CirclesBack {
             point: self.point,

@@ -83,6 +83,10 @@ impl Element for Spin {
         StepOutcome::Done
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        place(&mut self.local);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<Carry> {
         match site.input() {
             Input::Turn(link) => Some(Carry::new(site, [self.point, self.pivot], link)),

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
+use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
@@ -24,6 +25,9 @@ pub(in crate::solver) struct Cylinder {
     pub along: Vec2<Constant>,
     pub far: Arm,
     pub group: usize,
+    pub slide: SlideId,
+    /// How its input follows the driver; none where it is the driver.
+    pub following: Option<Following>,
 }
 
 /// The triangle of a cylinder's pivots and its pin.
@@ -43,10 +47,21 @@ struct Triangle<T> {
 }
 
 impl Cylinder {
+    #[inline(always)]
+    fn input<T: Number>(&self, q: T) -> InputMotion<T> {
+        InputMotion::of(self.following.as_ref(), q)
+    }
+
+    /// The arm in the frame of its link.
+    #[inline(always)]
+    fn local<T: Number>(&self, q: T) -> Vec2<T> {
+        Vec2::of(self.through) + Vec2::of(self.along) * self.input(q).p
+    }
+
     /// The square of the arm.
     #[inline(always)]
     fn arm_square<T: Number>(&self, q: T) -> T {
-        (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2()
+        self.local(q).norm2()
     }
 
     #[inline(always)]
@@ -78,8 +93,8 @@ impl Cylinder {
         (of.u * x + of.u.perp() * sh) / of.d2
     }
 
-    /// Writes the dyad where X = P + e = Q + f. With tau the guide's direction in the ground,
-    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau.
+    /// Writes the dyad where X = P + e = Q + f. With tau p' the guide's direction in the ground,
+    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau + tau p'' / p'.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -89,7 +104,7 @@ impl Cylinder {
         sh: T,
         state: &mut State<T>,
     ) {
-        let local = Vec2::of(self.through) + Vec2::of(self.along) * q;
+        let local = self.local(q);
         let p = state.points[self.pivot.index()];
         let far = state.points[self.far.pivot.index()];
         let mut point = PointState::fixed(p.p + e);
@@ -97,13 +112,21 @@ impl Cylinder {
         let mut link = LinkState::fixed(self.far.direction(f));
         if ORDER >= VELOCITY {
             let scale = T::exactly(1.0) / sh;
-            let tau = Vec2::of(self.along).turned(barrel.d);
+            let mut tau = Vec2::of(self.along).turned(barrel.d);
+            let mut growing = Vec2::default();
+            if self.following.is_some() {
+                let InputMotion { w, a, .. } = self.input(q);
+                (tau, growing) = (tau * w, tau * a);
+            }
             let dv = far.v - p.v - tau;
             barrel.w = f.dot(dv) * scale;
             link.w = e.dot(dv) * scale;
             point.v = far.v + f.perp() * link.w;
             if ORDER >= ACCELERATION {
-                let coriolis = tau.perp() * barrel.w.scaled(2.0);
+                let mut coriolis = tau.perp() * barrel.w.scaled(2.0);
+                if self.following.is_some() {
+                    coriolis += growing;
+                }
                 let da =
                     (far.a - p.a) - coriolis + e * (barrel.w * barrel.w) - f * (link.w * link.w);
                 barrel.a = f.dot(da) * scale;
@@ -157,13 +180,19 @@ impl Element for Cylinder {
         Some(Dyad::Cylinder(self))
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        place(&mut self.through);
+        self.far = self.far.varied(place);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<CylinderBack> {
         Some(CylinderBack {
             point: self.point,
             barrel: site.barrel(self.link, self.pivot),
             along: self.along,
             far: site.reach(&self.far, self.point),
-            slide: site.driven_slide(),
+            slide: self.slide,
+            following: self.following,
         })
     }
 
@@ -208,7 +237,7 @@ impl TwoAssemblies for Cylinder {
     }
 
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T {
-        let arm = Vec2::of(self.through) + Vec2::of(self.along) * q;
+        let arm = self.local(q);
         let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
         triangle_reserve(u.norm(), arm.norm(), T::of(self.far.length))
     }
@@ -259,7 +288,8 @@ pub(in crate::solver) struct CylinderBack {
     barrel: ArmSite,
     along: Vec2<Constant>,
     far: ArmSite,
-    slide: Option<SlideId>,
+    slide: SlideId,
+    following: Option<Following>,
 }
 
 impl Backwards for CylinderBack {
@@ -267,9 +297,7 @@ impl Backwards for CylinderBack {
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let force = forces.share(self.point, &self.barrel, &self.far, state);
         let tau = Vec2::of(self.along).turned(state.links[self.barrel.link.index()].d);
-        forces.drive += force.dot(tau);
-        if let Some(slide) = self.slide {
-            forces.normals[slide.index()] = -tau.cross(force);
-        }
+        forces.drive_by(self.following.as_ref(), force.dot(tau));
+        forces.normals[self.slide.index()] = -tau.cross(force);
     }
 }

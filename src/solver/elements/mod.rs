@@ -23,6 +23,7 @@ mod ride;
 mod slide_readout;
 mod swing;
 mod through;
+mod timed;
 
 pub(super) use aim::Aim;
 pub(super) use arm::Arm;
@@ -40,13 +41,14 @@ pub(super) use ride::Ride;
 pub(super) use slide_readout::SlideReadout;
 pub(super) use swing::Swing;
 pub(super) use through::{Height, Snap, ZERO, root};
+pub(super) use timed::Timed;
 
 use super::coupled::Coupled;
 use super::demand::PlacedPart;
 use super::forces::{ForceState, Site};
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
-use crate::{Number, Vec2};
+use crate::{Constant, Number, Vec2};
 use dyad::{TwoAssemblies, triangle_reserve};
 
 /// How many derivatives a solve carries, as a constant of the compiled code.
@@ -97,6 +99,9 @@ pub(super) trait Element {
         direction: Vec2<T>,
         state: &mut State<T>,
     ) -> StepOutcome;
+
+    /// Hands out every place that it was made of, always in the same order, and follows what becomes of it.
+    fn vary(&mut self, _place: &mut impl FnMut(&mut Vec2<Constant>)) {}
 
     /// The way backwards at its site; `None` where nothing comes back.
     fn back(&self, site: &Site<'_>) -> Option<Self::Back>;
@@ -242,6 +247,18 @@ macro_rules! elements {
                 }
             }
 
+            /// See [`Element::vary`].
+            pub(super) fn vary(
+                &mut self,
+                coupled: &mut [Coupled],
+                place: &mut impl FnMut(&mut Vec2<Constant>),
+            ) {
+                match self {
+                    $(Step::$name(element) => element.vary(place),)+
+                    Step::Coupled { index } => coupled[*index].vary(place),
+                }
+            }
+
             /// The way backwards at its site.
             pub(super) fn back(&self, site: &Site<'_>) -> Option<Pass> {
                 match self {
@@ -266,7 +283,7 @@ macro_rules! elements {
 }
 
 elements! {
-    Crank, Spin, Ride, Push, Aim, Lock,
+    Crank, Spin, Timed, Ride, Push, Aim, Lock,
     Circles, CircleLine, CircleRail, Swing, Cylinder, Lines,
     SlideReadout,
 }

@@ -1,19 +1,23 @@
-//! The driven slide: the driver's coordinate is its way along the guide.
+//! A driven slide: its input's coordinate is its way along the guide.
 
 use super::ride::carried;
 use super::{Backwards, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
+use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
-/// The driven slide: the point lies at `along q` on a link, seen from `base`.
+/// A driven slide: the point lies at `along p` on a link, seen from `base`, with p the coordinate of its input.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Push {
     pub point: PointId,
     pub base: PointId,
     pub link: LinkId,
     pub along: Vec2<Constant>,
+    pub slide: SlideId,
+    /// How its input follows the driver; none where it is the driver.
+    pub following: Option<Following>,
 }
 
 impl Element for Push {
@@ -28,8 +32,8 @@ impl Element for Push {
         reads(PlacedPart::Link(self.link));
     }
 
-    /// As a point that rides on the link, and with tau the guide's direction V' = V + tau and
-    /// A' = A + 2 w k x tau.
+    /// As a point that rides on the link, and with tau the guide's direction V' = V + p' tau and
+    /// A' = A + 2 w p' k x tau + p'' tau.
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -40,8 +44,13 @@ impl Element for Push {
         let base = state.points[self.base.index()];
         let link = state.links[self.link.index()];
         let along = Vec2::of(self.along);
-        let mut pushed = carried::<T, ORDER>(&base, &link, along * q);
-        let tau = along.turned(link.d);
+        let InputMotion { p, w, a } = InputMotion::of(self.following.as_ref(), q);
+        let mut pushed = carried::<T, ORDER>(&base, &link, along * p);
+        let mut tau = along.turned(link.d);
+        if self.following.is_some() {
+            pushed.a += tau * a;
+            tau = tau * w;
+        }
         pushed.v += tau;
         pushed.a += tau.perp() * link.w.scaled(2.0);
         state.points[self.point.index()] = pushed;
@@ -52,7 +61,6 @@ impl Element for Push {
         Some(PushBack {
             step: *self,
             slot: site.slot(self.link, self.base),
-            slide: site.driven_slide()?,
         })
     }
 }
@@ -62,7 +70,6 @@ impl Element for Push {
 pub(in crate::solver) struct PushBack {
     step: Push,
     slot: Slot,
-    slide: SlideId,
 }
 
 impl Backwards for PushBack {
@@ -73,6 +80,7 @@ impl Backwards for PushBack {
             base,
             link,
             along,
+            slide,
             ..
         } = self.step;
         let force = forces.at(point);
@@ -81,7 +89,7 @@ impl Backwards for PushBack {
         forces.note(self.slot, -force);
         forces.points[base.index()] += force;
         forces.links[link.index()] += r.cross(force);
-        forces.drive += force.dot(tau);
-        forces.normals[self.slide.index()] = -tau.cross(force);
+        forces.drive_by(self.step.following.as_ref(), force.dot(tau));
+        forces.normals[slide.index()] = -tau.cross(force);
     }
 }

@@ -64,6 +64,10 @@ impl Element for Ride {
         StepOutcome::Done
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        place(&mut self.local);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<Carry> {
         Some(Carry::new(site, [self.point, self.base], self.link))
     }

@@ -103,6 +103,13 @@ impl Element for Swing {
         Some(Dyad::Swing(self))
     }
 
+    fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
+        // As a place it is across the guide.
+        let mut beside = Vec2::new(Constant::default(), self.offset);
+        place(&mut beside);
+        self.offset = beside.y;
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<SwingBack> {
         let (slide, legs) = site.swung(self.pin);
         Some(SwingBack {

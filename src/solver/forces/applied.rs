@@ -5,6 +5,7 @@
 //! solver's length; a factor turns these into N m where they are read.
 
 mod acted;
+mod springs;
 
 pub use acted::{Acted, PressStroke};
 
@@ -18,11 +19,15 @@ use crate::{
     Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, Slider, StrokeEnd,
     Vec2,
 };
+use springs::{LineSpring, TorsionSpring};
 
 /// What bears that something acts: the forces of a state, or whoever asks how large they are.
 pub(super) trait Bears<T: Number> {
     /// A force at a point.
     fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>);
+
+    /// A couple on the ground: the frame feels it, and it does no work.
+    fn twist_ground(&mut self, couple: T);
 
     /// A couple on a link.
     fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>);
@@ -68,13 +73,8 @@ enum Act {
         stroke: Stroke,
         curve: ReadyProfile,
     },
-    Spring {
-        from: PointId,
-        to: PointId,
-        stiffness: Constant,
-        length: Constant,
-        damping: Constant,
-    },
+    Spring(LineSpring),
+    Torsion(TorsionSpring),
 }
 
 /// How far a slide is from the end of its stroke, in the scene's unit, and how fast it goes there: positive before
@@ -157,7 +157,8 @@ impl Acting {
         self.loads.iter().all(|load| match load {
             Act::Force { over, .. } | Act::Torque { over, .. } => over.is_one(),
             Act::Press { .. } => false,
-            Act::Spring { .. } => true,
+            Act::Spring(spring) => spring.is_smooth(),
+            Act::Torsion(_) => true,
         })
     }
 
@@ -232,32 +233,8 @@ impl Acting {
                     forces.note_apart(*slot, -force);
                 }
             }
-            Act::Spring {
-                from,
-                to,
-                stiffness,
-                length,
-                damping,
-            } => {
-                let (a, b) = (state.points[from.index()], state.points[to.index()]);
-                let e = b.p - a.p;
-                let none = Constant::default();
-                if (*length, *damping) == (none, none) {
-                    // It pulls by k e: also where its ends meet.
-                    let pull = e * (T::of(*stiffness) * T::of(self.unit));
-                    forces.push(TorquePart::Load, *from, pull, state);
-                    forces.push(TorquePart::Load, *to, -pull, state);
-                    return;
-                }
-                let size = e.norm2().sqrt();
-                let along = e / size;
-                let rate = along.dot(b.v - a.v) * state.rates.speed;
-                let stretch = size - T::of(*length);
-                let tension = T::of(*stiffness) * stretch + T::of(*damping) * rate;
-                let pull = along * (tension * T::of(self.unit));
-                forces.push(TorquePart::Load, *from, pull, state);
-                forces.push(TorquePart::Load, *to, -pull, state);
-            }
+            Act::Spring(spring) => spring.pull(state, T::of(self.unit), forces),
+            Act::Torsion(spring) => spring.turn_back(state, T::of(self.unit), forces),
         }
     }
 }
@@ -283,12 +260,12 @@ fn act(
                 Body::Ground => None,
                 Body::Link(link) => Some(*link),
             },
-            over: ReadyProfile::new(over, turns),
+            over: ReadyProfile::over_driver(over, turns),
         },
         Load::Torque { link, torque, over } => Act::Torque {
             link: *link,
             torque: Constant::given(*torque),
-            over: ReadyProfile::new(over, turns),
+            over: ReadyProfile::over_driver(over, turns),
         },
         Load::Press { slide, end, curve } => Act::Press {
             slide: *slide,
@@ -299,20 +276,39 @@ fn act(
             },
             end: *end,
             stroke: stroke(*slide, *end),
-            curve: ReadyProfile::new(curve, false),
+            curve: ReadyProfile::over_length(curve),
         },
         Load::Spring {
             from,
             to,
             stiffness,
             length,
+            preload,
             damping,
-        } => Act::Spring {
-            from: *from,
-            to: *to,
-            stiffness: Constant::given(*stiffness),
-            length: Constant::given_in(*length, frame.scale),
-            damping: Constant::given(*damping),
-        },
+        } => {
+            let numbers = [*stiffness, *length, *preload, *damping];
+            Act::Spring(LineSpring::straight([*from, *to], numbers, frame.scale))
+        }
+        Load::GasSpring {
+            from,
+            to,
+            force,
+            damping,
+        } => Act::Spring(LineSpring::gas(
+            [*from, *to],
+            (force, *damping),
+            frame.scale,
+        )),
+        Load::TorsionSpring {
+            link,
+            to,
+            stiffness,
+            angle,
+            preload,
+            damping,
+        } => {
+            let numbers = [*stiffness, *angle, *preload, *damping];
+            Act::Torsion(TorsionSpring::new(*link, *to, numbers))
+        }
     }
 }

@@ -109,6 +109,10 @@ impl<T: Number> Bears<T> for Terms<T> {
         self.couple(state.links[link.index()].w, couple);
     }
 
+    fn twist_ground(&mut self, couple: T) {
+        self.couple(T::default(), couple);
+    }
+
     fn note_apart(&mut self, _: Slot, _: Vec2<T>) {}
 }
 

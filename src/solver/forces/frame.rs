@@ -12,12 +12,15 @@ pub(super) struct Framed {
     pins: Vec<(Slot, PointId)>,
     /// All points of the ground.
     points: Vec<PointId>,
-    /// The slides whose guide is on the ground, with the point that slides; and whether it is driven.
-    guides: Vec<(SlideId, PointId, bool)>,
+    /// The slides whose guide is on the ground, with the point that slides; and the number of the input that drives
+    /// it, if one does.
+    guides: Vec<(SlideId, PointId, Option<usize>)>,
     /// The slides whose pin is a point of the ground: the frame feels what the guide does to that.
-    held: Vec<(SlideId, PointId, bool)>,
+    held: Vec<(SlideId, PointId, Option<usize>)>,
     /// The slides of links, with the place of the origin's force; the guide's own is none of it.
-    origins: Vec<(SlideId, Slot, bool)>,
+    origins: Vec<(SlideId, Slot, Option<usize>)>,
+    /// Whether each input turns a link.
+    turned: Vec<bool>,
 }
 
 impl Framed {
@@ -25,25 +28,29 @@ impl Framed {
         let is_ground = |p: PointId| mechanism.point(p).ground.is_some();
         let pins = slots.members.iter().enumerate();
         let pins = pins.filter(|(_, p)| is_ground(**p)).map(|(s, &p)| (s, p));
-        let is_driven = |slide| mechanism.driver().input == Input::Push(slide);
+        let driven = |slide| mechanism.inputs().position(|i| i == Input::Push(slide));
         let slides = || mechanism.slide_ids().map(|id| (id, mechanism.slide(id)));
         let guides = slides().filter(|(_, slide)| slide.on == Body::Ground);
         let held = slides().filter_map(|(id, slide)| match slide.slider {
-            Slider::Pin(pin) if is_ground(pin) => Some((id, pin, is_driven(id))),
+            Slider::Pin(pin) if is_ground(pin) => Some((id, pin, driven(id))),
             Slider::Pin(_) | Slider::Link { .. } => None,
         });
         let origins = slides().filter_map(|(id, slide)| match slide.slider {
             Slider::Pin(_) => None,
-            Slider::Link { link, origin, .. } => Some((id, slots.of(link, origin), is_driven(id))),
+            Slider::Link { link, origin, .. } => Some((id, slots.of(link, origin), driven(id))),
         });
         Framed {
             pins: pins.collect(),
             points: mechanism.point_ids().filter(|&p| is_ground(p)).collect(),
             guides: guides
-                .map(|(id, slide)| (id, slide.slider.point(), is_driven(id)))
+                .map(|(id, slide)| (id, slide.slider.point(), driven(id)))
                 .collect(),
             held: held.collect(),
             origins: origins.collect(),
+            turned: mechanism
+                .inputs()
+                .map(|i| matches!(i, Input::Turn(_)))
+                .collect(),
         }
     }
 
@@ -58,8 +65,8 @@ impl Framed {
 
     /// Takes from the origins of what slides what its guide does there: the rest is their pins'.
     pub(super) fn free_origins<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
-        for &(slide, slot, is_driven) in &self.origins {
-            let force = guided(slide, is_driven, state, forces);
+        for &(slide, slot, driven) in &self.origins {
+            let force = guided(slide, driven, state, forces);
             forces.joints[slot] = forces.joints[slot] - force;
         }
     }
@@ -69,26 +76,17 @@ impl Framed {
         for &(slot, point) in &self.pins {
             feel(point, forces.joints[slot], state, forces);
         }
-        for &(slide, point, is_driven) in &self.guides {
-            feel(
-                point,
-                guided(slide, is_driven, state, forces),
-                state,
-                forces,
-            );
+        for &(slide, point, driven) in &self.guides {
+            feel(point, guided(slide, driven, state, forces), state, forces);
             forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
         }
-        for &(slide, point, is_driven) in &self.held {
-            feel(
-                point,
-                -guided(slide, is_driven, state, forces),
-                state,
-                forces,
-            );
+        for &(slide, point, driven) in &self.held {
+            feel(point, -guided(slide, driven, state, forces), state, forces);
         }
-        if state.turns() {
-            // The motor stands on the frame.
-            forces.frame_moment += forces.drive;
+        for (input, _) in self.turned.iter().enumerate().filter(|(_, turns)| **turns) {
+            // What turns a link stands on the frame.
+            let effort = forces.efforts[input];
+            forces.frame_moment += effort;
         }
     }
 }
@@ -96,16 +94,15 @@ impl Framed {
 /// What a guide does to what slides; where it is driven, the driver's force with it.
 fn guided<T: Number>(
     slide: SlideId,
-    is_driven: bool,
+    driven: Option<usize>,
     state: &State<T>,
     forces: &ForceState<T>,
 ) -> Vec2<T> {
     let t = state.travels[slide.index()].guide.d;
     let across = t.perp() * forces.normals[slide.index()];
-    if is_driven {
-        across - t * forces.drive
-    } else {
-        across
+    match driven {
+        Some(input) => across - t * forces.efforts[input],
+        None => across,
     }
 }
 

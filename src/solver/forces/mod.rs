@@ -29,11 +29,12 @@ pub(super) use slots::{Slot, Slots};
 use super::coupled::Scratch;
 use super::elements::Pass;
 use super::engine::Engine;
+use super::following::Following;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
-use crate::{Ball, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
+use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
 use applied::{Acting, Bears};
 use frame::Framed;
 use locked::Locked;
@@ -86,8 +87,11 @@ pub(super) struct ForceState<T> {
     /// Of a guide on what slides, across the guide; and the couple.
     pub(super) normals: Vec<T>,
     moments: Vec<T>,
-    /// What has come to the driver's coordinate.
+    /// What has come to the driver's coordinate, by way of every input.
     pub(super) drive: T,
+    inputs: Arc<[Input]>,
+    /// What has come to the coordinate of each of these itself.
+    pub(super) efforts: Vec<T>,
     /// The virtual work of each part of what acts, for a unit rate of the driver's coordinate.
     work: [T; 3],
     /// The sum of all that acts, and its moment about the solver's origin.
@@ -128,6 +132,12 @@ impl<T: Number> Bears<T> for ForceState<T> {
     }
 
     #[inline(always)]
+    fn twist_ground(&mut self, couple: T) {
+        self.sum_moment += couple;
+        self.frame_moment += couple;
+    }
+
+    #[inline(always)]
     fn note_apart(&mut self, slot: Slot, force: Vec2<T>) {
         self.note(slot, force);
     }
@@ -141,9 +151,25 @@ impl<T: Number> ForceState<T> {
         self.joints.fill(Vec2::default());
         self.normals.fill(T::default());
         self.moments.fill(T::default());
+        self.efforts.fill(T::default());
         (self.drive, self.work) = (T::default(), [T::default(); 3]);
         (self.sum, self.sum_moment) = (Vec2::default(), T::default());
         (self.frame, self.frame_moment) = (Vec2::default(), T::default());
+    }
+
+    /// What comes to an input: it goes on to the driver that it follows.
+    #[inline(always)]
+    pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T) {
+        match following {
+            None => {
+                self.efforts[0] += effort;
+                self.drive += effort;
+            }
+            Some(following) => {
+                self.efforts[following.number] += effort;
+                self.drive += effort * following.rate();
+            }
+        }
     }
 
     fn all(&self) -> Option<&ForceState<T>> {
@@ -171,6 +197,7 @@ impl ForceState<Ball> {
         }
         numbers(&mut self.normals, &of.normals);
         numbers(&mut self.moments, &of.moments);
+        numbers(&mut self.efforts, &of.efforts);
         self.extent = of.extent;
         self.drive = of.drive.into();
         self.work = of.work.map(Ball::from);
@@ -192,6 +219,7 @@ pub(super) struct Balance {
     open: Arc<Open>,
     indeterminate: Vec<Indeterminate>,
     frame: Framed,
+    inputs: Arc<[Input]>,
 }
 
 impl Balance {
@@ -245,6 +273,7 @@ impl Balance {
             open: Arc::new(Open::none(mechanism, &slots)),
             indeterminate: Vec::new(),
             frame: Framed::new(mechanism, &slots),
+            inputs: mechanism.inputs().collect(),
             sliders: mechanism
                 .slides()
                 .iter()
@@ -285,6 +314,8 @@ impl Balance {
             normals: vec![T::default(); slides],
             moments: vec![T::default(); slides],
             drive: T::default(),
+            inputs: Arc::clone(&self.inputs),
+            efforts: vec![T::default(); self.inputs.len()],
             work: [T::default(); 3],
             sum: Vec2::default(),
             sum_moment: T::default(),
@@ -386,7 +417,8 @@ impl Balance {
             self.frame.note_ground(&mut forces, state);
             if self.run_back(engine, state, scratch, &mut forces) {
                 if let Some(link) = engine.driven() {
-                    forces.drive = forces.links[link.index()];
+                    let couple = forces.links[link.index()];
+                    forces.drive_by(None, couple);
                 }
                 self.locked.finish(&mut forces);
                 self.frame.free_origins(state, &mut forces);

@@ -11,6 +11,9 @@ pub(super) struct ReadyProfile {
     values: Vec<Constant>,
     slopes: Vec<f64>,
     period: Option<f64>,
+    /// Whether the coordinate is the driver's: a double that is asked for, so that it is known on which
+    /// side of a jump it lies. What is measured is only as near as rounding leaves it.
+    is_named: bool,
     /// For equal parts of the whole length a knot that is not behind any place of the part; and how many
     /// parts a unit of length has.
     parts: Vec<usize>,
@@ -21,9 +24,21 @@ pub(super) struct ReadyProfile {
 const PARTS: usize = 4;
 
 impl ReadyProfile {
-    /// `turns` tells whether the coordinate is that of a turned driver: then a curve whose knots span
+    /// Over the driver's coordinate; `turns` tells whether it is turned: then a curve whose knots span
     /// whole turns repeats.
-    pub(super) fn new(profile: &Profile, turns: bool) -> ReadyProfile {
+    pub(super) fn over_driver(profile: &Profile, turns: bool) -> ReadyProfile {
+        ReadyProfile {
+            is_named: true,
+            ..ReadyProfile::new(profile, turns)
+        }
+    }
+
+    /// Over a length that is measured.
+    pub(super) fn over_length(profile: &Profile) -> ReadyProfile {
+        ReadyProfile::new(profile, false)
+    }
+
+    fn new(profile: &Profile, turns: bool) -> ReadyProfile {
         let knots = profile.knots();
         let (first, span) = match knots {
             [first, .., last] => (first[0], last[0] - first[0]),
@@ -49,6 +64,7 @@ impl ReadyProfile {
             parts: (0..count)
                 .map(|part| before(begins(part.saturating_sub(1))))
                 .collect(),
+            is_named: false,
             fineness,
         }
     }
@@ -113,17 +129,39 @@ impl ReadyProfile {
         }
     }
 
-    /// Whatever the value may be where it is not known on which of the lines x lies.
+    /// Whatever the value may be where it is not known on which of the lines x lies. Where none can be told
+    /// from another, the last one holds: that behind a jump.
     fn around<T: Number>(&self, x: T) -> T {
+        let (from, to) = self.between_jumps(x.nearest());
         let is_behind = |k: usize| T::of(self.places[k]).exceeds(x);
         let is_before = |k: usize| self.places.get(k + 1).is_some_and(|&p| x.exceeds(T::of(p)));
-        let lines = (0..self.places.len()).filter(|&k| !is_behind(k) && !is_before(k));
-        let lines = lines.map(|k| self.line(k, x));
+        let is_there = |k: &usize| !is_behind(*k) && !is_before(*k) && !self.is_jump(*k);
+        let lines = (from..to).filter(is_there).rev().map(|k| self.line(k, x));
         let first = self.places.first().zip(self.values.first());
-        let before = first.filter(|(place, _)| !x.exceeds(T::of(**place)));
+        let before = first.filter(|(place, _)| from == 0 && !x.exceeds(T::of(**place)));
         let before = before.map(|(_, &value)| T::of(value));
-        let all = before.into_iter().chain(lines);
+        let all = lines.chain(before);
         all.reduce(T::either).unwrap_or(T::exactly(1.0))
+    }
+
+    /// Which knots have the lines between the jumps on either side of a coordinate that is named; all of them
+    /// for one that is measured.
+    fn between_jumps(&self, near: f64) -> (usize, usize) {
+        let count = self.places.len();
+        if !self.is_named {
+            return (0, count);
+        }
+        let jumps = || (0..count).filter(|&k| self.is_jump(k));
+        let passed = jumps().rfind(|&k| self.places[k].hi <= near);
+        let ahead = jumps().find(|&k| self.places[k].hi > near);
+        (passed.map_or(0, |k| k + 1), ahead.map_or(count, |k| k + 1))
+    }
+
+    /// Whether the next knot lies at the same coordinate.
+    fn is_jump(&self, k: usize) -> bool {
+        self.places
+            .get(k + 1)
+            .is_some_and(|next| next.hi == self.places[k].hi)
     }
 
     /// As the force of a press at a distance from the end of its stroke, `towards` positive while it
@@ -150,10 +188,20 @@ impl ReadyProfile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Ball;
+    use crate::{Ball, Double};
 
     fn curve(knots: &[[f64; 2]], turns: bool) -> ReadyProfile {
         ReadyProfile::new(&Profile::new(knots.to_vec()).unwrap(), turns)
+    }
+
+    /// A cutting stroke from 80 to 120, and no other.
+    fn stroke(is_named: bool) -> ReadyProfile {
+        let knots = vec![[80.0, 0.0], [80.0, 3.0], [120.0, 5.0], [120.0, 0.0]];
+        let profile = Profile::new(knots).unwrap();
+        match is_named {
+            true => ReadyProfile::over_driver(&profile, true),
+            false => ReadyProfile::over_length(&profile),
+        }
     }
 
     fn hill() -> ReadyProfile {
@@ -218,6 +266,68 @@ mod tests {
         assert_eq!(turn.value(-360.0 + 45.0), 4.5);
         assert_eq!(length.value(720.0 + 45.0), 0.0);
         assert_eq!(hill().value(380.0), 0.0);
+    }
+
+    /// At the very coordinate the value is that behind the jump, in every arithmetic.
+    #[test]
+    fn a_jump_belongs_to_what_lies_behind_it() {
+        for (x, y) in [
+            (-1e9, 0.0),
+            (80.0_f64.next_down(), 0.0),
+            (80.0, 3.0),
+            (100.0, 4.0),
+            (120.0, 0.0),
+            (1e9, 0.0),
+        ] {
+            for curve in [stroke(true), stroke(false)] {
+                assert_eq!(curve.value(x), y, "{x}");
+                assert_eq!(curve.value(Double::exactly(x)).hi, y, "{x}");
+            }
+            let ball = stroke(true).value(Ball::new(x, 0.0));
+            assert!(
+                (ball.mid - y).abs() <= ball.radius && ball.radius < 1e-14,
+                "{x}: {ball:?}"
+            );
+        }
+        let below = 120.0_f64.next_down();
+        assert!((stroke(true).value(below) - 5.0).abs() < 1e-14);
+    }
+
+    /// What is measured may lie on either side.
+    #[test]
+    fn a_ball_over_a_jump_holds_both_sides() {
+        for (mid, low, high) in [(80.0, 0.0, 3.0), (120.0, 0.0, 5.0)] {
+            let ball = stroke(false).value(Ball::new(mid, 1e-9));
+            assert!(
+                ball.mid - ball.radius <= low && high <= ball.mid + ball.radius,
+                "{ball:?}"
+            );
+        }
+    }
+
+    /// A coordinate whose decimal lies beside its double, on either side of it.
+    #[test]
+    fn a_jump_at_a_decimal_is_at_its_double() {
+        for at in [0.1, 0.3, 80.1, 79.9] {
+            let profile = Profile::new(vec![[at, 0.0], [at, 1.0]]).unwrap();
+            let curve = ReadyProfile::over_driver(&profile, true);
+            for (x, y) in [(at.next_down(), 0.0), (at, 1.0), (at.next_up(), 1.0)] {
+                assert_eq!(curve.value(x), y);
+                let ball = curve.value(Ball::new(x, 0.0));
+                assert!(ball.mid == y && ball.radius < 1e-30, "{x}: {ball:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn jumps_repeat_with_the_turns() {
+        let knots = [[0.0, 1.0], [90.0, 1.0], [90.0, 0.0], [360.0, 0.0]];
+        let curve = curve(&knots, true);
+        for turn in [-720.0, 0.0, 3600.0] {
+            for (x, y) in [(0.0, 1.0), (89.0, 1.0), (90.0, 0.0), (359.0, 0.0)] {
+                assert_eq!(curve.value(turn + x), y, "{turn} {x}");
+            }
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{Extent, ForceState, TorquePart, TorqueScale};
 use crate::solver::state::State;
-use crate::{LinkId, Number, PointId, SlideId, Vec2};
+use crate::{Input, LinkId, Number, PointId, SlideId, Vec2};
 
 /// How far the two checks miss; zero but for rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +59,21 @@ impl<T: Number> State<T> {
             Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
         };
         drive.filter(|drive| drive.is_finite())
+    }
+
+    /// What an input must do itself: its torque in N m, or its force in N. Where further inputs follow the driver,
+    /// [`State::drive`] is what does the work of all of them.
+    #[must_use]
+    pub fn effort(&self, input: Input) -> Option<T> {
+        let forces = self.balanced()?;
+        let number = forces.inputs.iter().position(|of| *of == input)?;
+        let unit = match input {
+            Input::Turn(_) => forces.scale.couple,
+            Input::Push(_) => T::exactly(1.0),
+        };
+        // Subtracted, so that nothing has no sign.
+        let effort = T::default() - forces.efforts[number] * unit;
+        Some(effort).filter(|effort| effort.is_finite())
     }
 
     /// What it does against loads (springs among them), against gravity and against inertia.

@@ -67,14 +67,6 @@ impl Site<'_> {
         self.network.mechanism.driver().input
     }
 
-    /// The driven slide, if the driver pushes one.
-    pub(in crate::solver) fn driven_slide(&self) -> Option<SlideId> {
-        match self.input() {
-            Input::Turn(_) => None,
-            Input::Push(slide) => Some(slide),
-        }
-    }
-
     /// Where the force on a link at one of its points is noted.
     pub(in crate::solver) fn slot(&self, link: LinkId, point: PointId) -> Slot {
         self.slots.of(link, point)

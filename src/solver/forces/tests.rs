@@ -19,12 +19,12 @@ pub(crate) fn falsified<T>(is_so: bool, f: impl FnOnce() -> T) -> T {
     done
 }
 
-/// Hands what the last group bears down twice.
+/// Hands what the last group bears down twice: one time after the other, when what rides on it has come to it.
 pub(super) fn perhaps_falsified(mut passes: Vec<Pass>) -> Vec<Pass> {
-    let is_group = |pass: &&Pass| !matches!(pass, Pass::Spin(_) | Pass::Ride(_) | Pass::Lock(_));
-    if IS_FALSIFIED.get() {
-        let last = passes.iter().rev().find(is_group).cloned();
-        passes.extend(last);
+    let is_group = |pass: &Pass| !matches!(pass, Pass::Spin(_) | Pass::Ride(_) | Pass::Lock(_));
+    let last = passes.iter().rposition(is_group);
+    if let Some(last) = last.filter(|_| IS_FALSIFIED.get()) {
+        passes.insert(last, passes[last].clone());
     }
     passes
 }
@@ -67,6 +67,52 @@ fn loaded(text: &str, chance: &mut Chance) -> String {
             number()
         );
         out += &format!("[[loads]]\nlink = \"{link}\"\ntorque = {}\n", number());
+        out += &sprung(text, (&point, &link), &mut number);
+    }
+    out
+}
+
+/// Springs of every kind from a point to one of the ground, and from a link to the ground and to another link.
+fn sprung(text: &str, (point, link): (&str, &str), number: &mut impl FnMut() -> f64) -> String {
+    let scene = Scene::parse(text, "preset").unwrap();
+    let mechanism = &scene.mechanism;
+    let own = mechanism.link_ids().find(|&id| scene.link_name(id) == link);
+    let own: Vec<PointId> = own.map_or(Vec::new(), |id| {
+        mechanism.link(id).members.iter().map(|m| m.point).collect()
+    });
+    let mut points = mechanism.point_ids();
+    let fixed = points.find(|id| mechanism.point(*id).ground.is_some() && !own.contains(id));
+    let Some(fixed) = fixed.and_then(|id| scene.point_name(id)) else {
+        return String::new();
+    };
+    let mut out = String::new();
+    let mut spring = |ends: String, rest: String| {
+        out += &format!("[[springs]]\n{ends}\n{rest}\n");
+    };
+    let line = || format!("from = \"{fixed}\"\nto = \"{point}\"");
+    let (a, b, c, d) = (number(), number(), number(), number());
+    let size = f64::abs;
+    let (stiff, length, damp) = (size(a), size(b), size(c));
+    spring(
+        line(),
+        format!("stiffness = {stiff}\nlength = {length}\npreload = {d}\ndamping = {damp}"),
+    );
+    spring(
+        line(),
+        format!(
+            "force = [[{length}, {a}], [{}, {d}]]\ndamping = {stiff}",
+            length + 100.0
+        ),
+    );
+    let turned = format!(
+        "stiffness = {stiff}\nangle = {}\npreload = {d}\ndamping = {damp}",
+        3.0 * b
+    );
+    spring(format!("link = \"{link}\""), turned.clone());
+    if let Some(other) = mechanism.link_ids().next().map(|id| scene.link_name(id))
+        && other != link
+    {
+        spring(format!("link = \"{link}\"\nto = \"{other}\""), turned);
     }
     out
 }

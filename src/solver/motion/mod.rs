@@ -6,9 +6,11 @@ mod crossing;
 mod ends;
 mod junction;
 mod limits;
+mod stopped;
 mod walk;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub use stopped::EndStop;
 
 use super::angle_turn;
 use super::change_point::Passages;
@@ -18,7 +20,7 @@ use super::fault::Fault;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
-use walk::{PUSH_REACH, WalkEnd, Walker};
+use walk::{MOST_TURNS, PUSH_REACH, WalkEnd, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +31,8 @@ pub enum Range {
         period: f64,
     },
     /// Between two limits, in degrees or in the scene's length unit. A slide that could be pushed
-    /// without end is cut off at 64 times the longest length of the scene.
+    /// without end is cut off at 64 times the longest length of the scene, a link that does not come round with
+    /// what follows it after 16 turns.
     Limited {
         /// The lower limit.
         low: f64,
@@ -96,6 +99,8 @@ pub struct Motion {
     /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
     /// unit: there are two, or none.
     pub dead_points: Vec<f64>,
+    /// The stops at the ends of the range, in order: those that end the motion.
+    pub stops: Vec<EndStop>,
     /// Where two assemblies meet and the motion passes smoothly, within one period.
     pub change_points: Vec<f64>,
     /// Where the motion comes close to a change point or a dead point, and passes by.
@@ -110,6 +115,8 @@ pub struct Motion {
     pub(super) passages: Passages,
     /// How far each watched constraint was from holding at the most, in the solver's unit.
     pub(super) misfits: Vec<f64>,
+    /// The range that there would be without stops.
+    whole: Range,
     /// The rounding of a coordinate.
     finest: f64,
     /// Between these no end of the range is near.
@@ -162,7 +169,7 @@ impl Motion {
     /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
     /// from a limit all that is left of a group's equations is rounding, and a state may not be found.
     pub(super) fn drawn_back(&self, at: f64) -> impl Iterator<Item = f64> + use<> {
-        let (low, high) = match self.range {
+        let (low, high) = match self.whole {
             Range::Full { .. } => (f64::NEG_INFINITY, f64::INFINITY),
             Range::Limited { low, high } => (low, high),
         };
@@ -250,6 +257,8 @@ pub(super) fn explore<'e>(
         samples: walker.samples,
         misfits: walker.misfits,
         range,
+        whole: range,
+        stops: Vec::new(),
         clear: clear(range, &dead_points, engine),
         dead_points,
         change_points: passages.coordinates(),
@@ -276,13 +285,17 @@ fn clear(range: Range, dead_points: &[f64], engine: &Engine) -> [f64; 2] {
     }
 }
 
-/// The ends of a range, but for those at which a slide was merely followed no further.
+/// The ends of a range, but for those at which the motion was merely followed no further.
 fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
     match range {
         Range::Full { .. } => Vec::new(),
         Range::Limited { low, high } => {
-            let reach = PUSH_REACH * engine.frame.scale;
-            let is_cut = |end: f64| !engine.turns && (end - start).abs() >= reach;
+            let reach = if engine.turns {
+                angle_turn(MOST_TURNS)
+            } else {
+                PUSH_REACH * engine.frame.scale
+            };
+            let is_cut = |end: f64| (end - start).abs() >= reach;
             [low, high]
                 .into_iter()
                 .filter(|&end| !is_cut(end))

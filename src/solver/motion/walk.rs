@@ -32,7 +32,7 @@ const MOST_STEPS: usize = 400;
 /// Halvings between two doubles, at the most.
 const MOST_HALVINGS: usize = 1100;
 /// Turns after which a motion must have closed.
-const MOST_TURNS: usize = 16;
+pub(super) const MOST_TURNS: usize = 16;
 /// Samples that must have been seen before a minimum of a measure shows.
 pub(super) const SAMPLES: usize = 3;
 /// How near z must come to its start for the motion to have closed.
@@ -125,7 +125,8 @@ impl Walker<'_> {
             if let Some(turns) = closed {
                 return Ok(WalkEnd::Closed(turns));
             }
-            if k % per_turn == 0 && self.has_closed(&first_z) {
+            let comes_round = || self.engine.comes_round(k / per_turn);
+            if k % per_turn == 0 && comes_round() && self.has_closed(&first_z) {
                 closed = Some(k / per_turn);
             }
             (from, k) = (to, k + 1);

@@ -60,7 +60,11 @@ impl Fault {
             | Fault::OverConstrained { .. }
             | Fault::Mobility { .. } => true,
             Fault::Open { .. } => ordering.is_some_and(|o| !o.set_aside.is_empty()),
-            Fault::Vague { .. } | Fault::ChangePoint { .. } | Fault::NoChoice { .. } => false,
+            Fault::Vague { .. }
+            | Fault::ChangePoint { .. }
+            | Fault::BeyondStop { .. }
+            | Fault::HeldByStops { .. }
+            | Fault::NoChoice { .. } => false,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The constraints as dense rows over the coordinates of joints and the directions of links.
 //! Their derivations stand with the room.
 
+use crate::solver::following::InputMotion;
 use crate::solver::frame::Frame;
 use crate::solver::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
@@ -32,7 +33,7 @@ struct EquationRow {
     class: ClassId,
     /// By the direction of the class.
     turn: f64,
-    /// By the coordinate of a driven slide.
+    /// By the driver's coordinate, of a driven slide.
     push: f64,
 }
 
@@ -91,21 +92,51 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// Turns the driven link to the driver's coordinate.
+    /// Turns the driven links to where they are at the driver's coordinate.
     pub(super) fn drive(&self, at: f64, pose: &mut Pose) {
-        if let Input::Turn(link) = self.network.mechanism.driver().input {
-            let class = self.network.class(link);
-            if class != GROUND {
-                let turn = self.network.turn[link.index()].nearest();
-                pose.classes[class.0] = self.driver(at).1.turned(turn.conj());
-            }
+        let mechanism = self.network.mechanism;
+        if let Input::Turn(link) = mechanism.driver().input {
+            self.turn(link, self.driver(at).1, pose);
         }
+        for (link, following) in self.network.timed_links() {
+            let q = if mechanism.driver().turns() {
+                at
+            } else {
+                self.driver(at).0
+            };
+            self.turn(link, angle::unit(following.at(q).p), pose);
+        }
+    }
+
+    fn turn(&self, link: LinkId, direction: Vec2, pose: &mut Pose) {
+        let class = self.network.class(link);
+        if class != GROUND {
+            let turn = self.network.turn[link.index()].nearest();
+            pose.classes[class.0] = direction.turned(turn.conj());
+        }
+    }
+
+    /// Where a driven slide is, and its derivative by the driver's coordinate.
+    fn pushed(&self, slide: SlideId, at: f64) -> (f64, f64) {
+        let following = self.network.following(Input::Push(slide));
+        let q = match following {
+            Some(_) if self.network.mechanism.driver().turns() => at,
+            _ => self.driver(at).0,
+        };
+        let motion = InputMotion::of(following.as_ref(), q);
+        (motion.p, motion.w)
+    }
+
+    /// The derivative of the direction of a driven class by the driver's coordinate.
+    fn rate(&self, class: ClassId) -> f64 {
+        let mut timed = self.network.timed_links();
+        let of_class = timed.find(|(link, _)| self.network.class(*link) == class);
+        of_class.map_or(1.0, |(_, following)| following.rate())
     }
 
     /// By how much every equation misses, and its derivatives by column.
     pub(super) fn linear(&self, at: f64, pose: &Pose) -> Vec<(f64, Vec<(usize, f64)>)> {
-        let q = self.driver(at).0;
-        let equations = self.rows.iter().map(|&row| self.equation(row, q, pose));
+        let equations = self.rows.iter().map(|&row| self.equation(row, at, pose));
         equations.map(|e| (e.miss, self.terms(&e))).collect()
     }
 
@@ -161,18 +192,19 @@ impl<'n> Rows<'n> {
         if let Some(centre) = e.centre {
             point(centre, -e.normal);
         }
-        let class = self.class_column[e.class.0].or_else(|| {
-            let is_driven = e.class != GROUND && self.network.is_given(e.class);
-            is_driven.then_some(self.width)
-        });
-        terms.extend(class.map(|column| (column, e.turn / self.lever)));
+        let turn = e.turn / self.lever;
+        if let Some(column) = self.class_column[e.class.0] {
+            terms.push((column, turn));
+        } else if e.class != GROUND && self.network.is_given(e.class) {
+            terms.push((self.width, turn * self.rate(e.class)));
+        }
         if e.push != 0.0 {
             terms.push((self.width, e.push));
         }
         terms
     }
 
-    fn equation(&self, row: ScalarEquation, q: f64, pose: &Pose) -> EquationRow {
+    fn equation(&self, row: ScalarEquation, at: f64, pose: &Pose) -> EquationRow {
         match row {
             ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
                 let (along, seen) = self.arm(link, end, pose);
@@ -208,7 +240,10 @@ impl<'n> Rows<'n> {
                 };
                 match row {
                     ScalarEquation::Slot(_) => of(n.dot(guide.seen), n, -t.dot(guide.arm), 0.0),
-                    _ => of(t.dot(guide.seen) - q, t, n.dot(guide.arm), -1.0),
+                    _ => {
+                        let (p, rate) = self.pushed(slide, at);
+                        of(t.dot(guide.seen) - p, t, n.dot(guide.arm), -rate)
+                    }
                 }
             }
         }

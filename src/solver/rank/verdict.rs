@@ -31,7 +31,9 @@ const MOST_STRIDES: f64 = 1000.0;
 /// What the constraints of a mechanism do together, where they could be put together.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct RankVerdict {
-    /// Motions that the driver leaves free.
+    /// How many inputs there are.
+    inputs: usize,
+    /// Motions that these leave free.
     pub(super) free: usize,
     /// Whether the driver itself cannot move.
     pub(super) is_held: bool,
@@ -52,9 +54,9 @@ pub(in crate::solver) struct RankVerdict {
 }
 
 impl RankVerdict {
-    /// Degrees of freedom, the driver's included.
+    /// Degrees of freedom, those of the inputs included.
     pub(super) fn mobility(&self) -> usize {
-        (1 + self.free).saturating_sub(usize::from(self.is_held))
+        (self.inputs + self.free).saturating_sub(usize::from(self.is_held))
     }
 }
 
@@ -250,6 +252,7 @@ impl Judged {
         let repeating = choice.repeating(self.noise);
         let repeating: Vec<ScalarEquation> = repeating.into_iter().map(|i| rows.rows[i]).collect();
         RankVerdict {
+            inputs: rows.network.mechanism.inputs().count(),
             free: rows.width - self.rank,
             is_held: self.is_held,
             redundant: rows.rows.len() - self.rank,

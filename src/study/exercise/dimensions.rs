@@ -1,7 +1,7 @@
 //! Which numbers of a scene are its dimensions, and how they hang together.
 
 use super::agreeable::{agreeable, exactly};
-use super::chance::SeededChance;
+use crate::numeric::SeededChance;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 
 /// The dimensions of a scene.
@@ -175,11 +175,12 @@ impl Dimensions {
 }
 
 /// Whether a value is a dimension that is not 0: zeros place things on axes. What acts, where it starts and what a
-/// motor keeps is none.
+/// motor keeps is none; what follows from a formula keeps it.
 fn is_dimension(value: &Value) -> bool {
     let is_length = matches!(value.measure, Measure::Length | Measure::Coordinate);
     let is_of_part = matches!(value.owner, ValueOwner::Element(_) | ValueOwner::Driver);
-    is_length && is_of_part && value.number != 0.0 && !value.name.contains(" knot ")
+    let is_own = value.formula.is_none() && value.number != 0.0;
+    is_length && is_of_part && is_own && !value.name.contains(" knot ")
 }
 
 /// Whether a value tells of a place on a link: a coordinate, or how far it is from another place. A link's own length

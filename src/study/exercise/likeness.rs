@@ -2,7 +2,7 @@
 
 use crate::angle::TURN;
 use crate::scene::figure;
-use crate::solver::{DrivenLoop, GroupKind, Order, Range, Solver, Workspace};
+use crate::solver::{DrivenLoop, GroupKind, LoopKind, Order, Range, Solver, Workspace};
 use crate::{Input, Mechanism};
 
 /// What has to stay as it is.
@@ -18,20 +18,13 @@ pub(super) struct MotionKind {
     misses_nearly: bool,
 }
 
-/// The class of the first loop.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum LoopKind {
-    FourBar(crate::solver::Inversion, crate::solver::Grashof),
-    SliderCrank { turns: bool },
-}
-
 impl MotionKind {
     pub(super) fn of(solver: &Solver) -> MotionKind {
         let (plan, motion) = (solver.plan(), solver.motion());
         MotionKind {
             groups: plan.groups.iter().map(|group| group.kind).collect(),
             redundant: plan.redundant.len(),
-            first_loop: solver.first_loop().and_then(loop_kind),
+            first_loop: solver.first_loop().map(DrivenLoop::kind),
             period: match motion.range {
                 Range::Full { period } => Some(period),
                 Range::Limited { .. } => None,
@@ -40,17 +33,6 @@ impl MotionKind {
             change_points: motion.change_points.len(),
             misses_nearly: !motion.near_misses.is_empty(),
         }
-    }
-}
-
-fn loop_kind(first: DrivenLoop) -> Option<LoopKind> {
-    match first {
-        DrivenLoop::FourBar {
-            grashof, inversion, ..
-        } => Some(LoopKind::FourBar(inversion, grashof)),
-        DrivenLoop::SliderCrank { margin, .. } => Some(LoopKind::SliderCrank {
-            turns: margin > 0.0,
-        }),
     }
 }
 

@@ -4,15 +4,15 @@
 //! fully where it did, the same assembly; and it stands well away from dead points and change points.
 
 mod agreeable;
-mod chance;
 mod dimensions;
 mod likeness;
 
 use crate::Input;
+use crate::numeric::SeededChance;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
 use agreeable::agreeable;
-use chance::SeededChance;
+
 use dimensions::{Dimensions, DrawnApart};
 use likeness::{MotionKind, is_lively, margins, places};
 
@@ -136,7 +136,7 @@ impl<'a> ExerciseMaker<'a> {
                 Measure::TurnAcceleration | Measure::PushAcceleration => 2,
                 _ => continue,
             };
-            if value.owner == ValueOwner::Driver {
+            if value.owner == ValueOwner::Driver && value.formula.is_none() {
                 let number =
                     agreeable(value.number * if power == 1 { factor } else { factor * factor })?;
                 let text = format!("{number} {}", value.unit);

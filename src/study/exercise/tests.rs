@@ -133,3 +133,18 @@ fn a_scene_without_lengths_has_none() {
     let maker = ExerciseMaker::new(&scene, &solver);
     assert!(maker.exercise(1, &titles()).is_none());
 }
+
+/// What follows from a formula goes on to do so: only plain numbers are drawn anew.
+#[test]
+fn formulas_stay_in_exercises() {
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replacen("[ground]", "[parameters]\na = 100\n[ground]", 1);
+    let text = text.replacen("length = 100", "length = \"a\"", 1);
+    let scene = Scene::parse(&text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let made = ExerciseMaker::new(&scene, &solver).exercise(3, &titles());
+    let made = made.unwrap().scene;
+    let crank = made.value_named("r2.length").unwrap();
+    assert_eq!((crank.formula.as_deref(), crank.number), (Some("a"), 100.0));
+    assert_ne!(made.value_named("r3.length").unwrap().number, 300.0);
+}

@@ -24,6 +24,9 @@ pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
 /// small ones only.
 pub const SMALL_FLUCTUATION: f64 = 0.2;
 
+/// No fluctuation is larger: (greatest - least) by their mean is 2 where the least is 0, and the driver stands still.
+pub const LARGEST_FLUCTUATION: f64 = 2.0;
+
 /// What is asked of a motor, and what it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorDemand {

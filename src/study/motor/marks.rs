@@ -1,5 +1,6 @@
 //! Where on the way a load bends or jumps, and after how many turns all loads repeat.
 
+use super::bends::SpringBends;
 use super::course::Course;
 use super::ram::{Ram, RamEnd};
 use crate::angle::TURN;
@@ -29,7 +30,10 @@ fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
     let loads = mechanism.loads().iter().filter(move |load| over(load));
     loads.filter_map(|load| match load {
         Load::Force { over, .. } | Load::Torque { over, .. } => Some(over),
-        Load::Press { .. } | Load::Spring { .. } => None,
+        Load::Press { .. }
+        | Load::Spring { .. }
+        | Load::GasSpring { .. }
+        | Load::TorsionSpring { .. } => None,
     })
 }
 
@@ -41,7 +45,10 @@ pub(super) fn unrepeated(mechanism: &Mechanism) -> Vec<usize> {
     let loads = mechanism.loads().iter().zip(1..);
     let found = loads.filter(|(load, _)| match load {
         Load::Force { over, .. } | Load::Torque { over, .. } => once(over),
-        Load::Press { .. } | Load::Spring { .. } => false,
+        Load::Press { .. }
+        | Load::Spring { .. }
+        | Load::GasSpring { .. }
+        | Load::TorsionSpring { .. } => false,
     });
     found.map(|(_, number)| number).collect()
 }
@@ -97,6 +104,11 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
         }
     }
     let mut at = motion.change_points.clone();
+    let bends = SpringBends::over(solver);
+    mechanism
+        .loads()
+        .iter()
+        .for_each(|load| bends.of(load, &mut at));
     for load in mechanism.loads() {
         let Load::Press { slide, end, curve } = load else {
             continue;

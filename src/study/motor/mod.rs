@@ -4,6 +4,7 @@
 //! ```text
 //! course     the driver's way through one cycle: round, or there and back
 //! marks      where on it a load bends or jumps
+//! bends      where springs do
 //! pieces     between these, what the driver must do as sums of Chebyshev polynomials
 //! periodic   where nothing bends: the trapezoid rule over the whole cycle
 //! cycle      peaks, means, energies, fluctuation, shaking: read from these
@@ -12,12 +13,14 @@
 //! fitting    a flywheel and a motor against it
 //! ram        what a slide does as the ram of a press: stroke, dwell, speed and force at a height
 //! guide      the slide wherever the driver is
+//! timed      what the driver must do over the period of a motion over time
 //! ```
 //!
 //! Torque stands for what the driver does: N m where a link is turned, N where a slide is pushed.
 //! Nothing here solves a mechanism: the figures are those of any function of the coordinate, and the
 //! solver is asked for it in one place.
 
+mod bends;
 mod course;
 mod cycle;
 mod duty;
@@ -28,17 +31,20 @@ mod periodic;
 mod pieces;
 mod ram;
 mod source;
+mod timed;
 
 pub use course::Course;
 pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
 pub use duty::{Duty, NoDuty, is_within};
 pub use flywheel::{
-    Geared, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with, flywheel_for,
+    Geared, LARGEST_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
+    flywheel_for,
 };
 pub use guide::Passing;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
 pub use source::Step;
+pub use timed::{NoTimedDuty, TimedDuty, TimedPeak};
 
 use crate::Vec2;
 

@@ -5,7 +5,7 @@
 use super::guide::{MonotoneStretch, Passing, SlideFinder};
 use crate::numeric::root;
 use crate::solver::{DeadCentre, Range, Solver};
-use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
+use crate::{Body, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
 /// Dead centres that differ by less than this part of the stroke are as deep as each other.
@@ -76,7 +76,7 @@ pub struct Ram {
 
 /// The slides that can be rams: on the ground, and not driven.
 pub fn rams(mechanism: &Mechanism) -> impl Iterator<Item = SlideId> {
-    let pushed = |slide| mechanism.driver().input == Input::Push(slide);
+    let pushed = |slide| mechanism.is_pushed(slide);
     let is_ram = move |&id: &SlideId| mechanism.slide(id).on == Body::Ground && !pushed(id);
     mechanism.slide_ids().filter(is_ram)
 }

@@ -135,6 +135,12 @@ impl App {
             return;
         };
         editor.go_to(row);
+        let named = |(name, _): &(String, _)| editor.named(name);
+        let mut values = typed.values.iter().filter_map(named);
+        if let Some(value) = values.find(|value| value.formula.is_some()).cloned() {
+            self.say_what_it_follows_from(&value);
+            return;
+        }
         // The cursor may have been there.
         editor.history.part();
         self.shell.grip = Gripped::Point(typed);

@@ -8,6 +8,7 @@ use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::edited::{self, Edited};
+use crate::tui::document::gathered::GatheredEdits;
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
@@ -22,12 +23,74 @@ impl App {
             SceneAction::NudgeUp => self.nudge(1.0, now),
             SceneAction::FinerNudge => self.document.editor.finer(),
             SceneAction::CoarserNudge => self.document.editor.coarser(),
+            SceneAction::Gather => self.gather(now),
+            SceneAction::Goal => self.type_goal(),
         }
+    }
+
+    /// Gathers edits from now on, or makes those that were gathered, as one.
+    fn gather(&mut self, now: Duration) {
+        let Some(gathered) = self.document.editor.gathered.take() else {
+            self.document.editor.gathered = Some(GatheredEdits::default());
+            self.say_that_edits_wait();
+            return;
+        };
+        let values = gathered.list().iter().filter_map(|(name, text)| {
+            let value = self.document.editor.named(name)?;
+            Some((value.clone(), text.clone()))
+        });
+        let texts: Vec<_> = values.collect();
+        let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
+        let deed = Deed::Other(names.join(", "));
+        let count = texts.len();
+        if !self.put_all(texts, deed, now) {
+            // They wait on, to be corrected.
+            self.document.editor.gathered = Some(gathered);
+        } else if self.shell.message.is_none() {
+            self.shell.say(words().gathered_made(count));
+        }
+    }
+
+    fn say_that_edits_wait(&mut self) {
+        let key = self.shell.keymap.told(Action::Scene(SceneAction::Gather));
+        self.shell.say(words().edits_wait(&key));
+    }
+
+    /// Whether edits wait to be made together; then that is said. What follows from the text has to wait too.
+    pub(super) fn is_held_up(&mut self, action: Action) -> bool {
+        let gathered = self.document.editor.gathered.as_ref();
+        let waits = gathered.is_some_and(|gathered| !gathered.is_empty());
+        let takes_text = matches!(
+            action,
+            Action::Save
+                | Action::SaveAs
+                | Action::Undo
+                | Action::Redo
+                | Action::Open
+                | Action::Reload
+                | Action::NextPreset
+                | Action::PreviousPreset
+                | Action::Quit
+        );
+        let is_held_up = waits && takes_text && self.shell.mode == Mode::Normal;
+        if is_held_up {
+            self.say_that_edits_wait();
+        }
+        is_held_up
+    }
+
+    /// The edits that wait are dropped; false where none were to wait.
+    pub(super) fn drop_gathered(&mut self) -> bool {
+        let was = self.document.editor.gathered.take();
+        if was.is_some() {
+            self.shell.say(words().gathered_dropped());
+        }
+        was.is_some()
     }
 
     fn type_value(&mut self) {
         if self.document.editor.value().is_some() {
-            self.shell.mode = Mode::Value(EditLine::for_number());
+            self.shell.mode = Mode::Value(EditLine::for_value());
         }
     }
 
@@ -42,7 +105,10 @@ impl App {
         }
         match value.typed(typed) {
             Ok(text) => {
-                if self.put(&value, text, Deed::Other(value.name.clone()), now) {
+                if let Some(gathered) = &mut self.document.editor.gathered {
+                    gathered.put(&value.name, text, &value.text());
+                    self.shell.mode = Mode::Normal;
+                } else if self.put(&value, text, Deed::Other(value.name.clone()), now) {
                     self.shell.mode = Mode::Normal;
                 }
             }
@@ -52,10 +118,40 @@ impl App {
 
     /// Moves the value under the cursor by a step.
     fn nudge(&mut self, steps: f64, now: Duration) {
-        if let Some(value) = self.document.editor.value().cloned() {
-            let text = value.moved(steps * self.document.editor.notch().size());
-            self.put(&value, text, Deed::Nudge(value.name.clone()), now);
+        let Some(value) = self.document.editor.value().cloned() else {
+            return;
+        };
+        let by = steps * self.document.editor.notch().size();
+        if let Some(gathered) = &mut self.document.editor.gathered {
+            let waiting = gathered.text(&value.name).map(|text| value.with_text(text));
+            let from = waiting.as_ref().unwrap_or(&value);
+            if from.formula.is_none() {
+                gathered.put(&value.name, from.moved(by), &value.text());
+                return;
+            }
         }
+        if value.formula.is_some() {
+            self.say_what_it_follows_from(&value);
+            return;
+        }
+        self.put(
+            &value,
+            value.moved(by),
+            Deed::Nudge(value.name.clone()),
+            now,
+        );
+    }
+
+    /// What follows from a formula is not moved: what it is made of can be.
+    pub(super) fn say_what_it_follows_from(&mut self, value: &Value) {
+        let Some(formula) = &value.formula else {
+            return;
+        };
+        let names = value.follows_from();
+        self.shell.say(match names.is_empty() {
+            true => words().follows_from_formula(&value.name, formula),
+            false => words().follows_from_parameters(&value.name, formula, &names.join(", ")),
+        });
     }
 
     /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.

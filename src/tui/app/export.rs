@@ -163,6 +163,7 @@ impl App {
             solver: self.player.open_scene.solver(),
             columns: &Columns::new(catalogue.driver(), catalogue.all(), true),
             steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
+            clock: None,
             format: RowFormat::Csv(self.csv_dialect()),
         };
         let mut text = Vec::new();

@@ -23,6 +23,8 @@ pub(crate) enum Mode {
     GoTo(EditLine),
     /// The line in which is typed where a method begins.
     Guess(EditLine),
+    /// The line in the scene view in which is typed what is to be met.
+    Goal(EditLine),
     /// The list of all commands.
     Palette(CommandList),
     /// The list of assemblies, with the cursor on this one.
@@ -51,7 +53,9 @@ impl Mode {
     /// The line that is typed in, if there is one.
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
-            Mode::GoTo(line) | Mode::Guess(line) | Mode::Value(line) => Some(line),
+            Mode::GoTo(line) | Mode::Guess(line) | Mode::Goal(line) | Mode::Value(line) => {
+                Some(line)
+            }
             Mode::Palette(palette) => Some(palette.line()),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),

@@ -48,6 +48,9 @@ impl App {
             self.follow();
             let compared = self.comparison.compared();
             self.plots.sample(&self.player.open_scene, compared);
+            if let Mode::PlotList(list) = &self.shell.mode {
+                self.plots.note(&self.player.open_scene, list.current());
+            }
         }
         if self.is_needed(Need::Motor) {
             self.motor.study(&self.player.open_scene);

@@ -78,7 +78,7 @@ impl App {
             Mode::Normal => None,
             Mode::Help(_) => self.search_help(key),
             Mode::Tour(_) => self.turn_page(key),
-            Mode::GoTo(_) | Mode::Guess(_) | Mode::Value(_) | Mode::FileName(_) => {
+            Mode::GoTo(_) | Mode::Guess(_) | Mode::Goal(_) | Mode::Value(_) | Mode::FileName(_) => {
                 self.line_key(key, now)
             }
             Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
@@ -125,6 +125,7 @@ impl App {
         match &self.shell.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
             Mode::Guess(line) => self.accept_guess(line.clone().text()),
+            Mode::Goal(line) => self.take_goal(line.clone().text(), now),
             Mode::Value(line) => self.take_value(line.clone().text(), now),
             Mode::FileName(prompt) => self.accept_file(prompt.clone()),
             _ => {}
@@ -148,6 +149,7 @@ impl App {
         }
         if self.shell.mode != Mode::Normal {
             self.shell.mode = Mode::Normal;
+        } else if self.drop_gathered() {
         } else if self.is_watching() {
             self.watch_method(None);
         } else if self.is_working() {

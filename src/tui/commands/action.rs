@@ -215,6 +215,9 @@ pub(crate) enum SceneAction {
     FinerNudge,
     /// Nudge by more.
     CoarserNudge,
+    /// Gather edits, or make those that were gathered.
+    Gather,
+    Goal,
 }
 
 /// Where a key has its meaning.
@@ -375,6 +378,8 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Scene, entry(A::Scene(S::NudgeUp), "nudge-up", W::nudge_up, W::a_little_more, &[Char('>')])),
         within(Scene, entry(A::Scene(S::FinerNudge), "finer", W::finer, W::nudge_by_less, &[Char('{')])),
         within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", W::coarser, W::nudge_by_more, &[Char('}')])),
+        within(Scene, entry(A::Scene(S::Goal), "goal", W::goal, W::find_values_for_a_goal, &[Char('@')])),
+        within(Scene, entry(A::Scene(S::Gather), "gather", W::gather, W::gather_edits, &[Char('b')])),
         entry(A::Undo, "undo", W::undo, W::take_an_edit_back, &[Char('u')]),
         entry(A::Redo, "redo", W::redo, W::make_it_again, &[Ctrl('r')]),
         entry(A::Save, "save", W::save, W::write_to_the_file, &[Char('w')]),

@@ -6,6 +6,8 @@ use crate::tui::commands::key::Key;
 
 /// Longer than any number that means something.
 const LONGEST_NUMBER: usize = 24;
+/// Longer than any formula that is typed for a value.
+const LONGEST_FORMULA: usize = 200;
 /// The longest path that the system takes.
 const LONGEST_NAME: usize = 4095;
 /// Longer than what anybody types to find a name.
@@ -41,6 +43,14 @@ impl EditLine {
             text: String::new(),
             longest: LONGEST_NUMBER,
             takes: Takes::Plain,
+        }
+    }
+
+    /// An empty line for a number or a formula.
+    pub(crate) fn for_value() -> EditLine {
+        EditLine {
+            longest: LONGEST_FORMULA,
+            ..EditLine::for_number()
         }
     }
 

@@ -116,6 +116,8 @@ fn hindrance(scene: &Scene, fault: &Fault) -> String {
         | Fault::OverConstrained { .. }
         | Fault::Vague { .. }
         | Fault::ChangePoint { .. }
+        | Fault::BeyondStop { .. }
+        | Fault::HeldByStops { .. }
         | Fault::NoChoice { .. }
         | Fault::NotAssembled { .. }
         | Fault::Singular { .. } => scene.explain(fault).first_words().to_owned(),

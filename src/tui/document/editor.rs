@@ -2,6 +2,7 @@
 //! it, and which differ from the file.
 
 use crate::scene::{Measure, Scene, Value};
+use crate::tui::document::gathered::GatheredEdits;
 use crate::tui::document::history::History;
 use std::collections::HashMap;
 
@@ -105,6 +106,8 @@ pub(crate) struct Editor {
     /// Steps that the person has chosen, each for all values that measure the same.
     chosen: Vec<(Measure, Notch)>,
     pub(crate) history: History,
+    /// Edits that wait to be made together; none while each is made at once.
+    pub(crate) gathered: Option<GatheredEdits>,
 }
 
 impl Editor {
@@ -118,6 +121,7 @@ impl Editor {
             fitting: DEGREE,
             chosen: Vec::new(),
             history: History::default(),
+            gathered: None,
         }
     }
 

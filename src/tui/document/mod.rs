@@ -6,6 +6,7 @@ pub(crate) mod difference;
 pub(crate) mod disk;
 pub(crate) mod edited;
 pub(crate) mod editor;
+pub(crate) mod gathered;
 pub(crate) mod history;
 pub(crate) mod opening;
 pub(crate) mod recovery;

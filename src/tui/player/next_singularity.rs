@@ -1,6 +1,8 @@
 //! What lies ahead of the driver, the way it goes: the next dead point, change point or limit, where it
 //! is near enough to be worth a word.
 
+use crate::LimitId;
+use crate::scene::Scene;
 use crate::solver::{Motion, Range};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::DriverRange;
@@ -15,6 +17,7 @@ const DECIMALS: usize = 1;
 /// What there is ahead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SingularityKind {
+    Stop(LimitId),
     DeadPoint,
     ChangePoint,
     /// The end of what was followed of a slide's travel.
@@ -49,11 +52,13 @@ pub(crate) fn ahead(
     let limits = driver_range
         .shuttle()
         .map_or([None; 2], |(low, high)| [low, high].map(Some));
-    // The first of those at the same place: a limit may be a dead point, too.
+    // The first of those at the same place: a limit may be a stop or a dead point, too.
+    let stops = motion.stops.iter();
     let all = (motion
         .dead_points
         .iter()
         .map(|&to| (SingularityKind::DeadPoint, to)))
+    .chain(stops.map(|stop| (SingularityKind::Stop(stop.limit), stop.at)))
     .chain(
         motion
             .change_points
@@ -77,8 +82,13 @@ pub(crate) fn ahead(
 
 impl NextSingularity {
     /// `dead point in 3.2 deg`.
-    pub(crate) fn text(self, driver_range: &DriverRange, unit: &str) -> String {
+    pub(crate) fn text(self, scene: &Scene, driver_range: &DriverRange, unit: &str) -> String {
+        let stop;
         let kind = match self.kind {
+            SingularityKind::Stop(limit) => {
+                stop = words().stop_of(scene.limit_name(limit));
+                &stop
+            }
             SingularityKind::DeadPoint => words().dead_point(),
             SingularityKind::ChangePoint => words().change_point(),
             SingularityKind::Limit => words().limit(),
@@ -100,16 +110,17 @@ impl NextSingularity {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Scene, presets};
+    use crate::scene::presets;
     use crate::solver::Solver;
 
-    fn open(text: &str) -> (DriverRange, Solver) {
+    fn open(text: &str) -> (Scene, DriverRange, Solver) {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
-        (DriverRange::new(&scene, &solver), solver)
+        let driver_range = DriverRange::new(&scene, &solver);
+        (scene, driver_range, solver)
     }
 
-    fn preset(name: &str) -> (DriverRange, Solver) {
+    fn preset(name: &str) -> (Scene, DriverRange, Solver) {
         open(presets::find(name).unwrap().text)
     }
 
@@ -132,10 +143,10 @@ C = [75, 55]
 
     #[test]
     fn a_dead_point_is_told_when_it_comes_near() {
-        let (driver_range, solver) = open(SWINGING);
+        let (scene, driver_range, solver) = open(SWINGING);
         let text = |at, backwards| {
             let ahead = ahead(&driver_range, solver.motion(), at, backwards);
-            ahead.map(|ahead| ahead.text(&driver_range, "deg"))
+            ahead.map(|ahead| ahead.text(&scene, &driver_range, "deg"))
         };
         assert_eq!(text(60.0, false), None);
         assert_eq!(text(79.6, false).unwrap(), "dead point in 3.2 deg");
@@ -150,17 +161,20 @@ C = [75, 55]
     fn a_change_point_is_told_on_every_turn() {
         // Of a kite only every second turn is the same: its change points are at 0 and 360 of 720.
         for name in ["parallelogram", "kite"] {
-            let (driver_range, solver) = preset(name);
+            let (scene, driver_range, solver) = preset(name);
             for at in [-10.0, 350.0, 7190.0] {
                 let ahead = ahead(&driver_range, solver.motion(), at, false).unwrap();
-                assert_eq!(ahead.text(&driver_range, "deg"), "change point in 10.0 deg");
+                assert_eq!(
+                    ahead.text(&scene, &driver_range, "deg"),
+                    "change point in 10.0 deg"
+                );
             }
         }
     }
 
     #[test]
     fn nothing_is_ahead_of_a_crank_that_turns_fully() {
-        let (driver_range, solver) = preset("four-bar");
+        let (_, driver_range, solver) = preset("four-bar");
         for at in [-720.0, 0.0, 60.0, 359.0] {
             assert_eq!(ahead(&driver_range, solver.motion(), at, false), None);
         }
@@ -168,11 +182,11 @@ C = [75, 55]
 
     #[test]
     fn the_end_of_a_slides_travel_is_told_in_its_unit() {
-        let (driver_range, solver) = preset("excavator-boom");
+        let (scene, driver_range, solver) = preset("excavator-boom");
         let (low, high) = driver_range.shuttle().unwrap();
         let at = high - 0.02 * (high - low);
         let ahead = ahead(&driver_range, solver.motion(), at, false).unwrap();
-        let text = ahead.text(&driver_range, "m");
+        let text = ahead.text(&scene, &driver_range, "m");
         assert!(text.starts_with("dead point in 0.0"), "{text}");
         assert!(text.ends_with(" m"), "{text}");
     }

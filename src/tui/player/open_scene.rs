@@ -3,11 +3,12 @@
 use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
-use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, Forces, PositionMethod, Tables, Verdict};
+use crate::quantity::{Catalogue, Quantity, Sensitivity};
+use crate::report::{Answers, Forces, PositionMethod, Tables, ToleranceAnswers, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
+use crate::study::ToleranceStudy;
 use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::assembly_list::AssemblyList;
@@ -58,6 +59,8 @@ pub(crate) struct OpenScene {
 struct LengthsQuestion {
     sensitivity: Sensitivity,
     answers: Answers,
+    /// What tolerances do, where the scene has any.
+    tolerances: Option<(ToleranceStudy, ToleranceAnswers)>,
 }
 
 /// Of more lengths than this a frame would be late.
@@ -161,6 +164,9 @@ impl OpenScene {
         if let Some(asked) = &mut self.answers {
             let unit = self.opened.scene.unit.symbol();
             asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
+            if let Some((study, found)) = &mut asked.tolerances {
+                *found = ToleranceAnswers::at(&self.opened.scene, study, at);
+            }
         }
         if let Some(force_figures) = &mut self.force_figures {
             let Opened { scene, solver, .. } = &self.opened;
@@ -273,9 +279,17 @@ impl OpenScene {
             let mut sensitivity = Sensitivity::new(scene, solver, &figures);
             let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
             let answers = answers.worth_reading();
+            let of_motion = figures.into_iter().filter(|q| q.order() != Order::Force);
+            let of_motion: Vec<Quantity> = of_motion.collect();
+            let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &of_motion);
+            let tolerances = study.ok().map(|mut study| {
+                let found = ToleranceAnswers::at(scene, &mut study, self.at);
+                (study, found)
+            });
             self.answers = Some(LengthsQuestion {
                 sensitivity,
                 answers,
+                tolerances,
             });
         }
     }
@@ -288,6 +302,12 @@ impl OpenScene {
     /// What the given lengths do, if that was asked and there are not too many.
     pub(crate) fn answers(&self) -> Option<&Answers> {
         self.answers.as_ref().map(|asked| &asked.answers)
+    }
+
+    /// What tolerances do, if that was asked and there are any.
+    pub(crate) fn tolerance_answers(&self) -> Option<&ToleranceAnswers> {
+        let (_, found) = self.answers.as_ref()?.tolerances.as_ref()?;
+        Some(found)
     }
 
     pub(crate) fn scene(&self) -> &Scene {

@@ -85,8 +85,12 @@ fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
         return (None, page::words(words().too_many_lengths(), area));
     };
     let mut page = Page::default();
+    if let Some(off) = app.open_scene().tolerance_answers() {
+        page.table(off.table());
+    }
     page.add(content(answers, area));
     let mut lines = page::lines(app, &page, area);
+    // Two tables have a blank between them: then the names of columns go with the rows.
     let is_whole = answers.list.is_some() && lines.iter().all(|line| !line.spans.is_empty());
     let head = (is_whole && !lines.is_empty()).then(|| lines.remove(0));
     (head, lines)

@@ -11,7 +11,7 @@ use super::motion::rule;
 use super::pane::{Copied, Listing, Need, Pane, PaneSpot};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::quantity::Subject;
-use crate::scene::Value;
+use crate::scene::{Value, figure};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, SceneAction};
@@ -28,8 +28,8 @@ const LONGEST_NAME: u16 = 24;
 /// Columns before the decimal point and behind it that a value has at least, and at the most.
 const WHOLE: (u16, u16) = (4, 10);
 const FRACTION: (u16, u16) = (4, 8);
-/// Columns of the value in the file, behind a blank and its mark.
-const FILED: u16 = 10;
+/// Columns of the value in the file or of its formula, behind a blank and its mark.
+const FILED: (u16, u16) = (10, 22);
 /// Columns before a name: the cursor and a blank.
 const CURSOR: u16 = 2;
 /// The line above the list.
@@ -86,6 +86,7 @@ struct ColumnWidths {
     whole: u16,
     fraction: u16,
     unit: u16,
+    filed: u16,
 }
 
 /// Every value of the scene.
@@ -204,7 +205,8 @@ impl ColumnWidths {
         let widest = |width: &dyn Fn(&Value) -> u16| widest(width).unwrap_or(0);
         let part = |which: usize| {
             widest(&|value| {
-                let (whole, fraction) = halves(&value.literal);
+                let number = number_of(value);
+                let (whole, fraction) = halves(&number);
                 columns([whole, fraction][which])
             })
         };
@@ -213,6 +215,8 @@ impl ColumnWidths {
             whole: part(0).clamp(WHOLE.0, WHOLE.1),
             fraction: part(1).clamp(FRACTION.0, FRACTION.1),
             unit: widest(&|v| columns(v.unit)),
+            filed: widest(&|v| formula_of(v).map_or(0, |formula| columns(&formula)))
+                .clamp(FILED.0, FILED.1),
         }
     }
 
@@ -223,7 +227,7 @@ impl ColumnWidths {
 
     /// All of them.
     fn width(&self) -> u16 {
-        self.values() + 2 + FILED
+        self.values() + 2 + self.filed
     }
 
     fn head(&self, editor: &Editor, area: Rect, buffer: &mut Buffer) {
@@ -233,7 +237,12 @@ impl ColumnWidths {
             print(buffer, area.x, area.y, area.width, text, style);
             return;
         };
-        let nudge = words().nudge_by(&editor.notch().to_string(), value.unit);
+        let nudge = match (&editor.gathered, formula_of(value)) {
+            (Some(gathered), _) => words().gathering(gathered.len()),
+            // What follows from others is not nudged.
+            (None, Some(formula)) => formula,
+            (None, None) => words().nudge_by(&editor.notch().to_string(), value.unit),
+        };
         print(buffer, area.x + CURSOR, area.y, area.width, &nudge, style);
         // A narrow list has no column for what is in the file.
         let is_wide = area.width >= self.width();
@@ -253,10 +262,14 @@ impl ColumnWidths {
         let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
         let editor = app.editor();
         let filed = editor.in_file(value);
-        let mark = if filed.is_some() || editor.is_new(value) {
-            "*"
-        } else {
-            " "
+        let waiting = editor.gathered.as_ref();
+        let waiting = waiting.and_then(|gathered| gathered.text(&value.name));
+        let waiting = waiting.map(|text| value.with_text(text));
+        let is_changed = filed.is_some() || editor.is_new(value);
+        let mark = match (&waiting, is_changed) {
+            (Some(_), _) => "+",
+            (None, true) => "*",
+            (None, false) => " ",
         };
         let cursor = if under_cursor { ">" } else { " " };
         let (y, right) = (area.y, area.right());
@@ -285,16 +298,26 @@ impl ColumnWidths {
             return;
         }
         put(unit, value.unit, part(ScreenPart::Quiet));
-        self.number(&value.literal, point, y, part(ScreenPart::Text), buffer);
-        if let Some(filed) = filed
+        let style = match waiting {
+            Some(_) => theme::part(ScreenPart::Warning),
+            None => part(ScreenPart::Text),
+        };
+        let shown = waiting.as_ref().unwrap_or(value);
+        let number = match waiting {
+            // What it will come to is not known before.
+            Some(_) => shown.literal.clone(),
+            None => number_of(value),
+        };
+        self.number(&number, point, y, style, buffer);
+        let beside = match filed {
+            Some(filed) if filed.unit == value.unit => Some(filed.literal.clone()),
+            Some(filed) => Some(filed.text()),
+            None => formula_of(value),
+        };
+        if let Some(text) = beside
             && area.width >= self.width()
         {
-            let text = if filed.unit == value.unit {
-                filed.literal.clone()
-            } else {
-                filed.text()
-            };
-            let text = cut(&text, FILED.into());
+            let text = cut(&text, self.filed.into());
             print_right(
                 buffer,
                 area.x + self.width(),
@@ -323,6 +346,19 @@ impl ColumnWidths {
         print_right(buffer, point, y, whole, style);
         print(buffer, point, y, self.fraction, fraction, style);
     }
+}
+
+/// The number of a value as it stands in the file, or in short what a formula comes to.
+fn number_of(value: &Value) -> String {
+    match value.formula {
+        Some(_) => figure(value.number),
+        None => value.literal.clone(),
+    }
+}
+
+/// The formula of a value, as it stands beside its number.
+fn formula_of(value: &Value) -> Option<String> {
+    value.formula.as_ref().map(|formula| format!("= {formula}"))
 }
 
 /// Columns of the part's name before that of a value.

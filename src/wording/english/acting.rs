@@ -87,13 +87,22 @@ catalogue! {
             "{what}: the coordinates must grow from knot to knot, but {second} follows {first}";
         does_not_grow = "does not grow";
         order_growing_knots =
-            "put the knots in order; for a jump let the second knot lie a little further on";
+            "put the knots in order; a jump is two knots at one coordinate";
         knots_must_fall(what: &str, first: &str, second: &str) =
             "{what}: the coordinates must fall from knot to knot, but {second} follows {first}";
         does_not_fall = "does not fall";
         order_falling_knots =
-            "put the knots in order; for a jump let the second knot lie a little nearer";
+            "put the knots in order; a jump is two knots at one coordinate";
         the_knot_before = "the knot before";
+        three_knots_at_one_place(what: &str, at: &str) = "{what}: three knots lie at {at}";
+        a_third_knot_there = "a third knot there";
+        a_jump_has_two_knots =
+            "a jump has two knots: the value before it, and the value from there on";
+        length_and_force = "[length, force]";
+        negative_length(what: &str, literal: &str) =
+            "{what}: a length must not be negative, but is {literal}";
+        lengths_of_gas_spring =
+            "the force of a gas spring is given over the distance of its ends: force = [[200, 900], [300, 700]]";
 
         // Springs.
         spring_lacks_end(key: &str) = "the spring has no `{key}`";
@@ -102,6 +111,19 @@ catalogue! {
         does_nothing = "it does nothing";
         give_spring_a_size =
             "give it one: stiffness = 1200 is in N/m, damping = 5 in N s/m";
+        give_torsion_spring_a_size =
+            "give it one: stiffness = 12 is in N m/rad, damping = 0.5 in N m s/rad";
+        spring_kind_has_no_key(kind: &str, key: &str) = "the spring: a {kind} has no `{key}`";
+        a_plain_spring = "spring between points";
+        a_gas_spring = "gas spring";
+        a_torsion_spring = "torsion spring";
+        rule_of_springs =
+            "a spring pulls with preload + stiffness * (distance - length) + damping * rate";
+        rule_of_gas_springs =
+            "a gas spring pushes with the `force` that is given over its length; `damping` is all that may be added";
+        rule_of_torsion_springs =
+            "a torsion spring turns `link` against `to`, or against the ground: stiffness, angle, preload, damping";
+        name_two_links = "name two different links";
         spring_to_itself(from: &str) = "the spring runs from {from} to itself";
         end_is_beginning = "its end is its beginning";
         begins_here = "begins here";
@@ -125,6 +147,8 @@ catalogue! {
         peak_is_for_short =
             "the peak is what it gives for a short while, at least as much as without end";
         fluctuation_of_motor_too_large = "`fluctuation` of the motor must be at most 1";
+        fluctuation_of_motor_impossible =
+            "`fluctuation` of the motor is impossible above 2: there the driver stands still once a cycle";
         what_fluctuation_is = "it is (greatest - least) / mean of the speed: 0.02 is 2 %";
         speed_of_motor_not_positive = "`speed` of the motor must be positive";
 

@@ -139,6 +139,8 @@ catalogue! {
         a_little_more = "a little more";
         finer = "finer";
         nudge_by_less = "nudge by less";
+        gather = "gather";
+        gather_edits = "gather or make edits";
         coarser = "coarser";
         next_part = "next part";
         to_the_next_part = "to the next part";

@@ -10,6 +10,7 @@ catalogue! {
         fact_source = "source";
         fact_note = "note";
         fact_unit = "unit";
+        fact_parameters = "parameters";
         fact_parts = "parts";
         fact_driver = "driver";
         fact_links = "links";
@@ -22,9 +23,11 @@ catalogue! {
         fact_assemblies = "assemblies";
         fact_loop = "loop";
         fact_range = "range";
+        fact_stops = "stops";
         fact_change = "change";
         fact_near_miss = "near miss";
         fact_transmission = "angle";
+        fact_condition = "condition";
         fact_forces = "forces";
         fact_open = "open";
 
@@ -41,6 +44,8 @@ catalogue! {
         driven_slide(name: &str) = "slide {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, opens at {at}, {speed}, {acceleration}";
+        input_follows(driven: &str, ratio: &str, phase: &str) =
+            "{driven} follows: {ratio} times the driver's coordinate plus {phase}";
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pin {pin} in a slot of {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: link {link} along {guide}, without turning against it";
@@ -118,6 +123,8 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "turns fully; the motion repeats after {period} {unit}";
         range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
+        stop_at(at: &str, unit: &str, name: &str, value: &str) =
+            "{at} {unit}: {name} at {value}";
         change_points_at(places: &str, unit: &str) = "points at {places} {unit}, passed smoothly";
         equal_as_typed = "lengths count as equal where they are equal as typed";
         equal_within(tolerance: &str, unit: &str) =
@@ -138,6 +145,8 @@ catalogue! {
         // The verdict.
         range_whole = "turns fully";
         range_between(low: &str, high: &str, unit: &str) = "{low}..{high} {unit}";
+        stop_in_verdict(name: &str, at: &str) = "stop of {name} at {at}";
+        stops_of(names: &[String]) = { format!("stops of {}", names.join(" and ")) };
         some_change_points(count: usize) = { counted(count, "change point", "change points") };
         transmission_worst(group: Option<&str>, off: &str, at: &str, unit: &str) = {
             let group = group.map(|group| format!(" at {group}")).unwrap_or_default();

@@ -80,6 +80,8 @@ catalogue! {
             "{typed} {unit} is taken as {at} {unit}: the driver covers {covered}";
         cannot_be_assembled(at: &dyn Display, unit: &str, covered: &str) =
             "the mechanism cannot be assembled at {at} {unit}: the driver covers {covered}";
+        stopped_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
+            "a stop of {name} ends the motion before {at} {unit}: the driver covers {covered}";
         no_start_tells_assembly =
             "no start positions tell this assembly from the others where the scene opens";
         no_finite_limits = "the motion has no finite limits";
@@ -130,6 +132,8 @@ catalogue! {
         fluctuation_above_one(share: f64) =
             "--fluctuation: {share} is above 1; it is (greatest - least) / mean of the speed: 0.02 \
              is 2 %";
+        fluctuation_above_two(share: f64) =
+            "--fluctuation: {share} is impossible: at 2 the driver stands still once a cycle; 0.02 is 2 %";
         guide_of_ram_moves(name: &str) = "--ram: the guide of `{name}` is not on the ground; a ram's is";
         no_slide_on_ground = "no slide has its guide on the ground";
         no_slide_named(name: &str, mend: &str) = "--ram: no slide is named `{name}`; {mend}";

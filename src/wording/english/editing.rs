@@ -11,6 +11,22 @@ catalogue! {
         value_in_file(value: &str) = "file: {value}";
         in_the_file = "in the file";
         values_changed(count: usize) = "{count} changed";
+        gathering(count: usize) = {
+            match count {
+                0 => "edits wait from now on".to_owned(),
+                1 => "1 edit waits".to_owned(),
+                count => format!("{count} edits wait"),
+            }
+        };
+        edits_wait(key: &str) = "edits wait: {key} makes them together, Esc drops them";
+        gathered_made(count: usize) = {
+            match count {
+                0 => "edits are made at once again".to_owned(),
+                1 => "1 edit made".to_owned(),
+                count => format!("{count} edits made together"),
+            }
+        };
+        gathered_dropped = "the edits that waited are dropped";
         start_follows = "[start] follows, so that this assembly stays";
 
         // Why an edit cannot be shown.

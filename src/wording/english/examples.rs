@@ -71,6 +71,8 @@ Examples:
   krank draw hoecken --traces
   krank draw four-bar --velocities --accelerations C --size 120x40
   krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
+  krank draw slider-crank --format svg --scale 1:2 -o print.svg
+  krank draw four-bar --traces C --format dxf -o four-bar.dxf
 
 POINTS are names of points separated by commas, or all. Without them --traces
 draws the curves that are no circles about a ground pin (or these, where there
@@ -78,6 +80,19 @@ is nothing else), --velocities and --accelerations the arrows of all joints and
 riders, --forces those of loads, joints, guides and the driver, each with its
 size. Arrows of one kind have one scale over the whole motion; the line below
 tells it. One whose shaft is broken is longer than it is drawn.";
+        examples_of_export = "\
+Examples:
+  krank export four-bar --format python -o four_bar.py
+  python3 four_bar.py 0 360 10
+  krank export press-ram --format matlab -o press_ram.m
+  octave --eval 'press_ram(0, 360, 10)'
+
+The script has every length by its name, a line for each group and the formulas
+of groups in full; nothing of krank is in it. It takes where to begin, where to
+end and the step, and prints the columns of krank sweep; in MATLAB and Octave
+[rows, heads] = press_ram(0, 360, 10) hands them over instead. A length that is
+changed in it changes the motion as long as each group keeps its assembly.
+A drawing for CAD is krank draw --format dxf; figures are krank sweep.";
         examples_of_sweep = "\
 Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -111,11 +126,42 @@ time, 0 s is where the scene opens, and the driver goes on from there with its
 speed and acceleration. Maxima and minima are marked with their value and place,
 which are solved for, not read from the picture: the value to rounding, the
 place to about 1e-5 deg. Where no value exists there is a gap.";
+        examples_of_cycle = "\
+Examples:
+  krank cycle whitworth
+  krank cycle four-bar --columns C.x,r4.angle
+  krank cycle toggle-press --columns S.y --dwell 0.5
+  krank cycle slider-crank --columns 'F = C.x * cos(30 deg) + C.y * sin(30 deg)'
+  krank cycle jansen-leg --format csv -o cycle.csv
+
+Of each figure its stroke, or of an angle its swing; every place where it turns,
+solved for; the time ratio, slow over quick, between its extremes; where it stays
+within --dwell of a turning place; its greatest rate and the greatest rate of that
+at the scene's speed. Then the transmission angle of every dyad where it is furthest
+from 90 deg, and every coupled group where its equations tell least. A figure that
+does not exist has a reason.";
+        examples_of_study = "\
+Examples:
+  krank study four-bar --vary r2.length=90..110/21 --columns r4.angle.swing
+  krank study four-bar --vary r2.length=90..110/21,r3.length=280..320/9 \\
+    --columns r4.angle.swing,transmission -o designs.csv
+  krank study four-bar --vary r2.length=60..140,r3.length=200..320 \\
+    --columns r4.angle.swing --format chart
+  krank study press --vary r2.length=80..120,r3.length=250..330 --latin 1000 \\
+    --seed 7 --columns r6.angle.swing --format text
+
+Values are named as in krank check and in the workbench, with dots for the blanks:
+r3.length, A.x, driver.angle, and parameters by their own names. The last value
+goes first. Every design is the scene with these numbers, opened in the assembly
+of the scene; the last columns are its state (ok, no-assembly, or unreadable
+where the numbers make no scene) and the reason why something is missing.
+A file of CSV grows while the command runs: after Ctrl-C --resume goes on with
+it. krank help designs tells more.";
         examples_of_motor = "\
 Examples:
   krank motor four-bar-load
   krank motor four-bar-load --rated 30 --peak 75 --fluctuation 0.02
-  krank motor press-ram --height 6 --torque 500 --tolerance 0.5
+  krank motor press-ram --height 6 --torque 500 --rest 0.5
   krank motor excavator-boom --from 1.8 --to 2.8
   krank motor engine --format csv -o engine.csv
 
@@ -126,6 +172,18 @@ ram stroke, dead centres, time ratio, dwell, and speed and force at a height abo
 the bottom. A cycle is the period of the motion, or of loads that take longer; a
 limited range is gone through there and back. Options stand for what the scene's
 [motor] has. Friction is not modelled.";
+        examples_of_tolerance = "\
+Examples:
+  krank tolerance four-bar --tolerance 0.1 --columns C.x,r4.angle --at 60
+  krank tolerance press.toml --columns F.y
+  krank tolerance press.toml --columns F.y --samples 10000 --format csv -o off.csv
+
+Of each figure: as it was given; the worst case within all tolerances; the root
+sum square of what each length does by itself; at one place also the figures of
+machines made by chance, and who contributes how much. The worst case is solved
+at every corner of the tolerances of up to 16 lengths. Of more lengths, and of
+loose pins, it is enclosed; what is neither is called estimated. The tolerances
+are the scene's: tolerance, clearance, [tolerances], [clearances].";
         examples_of_start = "\
 Examples:
   krank start four-bar --assembly C=- > crossed.toml

@@ -22,5 +22,22 @@ catalogue! {
         the_screen = "the screen";
         the_drawing = "the drawing";
         the_plot = "the plot";
+
+        // Scripts.
+        about_script(title: &str, driver: &str, unit: &str) =
+            "{title}: where its points lie, worked out again, each group in turn.\n\
+             Places are complex numbers x + i y in {unit}, directions have the size 1; q is {driver}.\n\
+             A side is 1 or -1: which of its two assemblies a group has.";
+        script_turn = "The direction at so many degrees from x.";
+        script_circles = "Where circles about P and Q meet: on the left of the line from P to Q, or on its right.";
+        script_circle_line = "Where a circle about P meets the line through Z along t: ahead of the foot of P, or behind.";
+        script_lines = "Where two lines meet.";
+        script_swing = "The direction of a guide that passes its pivot at an offset and leads to what is seen from there.";
+        script_side = "The side at q, where it changes over on the way.";
+        script_newton = "Unknowns for which a misfit vanishes: Newton's method from a seed, by central differences.";
+        script_given = "What the scene gives.";
+        script_positions = "The points at q.";
+        script_table = "A row for each q.";
+        script_group(links: &str) = "{links}";
     }
 }

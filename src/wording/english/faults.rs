@@ -14,11 +14,13 @@ catalogue! {
         together(parts: &[String]) = { parts.join(" and ") };
 
         // Mobility.
-        mobility_of_none = "the mobility is 0, not 1: nothing can move";
-        mobility_elsewhere =
-            "the mobility is 1, but the driver is held, and other links move without it";
-        mobility_of_many(mobility: usize) =
-            "the mobility is {mobility}, not 1: the driver does not determine every link";
+        mobility_of_none(inputs: usize) = "the mobility is 0, not {inputs}: nothing can move";
+        mobility_of_few(mobility: usize, inputs: usize) =
+            "the mobility is {mobility}, not {inputs}: there are more inputs than can move";
+        mobility_elsewhere(inputs: usize) =
+            "the mobility is {inputs}, but the driver is held, and other links move without it";
+        mobility_of_many(mobility: usize, inputs: usize) =
+            "the mobility is {mobility}, not {inputs}: the driver does not determine every link";
         driven_here = "driven here";
         floats(link: &str) = "{link} floats";
         links_that_float(links: &str) = "links that float: {links}";
@@ -97,6 +99,15 @@ catalogue! {
         choose_the_side(one: &str, other: &str) = "choose the side beyond it by {one} or {other}";
         open_at_another(coordinate: &str) =
             "or open the scene elsewhere, at another `{coordinate}` of the driver";
+        opens_beyond_stop(limit: &str, value: &str, low: &str, high: &str) =
+            "the scene opens beyond a stop: {limit} is at {value}, and must stay between {low} and {high}";
+        held_by_stops(one: &str, other: &str) =
+            "the scene opens at two stops, and nothing can move: those of {one} and {other}";
+        no_way_down = "the driver cannot go back";
+        no_way_up = "the driver cannot go on";
+        is_passed_at_opening = "passed where the scene opens";
+        open_between_stops(coordinate: &str) =
+            "open the scene at another `{coordinate}` of the driver, choose another assembly, or move the stop";
         names_no_choice(group: &str) =
             "{group} names no group that could be assembled in another way";
         has_one_assembly(group: &str) = "{group} has one assembly alone here";

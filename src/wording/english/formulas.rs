@@ -57,6 +57,29 @@ catalogue! {
         formula_has_too_many_steps = "the formula is too long, with those that it uses";
         formula_has_no_such_rate = "only the first and the second rate are known";
 
+        // Numbers that are worked out.
+        has_no_worth(of: &str) = "`{of}` is no number";
+        divided_by_nothing(by: &str) = "`{by}` is 0, and nothing is divided by that";
+        no_parameter(name: &str) = "there is no parameter `{name}`";
+        parameters_are(names: &str) = "parameters: {names}";
+        scene_has_no_parameters = "numbers with names stand in `[parameters]`: `a = 100`";
+        units_stand_alone = "units are added to their like, and multiplied by plain numbers alone";
+        parameter_called(name: &str) = "parameter {name}";
+        parameters_in_a_circle(name: &str, circle: &str) = "parameter {name} follows from itself: {circle}";
+        follows_from_itself = "follows from itself";
+        give_one_a_number = "give one of them a number";
+        parameter_reads_as_number(name: &str) = "the name {name} would be read as a number";
+        begin_it_with_a_letter = "begin it with a letter";
+        value_measures_other(value: &str, found: &str, wanted: &str) =
+            "{value} is measured in {wanted}, and this is in {found}";
+        no_value_named(name: &str, meant: Option<&str>) = {
+            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+            format!("the scene has no value `{name}`{meant}")
+        };
+        follows_from_formula(value: &str, formula: &str) = "{value} follows from {formula}: Enter types another";
+        follows_from_parameters(value: &str, formula: &str, names: &str) =
+            "{value} follows from {formula}: change {names}, or type another by Enter";
+
         // Figures that are defined.
         formula_uses_itself(name: &str) = "{name} is made of itself";
         no_rate_of(of: &str) = "no rate of {of} is known";

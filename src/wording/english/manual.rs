@@ -11,7 +11,9 @@ catalogue! {
         about_views = "what the workbench shows, view by view";
         about_keys = "every key of the workbench, and how to choose others";
         about_columns = "figures by name: units, bounds, sensitivity, ranges";
+        about_designs = "many designs of a scene: grids, samples, charts, long runs";
         about_forces = "what acts, what the joints bear, what the motor must do";
+        about_tolerances = "what lengths that are off and loose pins do to figures";
         about_drawings = "drawings and plots, for the terminal and for a report";
         about_files = "what is written and when, unsaved edits, exit codes, exercises";
         about_trust = "assemblies, ends, bounds: what is promised and how it was tried";

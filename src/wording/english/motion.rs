@@ -34,6 +34,7 @@ catalogue! {
         change_point = "change point";
         dead_point = "dead point";
         dead_point_without_rates = "dead point: no rates";
+        stop_of(name: &str) = "stop of {name}";
         limit = "limit";
         no_assembly = "no assembly";
         no_assembly_here = "no assembly here";

@@ -76,6 +76,7 @@ catalogue! {
         // The motor.
         motor_is(verdict: &str) = "motor: {verdict}";
         enough = "enough";
+        enough_with_flywheel = "enough, with the flywheel";
         not_enough = "not enough";
         not_judged(effort: &str) = "not judged: no largest {effort} exists";
         rated_for_rms = "rated for RMS";
@@ -103,6 +104,8 @@ catalogue! {
             "of {inertia} kg m^2 leaves a fluctuation of {fluctuation}";
         takes_a_flywheel(fluctuation: &str, inertia: &str) =
             "of {fluctuation} takes a flywheel of {inertia} kg m^2";
+        impossible(what: &str) =
+            "{what}: impossible, at 2 the driver stands still once a cycle; it takes a larger flywheel";
         roughly(what: &str) =
             "{what}, a rough figure: energy and speed go in proportion for small ones only";
 

@@ -128,6 +128,32 @@ catalogue! {
         put_into_ground = "put one of its points into [ground]: A = [0, 0]";
         links_with_ground_point(names: &str) = "links with a ground point: {names}";
 
+        input_called(name: &str) = "input {name}";
+        input_is_the_driver(name: &str) = "input {name}: the driver drives {name} already";
+        driven_again = "driven once more";
+        the_driver_itself = "the driver";
+        inputs_follow_the_driver = "[inputs] has the other links and slides that are driven, each after the driver";
+
+        // Stops.
+        limit_called(name: &str) = "limit {name}";
+        low_end_of(what: &str) = "the lower end of {what}";
+        high_end_of(what: &str) = "the upper end of {what}";
+        ends_must_rise(what: &str, literal: &str) =
+            "{what} must have its lower end first, not {literal}";
+        lower_end_first = "[low, high]";
+        nothing_moves_between = "between two equal ends nothing could move";
+        ends_the_other_way(ends: &str) = "write {ends}";
+        or_angle_of_link(example: &str) = "the angle of a link as seen from another: {example}";
+        limit_of_nothing(name: &str) = "limit {name}: no link and no slide is called so";
+        neither_link_nor_slide = "neither a link nor a slide";
+        angle_to_itself(what: &str, link: &str) = "{what}: {link} is seen from itself";
+        always_zero = "always at 0 deg";
+        limit_of_a_turn(what: &str) = "{what}: the ends of an angle must be less than 360 deg apart";
+        is_too_wide = "too wide";
+        driver_has_range = "what may turn further needs no limit; a driver may have a `range` of some turns";
+        range_of_too_many_turns(what: &str, most: f64) = "{what} must be less than {most} deg wide";
+        leave_range_out = "a driver that turns freely needs no `range`";
+
         // Points and vectors.
         start_of_ground_point(name: &str) = "[start]: {name} is a point of the ground";
         does_not_move = "does not move";

@@ -18,5 +18,6 @@ catalogue! {
         put_something_else_along_x = "put something else along x";
         plot_what = "plot what?";
         no_figure_has_that = "no figure has that";
+        measured_of(figure: &str) = "{figure} measured";
     }
 }

@@ -64,6 +64,11 @@ catalogue! {
         acts_on(what: &str, link: &str) = "{what} on {link}";
         spring_between(from: &str, to: &str) = "L from {from} to {to}";
         pull_of_spring = "Of a spring, its pull with the lengths in m:";
+        pull_of_gas_spring = "A gas spring pushes with the force p that is given over its length L:";
+        push_by_line = "By the line of its curve between the knots (L1, p1) and (L2, p2):";
+        push_beyond_knots = "Beyond the knots of its curve the force stays as it is at the nearest of them:";
+        torque_of_torsion_spring(link: &str) =
+            "A torsion spring turns {link} back, by the angle θ from its free angle θ0:";
         distance_of_press(slide: &str) =
             "The press stands at the distance d from the end of its stroke, where {slide} is r0:";
         press_by_line =

@@ -98,10 +98,12 @@ catalogue! {
         noun_slide = "slide";
         noun_vector = "vector";
         noun_figure = "figure";
+        noun_parameter = "parameter";
+        noun_limit = "limit";
         names_both(name: &str, other: &str, one: &str) = "{name} names both a {other} and a {one}";
         named_here(noun: &str) = "a {noun} here";
         names_are_shared =
-            "points, links, slides, vectors and figures share one set of names: rename one of them";
+            "points, links, slides, vectors, figures and parameters share one set of names: rename one of them";
         is_another(what: &str, name: &str, other: &str, noun: &str) =
             "{what}: {name} is a {other}, not a {noun}";
         expected_name_of(noun: &str) = "expected the name of a {noun}";

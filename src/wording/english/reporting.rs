@@ -83,13 +83,14 @@ any other needs --format beside it.";
         beside_list(file: &str) =
             "The figures of {file} and krank's; `agrees` where the digits that stand there tell no difference.";
         beside_course(file: &str, rows: usize) =
-            "The columns of {file} beside krank's, over {rows} rows: of each the largest difference, where that is, \
+            "The columns of {file} beside krank's, over {rows} rows: of each the root mean square of the differences, the largest one, where that is, \
              what part it is of the largest figure, and in how many rows the difference is beyond rounding.";
         foreign_difference = "difference";
         part_of_it = "of it";
         agrees = "agrees";
         not_compared(names: &str) =
             "Not compared, since krank has no such figure here, or in no such unit: {names}.";
+        root_mean_square = "rms";
         rows_compared = "rows";
         largest_difference = "most off";
         at_driver = "at";

@@ -11,6 +11,9 @@ catalogue! {
             "State: {state}. The driver {driver} turns: at {at}, with {speed} and {acceleration}.";
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "State: {state}. The driver {driver} slides: at {at}, with {speed} and {acceleration}.";
+        inputs_are_given = "The other inputs follow the driver: their coordinates are given as its own is.";
+        forces_of_inputs_in_tables =
+            "Where several inputs share the work, forces are not written out: the table of forces has them.";
         dead_point_explained =
             "A dead point: the motion ends here. Positions exist; velocities and accelerations do \
              not, since their equations would be divided by a sine that is 0.";

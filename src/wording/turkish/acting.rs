@@ -87,13 +87,22 @@ catalogue! {
             "{what}: koordinatlar düğümden düğüme büyümeli, oysa {first} ardından {second} geliyor";
         does_not_grow = "büyümüyor";
         order_growing_knots =
-            "düğümleri sıraya koy; sıçrama için ikinci düğüm biraz ileride olsun";
+            "düğümleri sıraya koy; sıçrama, aynı koordinattaki iki düğümdür";
         knots_must_fall(what: &str, first: &str, second: &str) =
             "{what}: koordinatlar düğümden düğüme küçülmeli, oysa {first} ardından {second} geliyor";
         does_not_fall = "küçülmüyor";
         order_falling_knots =
-            "düğümleri sıraya koy; sıçrama için ikinci düğüm uca biraz yakın olsun";
+            "düğümleri sıraya koy; sıçrama, aynı koordinattaki iki düğümdür";
         the_knot_before = "önceki düğüm";
+        three_knots_at_one_place(what: &str, at: &str) = "{what}: {at} koordinatında üç düğüm var";
+        a_third_knot_there = "orada üçüncü düğüm";
+        a_jump_has_two_knots =
+            "bir sıçramanın iki düğümü olur: öncesindeki değer ve oradan sonraki değer";
+        length_and_force = "[boy, kuvvet]";
+        negative_length(what: &str, literal: &str) =
+            "{what}: bir boy negatif olamaz, oysa {literal}";
+        lengths_of_gas_spring =
+            "gazlı yayın kuvveti, uçlarının uzaklığına göre verilir: force = [[200, 900], [300, 700]]";
 
         // Springs.
         spring_lacks_end(key: &str) = "yayda `{key}` yok";
@@ -102,6 +111,19 @@ catalogue! {
         does_nothing = "bir şey yapmıyor";
         give_spring_a_size =
             "birini ver: stiffness = 1200 N/m, damping = 5 ise N s/m birimindedir";
+        give_torsion_spring_a_size =
+            "birini ver: stiffness = 12 N m/rad olarak, damping = 0.5 N m s/rad olarak";
+        spring_kind_has_no_key(kind: &str, key: &str) = "yay: {kind} için `{key}` yoktur";
+        a_plain_spring = "noktalar arası yay";
+        a_gas_spring = "gazlı yay";
+        a_torsion_spring = "burulma yayı";
+        rule_of_springs =
+            "yay şu kuvvetle çeker: preload + stiffness * (uzaklık - length) + damping * hız";
+        rule_of_gas_springs =
+            "gazlı yay, boyuna göre verilen `force` ile iter; yanına yalnız `damping` eklenebilir";
+        rule_of_torsion_springs =
+            "burulma yayı `link` uzvunu `to` uzvuna ya da şaseye karşı döndürür: stiffness, angle, preload, damping";
+        name_two_links = "iki ayrı uzuv yaz";
         spring_to_itself(from: &str) = "yay {from} noktasından yine kendine gidiyor";
         end_is_beginning = "ucu ile başı aynı";
         begins_here = "burada başlıyor";
@@ -125,6 +147,8 @@ catalogue! {
         peak_is_for_short =
             "tepe değer motorun kısa süre verdiğidir, en az sürekli verdiği kadardır";
         fluctuation_of_motor_too_large = "`fluctuation` (motor) en çok 1 olabilir";
+        fluctuation_of_motor_impossible =
+            "`fluctuation` (motor) 2 üstünde olanaksız: tahrik orada döngüde bir kez durur";
         what_fluctuation_is =
             "hızın (en büyük - en küçük) / ortalama oranıdır: 0.02, yüzde 2 demektir";
         speed_of_motor_not_positive = "`speed` (motor) artı olmalı";

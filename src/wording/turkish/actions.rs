@@ -139,6 +139,8 @@ catalogue! {
         a_little_more = "biraz artır";
         finer = "ince";
         nudge_by_less = "daha az değiştir";
+        gather = "topla";
+        gather_edits = "topla ya da uygula";
         coarser = "kaba";
         next_part = "sonraki parça";
         to_the_next_part = "sonraki parçaya";

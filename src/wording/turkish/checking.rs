@@ -10,6 +10,7 @@ catalogue! {
         fact_source = "kaynak";
         fact_note = "not";
         fact_unit = "birim";
+        fact_parameters = "parametreler";
         fact_parts = "parçalar";
         fact_driver = "tahrik";
         fact_links = "uzuvlar";
@@ -22,9 +23,11 @@ catalogue! {
         fact_assemblies = "montaj";
         fact_loop = "döngü";
         fact_range = "aralık";
+        fact_stops = "dayamalar";
         fact_change = "değişim";
         fact_near_miss = "yakın geçiş";
         fact_transmission = "açı";
+        fact_condition = "koşul";
         fact_forces = "kuvvetler";
         fact_open = "açık";
 
@@ -41,6 +44,8 @@ catalogue! {
         driven_slide(name: &str) = "kızak {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, açılışta {at}, {speed}, {acceleration}";
+        input_follows(driven: &str, ratio: &str, phase: &str) =
+            "{driven} izler: tahrikin koordinatının {ratio} katı, artı {phase}";
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pim {pin}, yarığı taşıyan: {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: uzuv {link}, {guide} boyunca, ona göre dönmeden";
@@ -117,6 +122,8 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "tam döner; hareket {period} {unit} sonra yinelenir";
         range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
+        stop_at(at: &str, unit: &str, name: &str, value: &str) =
+            "{at} {unit}: {name} {value} değerinde";
         change_points_at(places: &str, unit: &str) = "konumları: {places} {unit}, kesintisiz geçilir";
         equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
         equal_within(tolerance: &str, unit: &str) =
@@ -137,6 +144,8 @@ catalogue! {
         // The verdict.
         range_whole = "tam döner";
         range_between(low: &str, high: &str, unit: &str) = "{low}..{high} {unit}";
+        stop_in_verdict(name: &str, at: &str) = "dayama ({name}): {at}";
+        stops_of(names: &[String]) = { format!("dayamalar ({})", names.join(", ")) };
         some_change_points(count: usize) = "{count} değişim konumu";
         transmission_worst(group: Option<&str>, off: &str, at: &str, unit: &str) = {
             let group = group.map(|group| format!(" {group}")).unwrap_or_default();

@@ -85,6 +85,8 @@ catalogue! {
             "{typed} {unit} yerine {at} {unit} alındı: tahrikin aralığı {covered}";
         cannot_be_assembled(at: &dyn Display, unit: &str, covered: &str) =
             "mekanizma {at} {unit} konumunda kurulamaz: tahrikin aralığı {covered}";
+        stopped_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
+            "dayama ({name}), hareketi {at} {unit} konumundan önce bitiriyor: tahrikin aralığı {covered}";
         no_start_tells_assembly =
             "sahnenin açıldığı yerde hiçbir başlangıç konumu bu montaj biçimini ötekilerden ayırmıyor";
         no_finite_limits = "hareketin sonlu sınırları yok";
@@ -135,6 +137,8 @@ catalogue! {
         fluctuation_above_one(share: f64) =
             "--fluctuation: {share} 1'den büyük; hızın (en büyük - en küçük) / ortalama oranıdır: 0.02, \
              yüzde 2 demektir";
+        fluctuation_above_two(share: f64) =
+            "--fluctuation: {share} olanaksız: 2 değerinde tahrik döngüde bir kez durur; 0.02, yüzde 2 demektir";
         guide_of_ram_moves(name: &str) = "--ram: `{name}` kılavuzu şasede değil; bir koçunki şasededir";
         no_slide_on_ground = "kılavuzu şasede olan kızak yok";
         no_slide_named(name: &str, mend: &str) = "--ram: `{name}` adında kızak yok; {mend}";

@@ -11,6 +11,20 @@ catalogue! {
         value_in_file(value: &str) = "dosyada: {value}";
         in_the_file = "dosyada";
         values_changed(count: usize) = "{count} değişti";
+        gathering(count: usize) = {
+            match count {
+                0 => "değişiklikler artık bekler".to_owned(),
+                count => format!("{count} değişiklik bekliyor"),
+            }
+        };
+        edits_wait(key: &str) = "değişiklikler bekliyor: {key} birlikte yapar, Esc bırakır";
+        gathered_made(count: usize) = {
+            match count {
+                0 => "değişiklikler yine hemen yapılır".to_owned(),
+                count => format!("{count} değişiklik birlikte yapıldı"),
+            }
+        };
+        gathered_dropped = "bekleyen değişikliklerden vazgeçildi";
         start_follows = "[start] da değişir, bu montaj biçimi kalsın diye";
 
         // Why an edit cannot be shown.

@@ -71,6 +71,8 @@ harfleri yoksa adlarıyla yazılır.";
   krank draw hoecken --traces
   krank draw four-bar --velocities --accelerations C --size 120x40
   krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
+  krank draw slider-crank --format svg --scale 1:2 -o print.svg
+  krank draw four-bar --traces C --format dxf -o four-bar.dxf
 
 POINTS virgülle ayrılmış nokta adları ya da all olur. Ad verilmezse --traces, sabit
 bir mafsal çevresinde çember olmayan eğrileri (başkası yoksa onları da), --velocities
@@ -78,6 +80,19 @@ ve --accelerations bütün mafsal ve uzuv noktalarının oklarını, --forces y�
 mafsalların, kılavuzların ve tahrikin oklarını büyüklükleriyle çizer. Aynı türden
 okların ölçeği bütün harekette birdir; alttaki satır onu söyler. Gövdesi kesik olan
 ok, çizildiğinden uzundur.";
+        examples_of_export = "\
+Örnekler:
+  krank export four-bar --format python -o four_bar.py
+  python3 four_bar.py 0 360 10
+  krank export press-ram --format matlab -o press_ram.m
+  octave --eval 'press_ram(0, 360, 10)'
+
+Betikte her boy adıyla durur, her grubun bir satırı vardır, grupların bağıntıları
+tam yazılıdır; içinde krank'tan hiçbir şey yoktur. Başlangıcı, sonu ve adımı alır,
+krank sweep sütunlarını yazar; MATLAB ve Octave'da
+[rows, heads] = press_ram(0, 360, 10) onları değer olarak verir. İçinde değiştirilen
+bir boy, her grup montajını koruduğu sürece hareketi değiştirir.
+CAD için çizim krank draw --format dxf, sayılar krank sweep komutundadır.";
         examples_of_sweep = "\
 Örnekler:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -109,11 +124,40 @@ karşı 0 s sahnenin açıldığı yerdir, tahrik oradan kendi hızı ve ivmesiy
 büyük ve en küçük değerler sayıları ve yerleriyle işaretlenir; bunlar resimden
 okunmaz, çözülür: değer yuvarlamaya, yer yaklaşık 1e-5 deg'e kadar. Değer yoksa
 boşluk olur.";
+        examples_of_cycle = "\
+Örnekler:
+  krank cycle whitworth
+  krank cycle four-bar --columns C.x,r4.angle
+  krank cycle toggle-press --columns S.y --dwell 0.5
+  krank cycle slider-crank --columns 'F = C.x * cos(30 deg) + C.y * sin(30 deg)'
+  krank cycle jansen-leg --format csv -o cycle.csv
+
+Her büyüklük için strok, açılar için salınım; geri döndüğü her yer, çözülerek; uç
+konumlar arasında zaman oranı, yavaş / hızlı; bir dönüş yerine --dwell içinde kaldığı
+yerler; sahnenin hızında en büyük hızı ve ivmesi. Sonra her ikili grubun bağlama
+açısının 90 dereceden en çok saptığı yer, ve yinelemeyle çözülen her grubun
+denklemlerinin en zayıf olduğu yer. Var olmayan bir büyüklüğün nedeni yazılır.";
+        examples_of_study = "\
+Örnekler:
+  krank study four-bar --vary r2.length=90..110/21 --columns r4.angle.swing
+  krank study four-bar --vary r2.length=90..110/21,r3.length=280..320/9 \\
+    --columns r4.angle.swing,transmission -o designs.csv
+  krank study four-bar --vary r2.length=60..140,r3.length=200..320 \\
+    --columns r4.angle.swing --format chart
+  krank study press --vary r2.length=80..120,r3.length=250..330 --latin 1000 \\
+    --seed 7 --columns r6.angle.swing --format text
+
+Değerlerin adı krank check ve çalışma tezgâhındaki gibidir, boşluk yerine nokta:
+r3.length, A.x, driver.angle; parametreler kendi adlarıyla. Önce son değer
+değişir. Her tasarım bu sayılarla sahnenin kendisidir, sahnenin montaj biçiminde
+açılır; son sütunlar durumu (ok, no-assembly ya da sayılar bir sahne vermiyorsa
+unreadable) ve eksik olanın nedenidir. CSV dosyası komut çalışırken büyür:
+Ctrl-C ile kesilirse --resume onu sürdürür. Daha fazlası: krank help designs.";
         examples_of_motor = "\
 Örnekler:
   krank motor four-bar-load
   krank motor four-bar-load --rated 30 --peak 75 --fluctuation 0.02
-  krank motor press-ram --height 6 --torque 500 --tolerance 0.5
+  krank motor press-ram --height 6 --torque 500 --rest 0.5
   krank motor excavator-boom --from 1.8 --to 2.8
   krank motor engine --format csv -o engine.csv
 
@@ -123,6 +167,18 @@ karşı volan; şaseyi sarsan kuvvet; motorun eksiği; koç için strok, ölü n
 oranı, bekleme, alt noktanın üstündeki bir yükseklikte hız ve kuvvet. Döngü, hareketin
 periyodudur, daha uzunsa yüklerinki; sınırlı aralık gidilip dönülür. Seçenekler
 sahnenin [motor] bölümünün yerine geçer. Sürtünme modellenmez.";
+        examples_of_tolerance = "\
+Örnekler:
+  krank tolerance four-bar --tolerance 0.1 --columns C.x,r4.angle --at 60
+  krank tolerance press.toml --columns F.y
+  krank tolerance press.toml --columns F.y --samples 10000 --format csv -o off.csv
+
+Her büyüklük için: verildiği gibi değeri; bütün toleranslar içinde en kötü durum;
+her boyun tek başına yaptığının karelerinin toplamının karekökü; tek bir konumda
+ayrıca rastgele yapılan makinelerin değerleri ve kimin ne kadar payı olduğu. En kötü
+durum, 16 boya kadar toleransların her köşesinde çözülür. Daha çok boyda ve boşluklu
+pimlerde kuşatılır; ikisi de olmayana tahmin denir. Toleranslar sahneninkidir:
+tolerance, clearance, [tolerances], [clearances].";
         examples_of_start = "\
 Örnekler:
   krank start four-bar --assembly C=- > crossed.toml

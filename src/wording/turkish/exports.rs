@@ -21,6 +21,22 @@ catalogue! {
         the_working = "çözüm";
         the_screen = "ekran";
         the_drawing = "çizim";
+        // Scripts.
+        about_script(title: &str, driver: &str, unit: &str) =
+            "{title}: noktalarının yeri, grup grup yeniden hesaplanır.\n\
+             Yerler {unit} olarak x + i y karmaşık sayılarıdır, doğrultuların boyu 1'dir; q, {driver}.\n\
+             Yan 1 ya da -1'dir: bir grubun iki montajından hangisinde olduğu.";
+        script_turn = "x ekseninden bu kadar derece dönmüş doğrultu.";
+        script_circles = "P ve Q çevresindeki çemberlerin kesiştiği yer: P'den Q'ya giden doğrunun solunda ya da sağında.";
+        script_circle_line = "P çevresindeki çemberin, Z'den geçen ve t boyunca uzanan doğruyu kestiği yer: P'nin dikme ayağının önünde ya da arkasında.";
+        script_lines = "İki doğrunun kesiştiği yer.";
+        script_swing = "Mafsalının belli bir uzağından geçip oradan görülen yere varan kızağın doğrultusu.";
+        script_side = "Yol boyunca değişen yanın q'daki değeri.";
+        script_newton = "Sapmayı sıfır yapan bilinmeyenler: bir başlangıçtan Newton yöntemi, merkezi farklarla.";
+        script_given = "Sahnede verilenler.";
+        script_positions = "Noktaların q'daki yerleri.";
+        script_table = "Her q için bir satır.";
+        script_group(links: &str) = "{links}";
         the_plot = "grafik";
     }
 }

@@ -14,11 +14,13 @@ catalogue! {
         together(parts: &[String]) = { parts.join(" ve ") };
 
         // Mobility.
-        mobility_of_none = "serbestlik derecesi 1 değil 0: hiçbir şey hareket edemez";
-        mobility_elsewhere =
-            "serbestlik derecesi 1, ama tahrik tutulmuş, öteki uzuvlar onsuz hareket ediyor";
-        mobility_of_many(mobility: usize) =
-            "serbestlik derecesi 1 değil {mobility}: tahrik her uzvu belirlemiyor";
+        mobility_of_none(inputs: usize) = "serbestlik derecesi {inputs} değil 0: hiçbir şey hareket edemez";
+        mobility_of_few(mobility: usize, inputs: usize) =
+            "serbestlik derecesi {inputs} değil {mobility}: hareket edebilecek olandan çok giriş var";
+        mobility_elsewhere(inputs: usize) =
+            "serbestlik derecesi {inputs}, ama tahrik tutulmuş, öteki uzuvlar onsuz hareket ediyor";
+        mobility_of_many(mobility: usize, inputs: usize) =
+            "serbestlik derecesi {inputs} değil {mobility}: tahrik her uzvu belirlemiyor";
         driven_here = "tahrik burada";
         floats(link: &str) = "{link} boşta";
         links_that_float(links: &str) = "boşta kalan uzuvlar: {links}";
@@ -83,6 +85,15 @@ catalogue! {
         choose_the_side(one: &str, other: &str) = "ötesindeki tarafı seç: {one} ya da {other}";
         open_at_another(coordinate: &str) =
             "ya da sahneyi başka yerde, tahrikin başka bir `{coordinate}` değerinde aç";
+        opens_beyond_stop(limit: &str, value: &str, low: &str, high: &str) =
+            "sahne bir dayamanın ötesinde açılıyor: {limit} {value} değerinde, {low} ile {high} arasında kalmalı";
+        held_by_stops(one: &str, other: &str) =
+            "sahne iki dayamada açılıyor, hiçbir şey hareket edemez: {one} ve {other}";
+        no_way_down = "tahrik geri gidemez";
+        no_way_up = "tahrik ileri gidemez";
+        is_passed_at_opening = "açılışta aşılmış";
+        open_between_stops(coordinate: &str) =
+            "sahneyi tahrikin başka bir `{coordinate}` değerinde aç, başka bir montaj biçimi seç ya da dayamayı kaydır";
         names_no_choice(group: &str) =
             "{group}: başka türlü kurulabilecek böyle bir grup yok";
         has_one_assembly(group: &str) = "{group} grubunun burada tek montaj biçimi var";

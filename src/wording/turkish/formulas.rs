@@ -56,6 +56,29 @@ catalogue! {
         formula_has_too_many_steps = "formül, kullandıklarıyla birlikte çok uzun";
         formula_has_no_such_rate = "yalnız birinci ve ikinci türev bilinir";
 
+        // Numbers that are worked out.
+        has_no_worth(of: &str) = "`{of}` bir sayı vermiyor";
+        divided_by_nothing(by: &str) = "`{by}` sıfır, sıfıra bölünmez";
+        no_parameter(name: &str) = "`{name}` adında parametre yok";
+        parameters_are(names: &str) = "parametreler: {names}";
+        scene_has_no_parameters = "adı olan sayılar `[parameters]` içinde durur: `a = 100`";
+        units_stand_alone = "birimler benzerleriyle toplanır, yalnız birimsiz sayılarla çarpılır";
+        parameter_called(name: &str) = "{name} parametresi";
+        parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendinden çıkıyor: {circle}";
+        follows_from_itself = "kendinden çıkıyor";
+        give_one_a_number = "birine bir sayı ver";
+        parameter_reads_as_number(name: &str) = "{name} adı sayı diye okunurdu";
+        begin_it_with_a_letter = "bir harfle başlat";
+        value_measures_other(value: &str, found: &str, wanted: &str) =
+            "{value}: birimi {wanted} olmalı, bunun birimi ise {found}";
+        no_value_named(name: &str, meant: Option<&str>) = {
+            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+            format!("sahnede `{name}` adında değer yok{meant}")
+        };
+        follows_from_formula(value: &str, formula: &str) = "{value}, {formula} ifadesinden çıkıyor: Enter ile başkasını yaz";
+        follows_from_parameters(value: &str, formula: &str, names: &str) =
+            "{value}, {formula} ifadesinden çıkıyor: {names} değiştir ya da Enter ile başkasını yaz";
+
         // Figures that are defined.
         formula_uses_itself(name: &str) = "{name} kendinden oluşuyor";
         no_rate_of(of: &str) = "{of}: bunun türevi bilinmiyor";

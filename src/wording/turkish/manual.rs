@@ -11,7 +11,9 @@ catalogue! {
         about_views = "tezgâhın gösterdikleri, görünüm görünüm";
         about_keys = "tezgâhın her tuşu ve başkasını seçmek";
         about_columns = "adlarıyla büyüklükler: birim, sınır, duyarlık, aralık";
+        about_designs = "bir sahnenin birçok tasarımı: ızgara, örnek, çizim, uzun çalışma";
         about_forces = "etki edenler, mafsallar, motorun yapması gereken";
+        about_tolerances = "sapan boyların ve boşluklu pimlerin etkisi";
         about_drawings = "terminal ve rapor için çizimler ve grafikler";
         about_files = "ne zaman ne yazılır, değişiklikler, çıkış kodları, ödevler";
         about_trust = "montajlar, uçlar, sınırlar: verilen sözler ve denenmesi";

@@ -29,6 +29,7 @@ catalogue! {
         change_point = "değişim konumu";
         dead_point = "ölü konum";
         dead_point_without_rates = "ölü konum: hız, ivme yok";
+        stop_of(name: &str) = "dayama ({name})";
         limit = "sınır";
         no_assembly = "kurulamaz";
         no_assembly_here = "burada kurulamaz";

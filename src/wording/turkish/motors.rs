@@ -71,6 +71,7 @@ catalogue! {
         // The motor.
         motor_is(verdict: &str) = "motor: {verdict}";
         enough = "yeterli";
+        enough_with_flywheel = "volanla birlikte yeterli";
         not_enough = "yetersiz";
         not_judged(effort: &str) = "değerlendirilmedi: en büyük {effort} yok";
         rated_for_rms = "anma, RMS için";
@@ -98,6 +99,8 @@ catalogue! {
             "{inertia} kg m^2 ile dalgalanma {fluctuation} kalır";
         takes_a_flywheel(fluctuation: &str, inertia: &str) =
             "{fluctuation} için {inertia} kg m^2 volan gerekir";
+        impossible(what: &str) =
+            "{what}: olanaksız, 2 değerinde tahrik döngüde bir kez durur; daha büyük bir volan gerekir";
         roughly(what: &str) =
             "{what}, kaba bir değer: enerji ve hız yalnız küçük dalgalanmada orantılıdır";
 

@@ -142,6 +142,33 @@ catalogue! {
         put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
         links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
 
+        input_called(name: &str) = "giriş {name}";
+        input_is_the_driver(name: &str) = "giriş {name}: {name} zaten tahrikin kendisi";
+        driven_again = "bir daha tahrik ediliyor";
+        the_driver_itself = "tahrik";
+        inputs_follow_the_driver =
+            "[inputs] bölümünde tahrik edilen öteki uzuvlar ve kızaklar durur, her biri tahriki izler";
+
+        // Stops.
+        limit_called(name: &str) = "sınır {name}";
+        low_end_of(what: &str) = "alt ucu ({what})";
+        high_end_of(what: &str) = "üst ucu ({what})";
+        ends_must_rise(what: &str, literal: &str) =
+            "{what}: önce alt uç yazılmalı, {literal} değil";
+        lower_end_first = "[low, high]";
+        nothing_moves_between = "eşit iki uç arasında hiçbir şey hareket edemez";
+        ends_the_other_way(ends: &str) = "şöyle yaz: {ends}";
+        or_angle_of_link(example: &str) = "bir uzvun başka bir uzuvdan görülen açısı: {example}";
+        limit_of_nothing(name: &str) = "sınır {name}: bu adda ne bir uzuv ne bir kızak var";
+        neither_link_nor_slide = "ne uzuv ne kızak";
+        angle_to_itself(what: &str, link: &str) = "{what}: {link} kendisinden görülüyor";
+        always_zero = "her zaman 0 deg";
+        limit_of_a_turn(what: &str) = "{what}: bir açının uçları arasında 360 deg değerinden az olmalı";
+        is_too_wide = "çok geniş";
+        driver_has_range = "daha çok dönebilenin sınırı olmaz; tahrikin birkaç turluk bir `range` değeri olabilir";
+        range_of_too_many_turns(what: &str, most: f64) = "{what} {most} deg değerinden dar olmalı";
+        leave_range_out = "serbestçe dönen bir tahrike `range` gerekmez";
+
         // Points and vectors.
         start_of_ground_point(name: &str) = "[start]: {name} şasenin bir noktası";
         does_not_move = "hareket etmez";

@@ -18,5 +18,6 @@ catalogue! {
         put_something_else_along_x = "x eksenine başka bir şey koy";
         plot_what = "ne çizilsin?";
         no_figure_has_that = "hiçbir büyüklükte bu yok";
+        measured_of(figure: &str) = "ölçülen {figure}";
     }
 }

@@ -8,7 +8,7 @@ pub(super) fn said(text: &str) -> &str {
 }
 
 #[rustfmt::skip]
-const TEXTS: [(&str, &str); 75] = [
+const TEXTS: [(&str, &str); 105] = [
     (
         "Four-bar crank-rocker",
         "Dört çubuk, krank-sarkaç",
@@ -308,5 +308,125 @@ const TEXTS: [(&str, &str); 75] = [
     (
         "One crank more than the motion needs: its length repeats what the others fix, so it only fits if it fits exactly. krank sets it aside and watches it all the way round.",
         "Harekete gerekenden bir krank fazla: boyu ötekilerin belirlediğini yineler, ancak tam uyarsa sığar. krank onu bir yana koyar ve bütün dönüş boyunca gözler.",
+    ),
+    (
+        "Shaper",
+        "Vargel tezgâhı",
+    ),
+    (
+        "the slotted-link drive of shaping machines as in the textbooks on machine tools; own dimensions",
+        "takım tezgâhları ders kitaplarındaki vargel kulisli mekanizması; boyutlar kendimizden",
+    ),
+    (
+        "The tool cuts while the pin goes the long way over the top and hurries back below: 227 degrees to 133, a time ratio of 1.71. The stroke is 0.8 times the lever, 400 mm.",
+        "Pim üstten uzun yoldan giderken takım keser, alttan hızla döner: 227 dereceye karşı 133, zaman oranı 1.71. Strok kolun 0.8 katıdır, 400 mm.",
+    ),
+    (
+        "Knuckle press of two blows",
+        "Turda iki vuruşlu mafsallı pres",
+    ),
+    (
+        "the knuckle-joint press of the textbooks on metal forming, set so that the knuckle passes its straight line; own dimensions",
+        "metal şekillendirme ders kitaplarının mafsallı presi, mafsal doğru çizgiden geçecek biçimde; boyutlar kendimizden",
+    ),
+    (
+        "The crank swings the knuckle K from one side to the other. The ram is lowest whenever K passes the straight line from O to S: it strikes twice a turn and turns round four times.",
+        "Krank, K mafsalını bir yandan öbür yana salındırır. K, O ile S arasındaki doğrudan her geçişte koç en alttadır: bir turda iki kez vurur ve dört kez döner.",
+    ),
+    (
+        "Drag-link press",
+        "Çift kranklı pres",
+    ),
+    (
+        "the drag-link drive of deep-drawing presses as in the textbooks on presses; own dimensions",
+        "presler üzerine ders kitaplarındaki derin çekme preslerinin çift kranklı tahriki; boyutlar kendimizden",
+    ),
+    (
+        "A double crank turns the second crank unevenly: the ram comes down over 225 degrees of the crank, draws the sheet slowly, and is lifted over 135.",
+        "Çift krank ikinci krankı düzgün olmayan hızla döndürür: koç krankın 225 derecesi boyunca iner, sacı yavaş çeker, 135 derecede kalkar.",
+    ),
+    (
+        "V-twin",
+        "V iki silindir",
+    ),
+    (
+        "two cylinders at 90 degrees on one crank pin, as in the textbooks on engine balancing; own dimensions",
+        "motor dengelemesi ders kitaplarındaki gibi, bir krank piminde 90 derecelik iki silindir; boyutlar kendimizden",
+    ),
+    (
+        "Each piston shakes the frame along its own cylinder; at 90 degrees both together are a force of even size that turns with the crank, and the counterweight takes all of it. What is left comes twice a turn, from the rods' obliquity.",
+        "Her piston gövdeyi kendi silindiri boyunca sarsar; 90 derecede ikisi birlikte krankla dönen, boyu değişmeyen bir kuvvettir ve karşı ağırlık bunun hepsini alır. Kalan, biyellerin eğikliğinden turda iki kez gelir.",
+    ),
+    (
+        "Radial engine",
+        "Yıldız motor",
+    ),
+    (
+        "a five-cylinder radial engine with a master rod, as in the textbooks on aircraft engines; own dimensions",
+        "uçak motorları ders kitaplarındaki gibi, ana biyelli beş silindirli bir yıldız motor; boyutlar kendimizden",
+    ),
+    (
+        "One rod is the master: the other four hang on its ring, so their pins go on ovals instead of a circle, and no two of their pistons move quite alike.",
+        "Bir biyel ana biyeldir: öteki 4 biyel onun halkasına bağlıdır, pimleri çember yerine ovaller çizer ve pistonlarının hiçbir ikisi tam aynı hareket etmez.",
+    ),
+    (
+        "Windscreen wiper",
+        "Cam sileceği",
+    ),
+    (
+        "the drive of two blades in the same direction as in the textbooks on mechanisms; own dimensions",
+        "mekanizma ders kitaplarındaki, iki sileceği aynı yöne süren tahrik; boyutlar kendimizden",
+    ),
+    (
+        "The crank-rocker is centric: 282.5^2 + 50^2 is 280^2 + 62.5^2, so there and back take the same time. Both blades sweep twice asin(50 / 62.5), 106.26 degrees.",
+        "Krank-sarkaç merkezcildir: 282.5^2 + 50^2 ile 280^2 + 62.5^2 eşittir, gidiş ve dönüş aynı süreyi alır. İki silecek de 2 asin(50 / 62.5), yani 106.26 derece süpürür.",
+    ),
+    (
+        "Double wishbone",
+        "Çift salıncaklı askı",
+    ),
+    (
+        "the front view of a double-wishbone suspension as in the textbooks on vehicle dynamics; own dimensions",
+        "taşıt dinamiği ders kitaplarındaki çift salıncaklı askının önden görünüşü; boyutlar kendimizden",
+    ),
+    (
+        "The upper arm is shorter than the lower one, so the wheel leans inwards as it rises: camber goes with the wheel's travel. Spring and damper stand on the lower arm.",
+        "Üst salıncak alttakinden kısadır, bu yüzden tekerlek yükseldikçe içe yatar: kamber açısı tekerleğin yoluyla değişir. Yay ve amortisör alt salıncağa basar.",
+    ),
+    (
+        "Ackermann steering",
+        "Ackermann direksiyonu",
+    ),
+    (
+        "the steering trapezium of R. Ackermann (1818) and C. Jeantaud (1878), as in the textbooks on vehicle dynamics; own dimensions",
+        "R. Ackermann (1818) ve C. Jeantaud (1878) direksiyon yamuğu, taşıt dinamiği ders kitaplarındaki gibi; boyutlar kendimizden",
+    ),
+    (
+        "The steering arms meet 1.75 m behind the front axle, and the rear axle lies at 2.55 m: so the inner wheel turns further than the outer one. Were all wheels to roll about one point, the error would be 0. It is so straight ahead and near 29.6 degrees, and within 0.3 degrees between.",
+        "Deveboynu kolları ön dingilin 1.75 m arkasında buluşur, arka dingil 2.55 m arkadadır: iç tekerlek dıştakinden çok döner. Bütün tekerlekler bir nokta çevresinde yuvarlansaydı hata 0 olurdu. Düz giderken ve 29.6 derece dolayında öyledir, arada 0.3 derece içinde kalır.",
+    ),
+    (
+        "Backhoe bucket",
+        "Kazıcı kepçesi",
+    ),
+    (
+        "the bucket linkage of a backhoe loader, by the proportions of makers' drawings; own dimensions",
+        "bir kazıcı yükleyicinin kepçe mekanizması, üretici çizimlerinin oranlarıyla; boyutlar kendimizden",
+    ),
+    (
+        "The cylinder pushes a rocker on the dipper, and a link turns the bucket further than the rocker: a short cylinder empties it and curls it in.",
+        "Silindir bom kolundaki bir sarkacı iter, bir bağlantı kolu kepçeyi sarkaçtan daha çok döndürür: kısa bir silindir kepçeyi boşaltır ve içeri kıvırır.",
+    ),
+    (
+        "Scissor lift table",
+        "Makaslı kaldırma masası",
+    ),
+    (
+        "a lift table with its cylinder between the arms, as makers' leaflets draw it; own dimensions",
+        "silindiri kollarının arasında olan bir kaldırma masası, üretici broşürlerindeki gibi; boyutlar kendimizden",
+    ),
+    (
+        "The cylinder works between the two arms, so nothing can be found by itself: arms, barrel and foot are solved together. The flatter the table lies, the harder the cylinder must push.",
+        "Silindir iki kolun arasında çalışır, hiçbir şey tek başına bulunamaz: kollar, silindir gövdesi ve ayak birlikte çözülür. Masa ne kadar alçaksa silindir o kadar çok iter.",
     ),
 ];

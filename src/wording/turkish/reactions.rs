@@ -63,6 +63,11 @@ catalogue! {
         acts_on(what: &str, link: &str) = "{what}, {link} uzvunda";
         spring_between(from: &str, to: &str) = "L: {from} - {to}";
         pull_of_spring = "Bir yayın çekmesi, boylar m olarak:";
+        pull_of_gas_spring = "Gazlı yay, L boyuna göre verilen p kuvvetiyle iter:";
+        push_by_line = "Eğrisinin (L1, p1) ile (L2, p2) düğümleri arasındaki doğruya göre:";
+        push_beyond_knots = "Eğrisinin düğümlerinin ötesinde kuvvet en yakın düğümdeki gibi kalır:";
+        torque_of_torsion_spring(link: &str) =
+            "Burulma yayı {link} uzvunu, serbest açısı θ0 ile arasındaki θ açısına göre geri döndürür:";
         distance_of_press(slide: &str) =
             "Pres, strokunun {slide} değerinin r0 olduğu ucundan d kadar uzaktadır:";
         press_by_line =

@@ -100,10 +100,12 @@ catalogue! {
         noun_slide = "kızak";
         noun_vector = "vektör";
         noun_figure = "büyüklük";
+        noun_parameter = "parametre";
+        noun_limit = "sınır";
         names_both(name: &str, other: &str, one: &str) = "{name} hem {other} hem {one} adı";
         named_here(noun: &str) = "burada {noun}";
         names_are_shared =
-            "noktalar, uzuvlar, kızaklar, vektörler ve büyüklükler adları paylaşır: birinin adını değiştir";
+            "noktalar, uzuvlar, kızaklar, vektörler, büyüklükler ve parametreler adları paylaşır: birinin adını değiştir";
         is_another(what: &str, name: &str, other: &str, noun: &str) =
             "{what}: {name} {noun} değil, {other}";
         expected_name_of(noun: &str) = "bir {noun} adı beklenir";

@@ -80,13 +80,14 @@ merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bi
         beside_list(file: &str) =
             "{file} değerleri ve krank'ınkiler; yazılı basamaklar bir fark göstermiyorsa `uyuyor`.";
         beside_course(file: &str, rows: usize) =
-            "{rows} satır boyunca {file} sütunları krank'ınkilerin yanında: her birinin en büyük farkı, yeri, en \
+            "{rows} satır boyunca {file} sütunları krank'ınkilerin yanında: her birinde farkların karesel ortalaması, en büyük fark, yeri, en \
              büyük değere oranı ve kaç satırda yuvarlamadan büyük olduğu.";
         foreign_difference = "fark";
         part_of_it = "oranı";
         agrees = "uyuyor";
         not_compared(names: &str) =
             "Karşılaştırılmayanlar (krank'ta burada ya da bu birimde böyle bir değer yok): {names}.";
+        root_mean_square = "rms";
         rows_compared = "satır";
         largest_difference = "en büyük fark";
         at_driver = "yeri";

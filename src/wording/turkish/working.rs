@@ -11,6 +11,9 @@ catalogue! {
             "Durum: {state}. Tahrik {driver} döner: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "Durum: {state}. Tahrik {driver} kayar: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
+        inputs_are_given = "Öteki girişler tahriki izler: koordinatları, onunki gibi verilidir.";
+        forces_of_inputs_in_tables =
+            "İşi birkaç giriş paylaştığında kuvvetler adım adım yazılmaz: kuvvet tablosunda dururlar.";
         dead_point_explained =
             "Ölü konum: hareket burada biter. Konumlar vardır; hızlar ve ivmeler yoktur, çünkü \
              denklemleri 0 olan bir sinüse bölünürdü.";

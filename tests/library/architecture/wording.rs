@@ -23,11 +23,12 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 12] = [
+const OTHERS: [&[&str]; 13] = [
     // What a shell is told.
     &["cli", "pager"],
     // What a derived type is told, and nobody else.
     &["document", "lenient"],
+    &["scene", "limits"],
     &["scene", "sighted"],
     // Markup, and what it looks like.
     &["page", "html"],

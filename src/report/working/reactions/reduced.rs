@@ -8,7 +8,7 @@ use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
 use super::body::{GroupBody, KnownSum, Reckoning, write_known};
 use crate::wording::words;
-use crate::{Body, Input, PointId, Slider, Vec2};
+use crate::{Body, PointId, Slider, Vec2};
 
 /// Writes what can be found so; false where the group has none of these forms.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) -> bool {
@@ -48,7 +48,7 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
         BodyJoint::Guide(slide) => {
             let given = context.scene.mechanism.slide(slide);
             let turns = matches!(given.slider, Slider::Pin(_));
-            if turns || context.scene.mechanism.driver().input == Input::Push(slide) {
+            if turns || context.scene.mechanism.is_pushed(slide) {
                 return None;
             }
             let name = context.scene.slide_name(slide);
@@ -370,8 +370,10 @@ fn balance<'a>(
     solved: f64,
 ) {
     let f = context.figures;
-    let terms: Vec<f64> = rows.map(|row| reckoning.of(context, row)).collect();
-    let size = terms.iter().map(|v| v.abs()).sum::<f64>();
+    let both = |row| (reckoning.of(context, row), reckoning.most(context, row));
+    let (terms, most): (Vec<f64>, Vec<f64>) = rows.map(both).unzip();
+    // Large forces across the guide leave their rounding, however little they count along it.
+    let size = most.iter().sum::<f64>();
     let mut sum = WrittenSum::default();
     for term in &terms {
         let figure = f.beside(*term, size);
@@ -412,7 +414,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
         Some(BodyJoint::Driver) => true,
         Some(BodyJoint::Guide(slide)) => {
             let mechanism = &context.scene.mechanism;
-            let is_driven = mechanism.driver().input == Input::Push(slide);
+            let is_driven = mechanism.is_pushed(slide);
             matches!(mechanism.slide(slide).slider, Slider::Pin(_)) && !is_driven
         }
         _ => false,

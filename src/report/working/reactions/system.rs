@@ -6,7 +6,7 @@ use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
 use super::body::{GroupBody, Reckoning, known};
 use crate::wording::words;
-use crate::{Input, PointId, Slider, Vec2};
+use crate::{PointId, Slider, Vec2};
 
 /// More equations than this nobody reads.
 const MOST_LINKS: usize = 8;
@@ -299,7 +299,7 @@ fn components(
             let n = context.state.travel(slide).guide.perp();
             let told = words().across(&row.name);
             add(format!("N_{name}"), told, n.dot(row.force), (n, 0.0));
-            if context.scene.mechanism.driver().input == Input::Push(slide) {
+            if context.scene.mechanism.is_pushed(slide) {
                 let t = context.state.travel(slide).guide;
                 let told = words().along(&row.name);
                 add(format!("D_{name}"), told, t.dot(row.force), (t, 0.0));

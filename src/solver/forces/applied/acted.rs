@@ -11,8 +11,8 @@ use crate::{LinkId, PointId, Vec2};
 pub struct Acted {
     /// Its forces with the points where they act, in N in the ground's frame.
     pub forces: Vec<(PointId, Vec2)>,
-    /// Its couple on a link, in N m.
-    pub couple: Option<(LinkId, f64)>,
+    /// Its couples on links, in N m.
+    pub couples: Vec<(LinkId, f64)>,
     /// The link on which it acts itself, and not on the pin at that point: of a press, what slides.
     pub on: Option<LinkId>,
     /// Of a press, where it is in its stroke.
@@ -52,17 +52,19 @@ impl Acting {
         room.clear();
         self.load(load, state, room);
         let at = |point: PointId| (point, room.points[point.index()]);
-        let (forces, couple) = match load {
-            Act::Force { point, .. } | Act::Press { point, .. } => (vec![at(*point)], None),
-            Act::Spring { from, to, .. } => (vec![at(*from), at(*to)], None),
-            Act::Torque { link, .. } => {
-                let couple = room.links[link.index()] * self.unit.hi;
-                (Vec::new(), Some((*link, couple)))
+        let couple = |link: LinkId| (link, room.links[link.index()] * self.unit.hi);
+        let (forces, couples) = match load {
+            Act::Force { point, .. } | Act::Press { point, .. } => (vec![at(*point)], Vec::new()),
+            Act::Spring(spring) => (vec![at(spring.from), at(spring.to)], Vec::new()),
+            Act::Torque { link, .. } => (Vec::new(), vec![couple(*link)]),
+            Act::Torsion(spring) => {
+                let links = [Some(spring.link), spring.to].into_iter().flatten();
+                (Vec::new(), links.map(couple).collect())
             }
         };
         let on = match load {
             Act::Press { on, .. } => on.map(|(link, _)| link),
-            Act::Force { .. } | Act::Spring { .. } | Act::Torque { .. } => None,
+            Act::Force { .. } | Act::Spring(_) | Act::Torque { .. } | Act::Torsion(_) => None,
         };
         let stroke = match load {
             Act::Press {
@@ -76,11 +78,11 @@ impl Acting {
                     closes: towards > 0.0,
                 })
             }
-            Act::Force { .. } | Act::Spring { .. } | Act::Torque { .. } => None,
+            Act::Force { .. } | Act::Spring(_) | Act::Torque { .. } | Act::Torsion(_) => None,
         };
         Acted {
             forces,
-            couple,
+            couples,
             on,
             stroke,
         }

@@ -4,13 +4,15 @@
 
 use crate::Vec2;
 use crate::drawing::plot::Plot;
-use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here, Quantity};
+use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Here, Quantity};
 use crate::report::{CsvDialect, curves_csv};
 use crate::scene::Scene;
-use crate::solver::{Solver, State};
+use crate::solver::{Order, Solver, State};
+use crate::study::ToleranceStudy;
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
+use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
 
 /// What stands along x, by name: another scene has other quantities.
@@ -34,6 +36,8 @@ pub(crate) struct Plots {
     along: Along,
     /// Whether extrema are marked.
     extrema: bool,
+    /// What the figure does that may be chosen next.
+    note: ExcursionNote,
     /// `None` until they are looked at, and when something else has been chosen.
     sampled: Option<Sampled>,
 }
@@ -62,6 +66,7 @@ impl Default for Plots {
             chosen: None,
             along: Along::default(),
             extrema: true,
+            note: ExcursionNote::default(),
             sampled: None,
         }
     }
@@ -84,7 +89,11 @@ impl Plots {
                 // Beside those of another scene hues tell the scenes apart.
                 let plot = match compared {
                     Some(_) => plot,
-                    None => plot.in_hues_of(&open_scene.scene().mechanism, &curves),
+                    None => {
+                        let mut plot = plot.in_hues_of(&open_scene.scene().mechanism, &curves);
+                        add_bands(&mut plot, &curves, open_scene);
+                        plot
+                    }
                 };
                 SamplingOutcome::Plot(Box::new(curves), plot)
             }
@@ -94,6 +103,16 @@ impl Plots {
         if let Some(compared) = compared {
             self.compare(compared, open_scene.scene().unit.symbol());
         }
+    }
+
+    /// Follows the figure under the cursor of the list over the whole motion.
+    pub(crate) fn note(&mut self, open_scene: &OpenScene, name: Option<&str>) {
+        self.note.follow(open_scene, name);
+    }
+
+    /// What it does, in a few short lines.
+    pub(crate) fn noted(&self) -> &[String] {
+        self.note.lines()
     }
 
     /// What is plotted: what was chosen as far as the scene has it, or the usual figures.
@@ -144,7 +163,7 @@ impl Plots {
         let names = self.names(scene);
         // One figure alone has nothing to stand against.
         let figures = names.iter().filter(|_| names.len() > 1);
-        let time = Clock::new(scene.mechanism.driver()).map(|_| Along::Time);
+        let time = Clock::of(scene).map(|_| Along::Time);
         let mut all = vec![Along::Driver];
         all.extend(time);
         all.extend(figures.cloned().map(Along::Figure));
@@ -233,6 +252,25 @@ impl Plots {
     }
 }
 
+/// Draws how far the figures may be off, where the scene has tolerances.
+fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
+    let (scene, solver) = (open_scene.scene(), open_scene.solver());
+    let told = |(_, curve): &(usize, &Curve)| curve.quantity.order() != Order::Force;
+    let curves_told = curves.curves.iter().enumerate().filter(told);
+    let (places, figures): (Vec<usize>, Vec<Quantity>) = curves_told
+        .map(|(i, curve)| (i, curve.quantity.clone()))
+        .unzip();
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &figures);
+    // Where no tolerance is given, or none can be told of, curves stand alone.
+    let Ok(mut study) = study else { return };
+    let kind = study.quick_band();
+    let bands = study.band(&curves.at, kind);
+    for ((figure, quantity), offsets) in places.into_iter().zip(&figures).zip(bands) {
+        let name = format!("{} {}", quantity.name, kind.word());
+        plot.add_band(curves, figure, &offsets, name);
+    }
+}
+
 /// The size of an SVG in its own units.
 const PAPER: Vec2 = Vec2 { x: 800.0, y: 640.0 };
 
@@ -287,21 +325,16 @@ fn usual(scene: &Scene) -> Vec<String> {
         let names = aspects.map(|aspect| format!("{name}.{aspect}"));
         names.iter().all(has).then(|| names.to_vec())
     };
-    let driven = match mechanism.driver().input {
-        crate::Input::Turn(link) => Some(link),
-        crate::Input::Push(_) => None,
-    };
     let on_ground = |&link: &crate::LinkId| {
         let members = &mechanism.link(link).members;
         let grounded = |m: &crate::Member| mechanism.point(m.point).ground.is_some();
-        Some(link) != driven && members.iter().any(grounded)
+        !mechanism.is_turned(link) && members.iter().any(grounded)
     };
     let rocker = mechanism.link_ids().filter(on_ground).last();
     let rocker = rocker.and_then(|link| named(scene.link_name(link), ["omega", "alpha"]));
     let slide = || {
         let pushed = |&slide: &crate::SlideId| {
-            mechanism.driver().input != crate::Input::Push(slide)
-                && mechanism.slide(slide).on == crate::Body::Ground
+            !mechanism.is_pushed(slide) && mechanism.slide(slide).on == crate::Body::Ground
         };
         let slide = mechanism.slide_ids().filter(pushed).last()?;
         named(scene.slide_name(slide), ["length", "rate"])

@@ -7,6 +7,7 @@
 //! ```
 
 pub(crate) mod curves;
+mod excursion_note;
 pub(crate) mod list;
 
 use super::pane::{Copied, Need, Pane, PaneSpot};
@@ -119,9 +120,7 @@ impl Pane for PlotsView {
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         match (arrange(app, body).list, app.mode(), app.plots().plot()) {
-            (Some(body), Mode::PlotList(list), _) => {
-                (list.count().0, body.height.saturating_sub(HEAD).into())
-            }
+            (Some(body), Mode::PlotList(list), _) => (list.count().0, list_rows(app, body).into()),
             (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
             (_, _, Err(_)) => (0, 0),
         }
@@ -292,7 +291,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     }
     let rows = Rect {
         y: area.y + HEAD,
-        height: area.height.saturating_sub(HEAD),
+        height: list_rows(app, area),
         ..area
     };
     if found == 0 {
@@ -343,6 +342,21 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
         print(buffer, x, y, room, unit, part(ScreenPart::Quiet));
     }
     mark_more(rows, first > 0, first < most, buffer);
+    let notes = app.plots().noted();
+    for (y, line) in (rows.bottom() + 1..area.bottom()).zip(notes) {
+        let line = cut(&shown(line, app.glyphs()), area.width.into());
+        print(buffer, area.x, y, area.width, &line, quiet);
+    }
+}
+
+/// Rows of the list: below it stands what the figure under the cursor does, where there is room for both.
+fn list_rows(app: &App, area: Rect) -> u16 {
+    let all = area.height.saturating_sub(HEAD);
+    let notes = u16::try_from(app.plots().noted().len()).unwrap_or(0);
+    match notes > 0 && all >= 2 * (notes + 1) {
+        true => all - notes - 1,
+        false => all,
+    }
 }
 
 /// Digits of a number.

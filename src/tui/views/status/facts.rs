@@ -21,6 +21,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
         Mode::Tour(_) => words().tour(),
         Mode::GoTo(_) => words().go_to(),
         Mode::Guess(_) => words().guess(),
+        Mode::Goal(_) => words().goal(),
         Mode::Palette(_) => words().commands(),
         Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {
@@ -116,14 +117,18 @@ pub(super) fn near(app: &App) -> Option<String> {
         return None;
     }
     let backwards = app.playback().is_backwards();
-    let motion = open_scene.solver().motion();
+    let (scene, motion) = (open_scene.scene(), open_scene.solver().motion());
+    let mut stops = motion.stops.iter();
+    if let Some(stop) = stops.find(|stop| stop.at == open_scene.at()) {
+        return Some(words().stop_of(scene.limit_name(stop.limit)));
+    }
     let ahead = ahead(
         open_scene.driver_range(),
         motion,
         open_scene.at(),
         backwards,
     )?;
-    Some(ahead.text(open_scene.driver_range(), open_scene.unit()))
+    Some(ahead.text(scene, open_scene.driver_range(), open_scene.unit()))
 }
 
 /// How far the figures that are shown can be from the truth, where there is room for it.

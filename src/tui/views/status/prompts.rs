@@ -16,7 +16,8 @@ use crate::wording::words;
 pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
     match app.mode() {
         Mode::GoTo(typed) => coordinate(app, typed, line),
-        Mode::Guess(typed) => guess(typed, app, line),
+        Mode::Guess(typed) => example(typed, words().guesses_are_typed(), app, line),
+        Mode::Goal(typed) => example(typed, &goal_example(app), app, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Recovery(_) => offered(app, line),
         // What is asked stands in the middle of the screen.
@@ -57,21 +58,26 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
-/// Where is typed where a method begins.
-fn guess(typed: &EditLine, app: &App, line: &mut Writer<'_>) {
+/// How a goal is typed: of the value under the cursor, where no other is named.
+fn goal_example(app: &App) -> String {
+    let name = app
+        .editor()
+        .value()
+        .map(|value| value.name.replace(' ', "."));
+    words().goals_are_typed(&name.unwrap_or_default())
+}
+
+/// Where something is typed of which an example stands there first.
+fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     if typed.text().is_empty() && app.message().is_none() {
         line.say(" ", ScreenPart::Caret);
-        line.say(words().guesses_are_typed(), ScreenPart::Quiet);
+        line.say(example, ScreenPart::Quiet);
     } else {
         line.say(typed.text(), ScreenPart::Text);
         line.say(" ", ScreenPart::Caret);
     }
-    if object(app, line) {
-        return;
-    }
-    line.hint(&Key::Enter.to_string(), words().take());
-    line.hint(&Key::Escape.to_string(), words().cancel());
+    end(words().take(), words().cancel(), app, line);
 }
 
 /// Where the name of a file is typed; of a long one its end is seen.
@@ -84,11 +90,7 @@ fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     let seen: String = text.chars().skip(skipped).collect();
     line.say(&seen, ScreenPart::Text);
     line.say(" ", ScreenPart::Caret);
-    if object(app, line) {
-        return;
-    }
-    line.hint(&Key::Enter.to_string(), words().writing());
-    line.hint(&Key::Escape.to_string(), words().cancel());
+    end(words().writing(), words().cancel(), app, line);
 }
 
 /// Where a name is typed that is sought.
@@ -97,11 +99,7 @@ fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.say(words().name(), ScreenPart::Text);
     line.say(typed.text(), ScreenPart::Text);
     line.say(" ", ScreenPart::Caret);
-    if object(app, line) {
-        return;
-    }
-    line.hint(&Key::Enter.to_string(), words().keep());
-    line.hint(&Key::Escape.to_string(), words().back());
+    end(words().keep(), words().back(), app, line);
 }
 
 /// Which value is typed: it stands in its row.
@@ -184,11 +182,13 @@ fn offered(app: &App, line: &mut Writer<'_>) {
     }
 }
 
-/// Says behind a line that is typed in what is wrong with it, if something is.
-fn object(app: &App, line: &mut Writer<'_>) -> bool {
+/// Says behind a line that is typed in what is wrong with it, or what its keys do.
+fn end(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(3);
     if let Some(message) = app.message() {
         line.tell(message, app);
+        return;
     }
-    app.message().is_some()
+    line.hint(&Key::Enter.to_string(), enter);
+    line.hint(&Key::Escape.to_string(), escape);
 }

@@ -1,0 +1,108 @@
+//! Many designs of one mechanism: what it takes to open one from its text, to build a solver, and to change lengths in
+//! place, as tolerances and studies do.
+//!
+//! `cargo bench --bench designs` prints the time of each, the least of a few runs.
+#![allow(clippy::print_stdout, reason = "the times are to be read")]
+
+use krank::quantity::{Catalogue, Quantity, demand};
+use krank::scene::{Scene, presets};
+use krank::solver::Solver;
+use krank::study::{Distribution, SampleOrder, ToleranceStudy};
+use krank::{LANES, Tolerances};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Runs of which the shortest counts.
+const RUNS: usize = 5;
+/// The samples of a tolerance at one place.
+const SAMPLES: u32 = 100_000;
+/// The angles of a design.
+const ANGLES: u32 = 360;
+
+fn main() {
+    // `cargo test --benches` runs this too, to see that it works.
+    let is_timed = std::env::args().any(|argument| argument == "--bench");
+    let shrink = if is_timed { 1 } else { 1000 };
+    println!(
+        "{:<28}{:>10}{:>10}{:>12}{:>14}{:>14}",
+        "", "read", "opened", "in place", "360 angles", "100,000"
+    );
+    for (name, column) in [
+        ("four-bar", "C.x"),
+        ("slider-crank", "r4.length"),
+        ("press", "r6.angle"),
+        ("jansen-leg", "T.y"),
+        ("stephenson-six-bar", "E.x"),
+    ] {
+        timed(name, column, shrink);
+    }
+}
+
+fn least(mut run: impl FnMut()) -> f64 {
+    let times = (0..RUNS).map(|_| {
+        let begin = Instant::now();
+        run();
+        begin.elapsed().as_secs_f64()
+    });
+    times.fold(f64::INFINITY, f64::min)
+}
+
+fn timed(name: &str, column: &str, shrink: u32) {
+    let preset = presets::find(name).expect("the preset is built in");
+    let read = || Scene::parse(preset.text, name).expect("presets are scenes");
+    let scene = read();
+    let solver = Solver::new(&scene.mechanism).expect("presets close");
+    let figure: Quantity = Catalogue::new(&scene)
+        .find(column)
+        .expect("it has the figure")
+        .clone();
+    let (wanted, order) = demand([&figure]);
+    let reading = least(|| drop(black_box(read())));
+    let opening = least(|| drop(black_box(Solver::new(&scene.mechanism))));
+    let lengths = scene.mechanism.lengths();
+    let mut varied = solver
+        .varied(&lengths, &wanted)
+        .expect("no preset here is redundant");
+    let mut by = vec![0.0; lengths.len()];
+    let count = 10_000 / shrink + 1;
+    let place = least(|| {
+        for k in 0..count {
+            by.fill(1e-3 * f64::from(k));
+            varied.change(&by);
+            let _ = black_box(varied.solve(60.0, order));
+        }
+    }) / f64::from(count);
+    let whole = least(|| {
+        for k in 0..count / 100 + 1 {
+            by.fill(1e-3 * f64::from(k));
+            varied.change(&by);
+            for first in (0..ANGLES).step_by(LANES) {
+                let at = std::array::from_fn(|lane| f64::from(first) + lane as f64);
+                if let Some(lanes) = varied.solve_lanes(at, order) {
+                    black_box(figure.value(lanes));
+                }
+            }
+        }
+    }) / f64::from(count / 100 + 1);
+    let all = lengths.iter().map(|&length| (length, 0.01));
+    let tolerances = Tolerances {
+        lengths: all.collect(),
+        clearances: Vec::new(),
+    };
+    let mut study =
+        ToleranceStudy::new(&scene, &solver, &tolerances, &[figure]).expect("there are tolerances");
+    let samples = SampleOrder {
+        count: SAMPLES / shrink,
+        seed: 1,
+        distribution: Distribution::Normal,
+    };
+    let sampled = least(|| drop(black_box(study.sampled(60.0, samples))));
+    println!(
+        "{name:<28}{:>7.1} us{:>7.1} us{:>9.3} us{:>11.2} us{:>12.3} s",
+        1e6 * reading,
+        1e6 * opening,
+        1e6 * place,
+        1e6 * whole,
+        sampled
+    );
+}

@@ -1,0 +1,28 @@
+//! `krank cycle`: what figures do over the whole motion.
+
+use super::args::{CycleArgs, OutputFormat};
+use super::commands::tell_of_near_misses;
+use super::failure::Failure;
+use super::output::{write_text, write_to};
+use super::screen::TextScreen;
+use super::source::SolvableScene;
+use super::sweep::figures;
+use crate::quantity::Catalogue;
+use crate::report::{CycleReport, usual_columns};
+
+pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.csv.dialect(args.format)?;
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let columns = match args.columns.is_empty() {
+        true => usual_columns(&scene),
+        false => figures(&mut Catalogue::new(&scene), &args.columns)?,
+    };
+    tell_of_near_misses(&scene, &solver, screen);
+    let report = CycleReport::new(&scene, &solver, &columns, args.dwell);
+    let output = args.output.output.as_deref();
+    match args.format {
+        OutputFormat::Text => write_text(output, &report.to_text(screen.ascii)),
+        OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json())),
+        OutputFormat::Csv => write_to(output, |out| report.write_csv(dialect, out)),
+    }
+}

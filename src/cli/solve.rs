@@ -1,0 +1,193 @@
+//! `krank solve`: the numbers of a scene that meet goals, or that are the best.
+
+use super::args::{FoundFormat, SolveArgs};
+use super::failure::{Failure, note};
+use super::output::{write_scene, write_text};
+use super::progress::Progress;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
+use crate::quantity::Catalogue;
+use crate::report::{BestReport, GoalReport};
+use crate::scene::Scene;
+use crate::study::{
+    BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
+    PlanAxis,
+};
+use crate::wording::words;
+use std::thread;
+
+pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open()?;
+    let space = DesignSpace::new(&scene, &solver, values(&scene, &args.vary)?);
+    let catalogue = Catalogue::new(&scene);
+    let goals = |texts: &[String], option| goals(texts, option, &catalogue);
+    let (wished, kept) = (goals(&args.goal, "--goal")?, goals(&args.keep, "--keep")?);
+    let best = args.maximize.as_ref().or(args.minimize.as_ref());
+    match best {
+        None if wished.is_empty() => Err(Failure::Usage(words().no_goal_given().into())),
+        Some(_) if !wished.is_empty() => Err(Failure::Usage(words().goals_and_best().into())),
+        None => meet(
+            args,
+            &space,
+            wished.into_iter().chain(kept).collect(),
+            screen,
+        ),
+        Some(name) => {
+            let of = |why: &dyn std::fmt::Display| Failure::Usage(why.to_string());
+            let figure = CycleFigure::parse(name, &catalogue).map_err(|why| of(&why))?;
+            optimise(args, &space, figure, &kept, screen)
+        }
+    }
+}
+
+/// The values that vary, each once.
+pub(super) fn values(
+    scene: &Scene,
+    axes: &[PlanAxis],
+) -> Result<Vec<crate::scene::Value>, Failure> {
+    for (i, axis) in axes.iter().enumerate() {
+        if axes[..i].iter().any(|other| other.name == axis.name) {
+            return Err(Failure::Usage(words().varies_twice(&axis.name)));
+        }
+    }
+    let value = |axis: &PlanAxis| scene.value_named(&axis.name);
+    let values = axes.iter().map(value).collect::<Result<_, _>>();
+    values.map_err(|why| Failure::Usage(words().of_option("--vary", &why)))
+}
+
+fn goals(texts: &[String], option: &str, catalogue: &Catalogue) -> Result<Vec<Goal>, Failure> {
+    let goal = |text: &String| Goal::parse(text, catalogue);
+    let goals = texts.iter().map(goal).collect::<Result<_, _>>();
+    goals.map_err(|why| Failure::Usage(words().of_option(option, &why)))
+}
+
+/// Numbers that meet goals.
+fn meet(
+    args: &SolveArgs,
+    space: &DesignSpace,
+    goals: Vec<Goal>,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
+    let mut figures = DesignFigures::new(space, figures, None);
+    let given = figures.of(&space.given()).ok();
+    let mut search = GoalSearch::new(figures, goals.clone(), &args.vary);
+    let mut progress = Progress::new(
+        u64::from(args.starts) + 1,
+        words().starts_counted(),
+        screen,
+        false,
+    );
+    let outcome = search.run(args.starts, args.seed, &mut |done| {
+        progress.tell(u64::from(done));
+        true
+    });
+    progress.end();
+    let report = GoalReport {
+        space,
+        goals: &goals,
+        given,
+        outcome: &outcome,
+    };
+    tell(args, &report.to_text(screen.ascii), || {
+        format!("{:#}", report.to_json())
+    })?;
+    if outcome.solutions.is_empty() {
+        return Err(Failure::Cannot(words().goals_not_met().into()));
+    }
+    let number = usize::try_from(args.pick).unwrap_or(usize::MAX);
+    match outcome.solutions.get(number - 1) {
+        Some(found) => save(args, space, &found.numbers, screen),
+        None => Err(Failure::Usage(
+            words().no_such_design(number, outcome.solutions.len()),
+        )),
+    }
+}
+
+/// The best numbers.
+fn optimise(
+    args: &SolveArgs,
+    space: &DesignSpace,
+    figure: CycleFigure,
+    kept: &[Goal],
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    if let Some(axis) = args.vary.iter().find(|axis| axis.ends.is_none()) {
+        return Err(Failure::Usage(words().free_without_ends(&axis.name)));
+    }
+    let all = std::iter::once(figure.clone());
+    let all = all
+        .chain(kept.iter().map(|goal| goal.figure.clone()))
+        .collect();
+    let mut figures = DesignFigures::new(space, all, None);
+    let order = OptimiseOrder {
+        greatest: args.maximize.is_some(),
+        generations: args.generations,
+        seed: args.seed,
+        threads: thread::available_parallelism().map_or(1, usize::from),
+    };
+    let mut progress = Progress::new(
+        u64::from(args.generations),
+        words().generations_counted(),
+        screen,
+        false,
+    );
+    let best = BestDesign::find(&figures, kept, &args.vary, order, &mut |made| {
+        progress.tell(u64::from(made));
+        true
+    });
+    progress.end();
+    let best = best.ok_or_else(|| Failure::Cannot(words().keeps_nothing().into()))?;
+    let report = BestReport {
+        space,
+        figure: &figure,
+        greatest: order.greatest,
+        constraints: kept,
+        given: figures.of(&space.given()).ok(),
+        figures: figures.of(&best.numbers).unwrap_or_default(),
+        best: &best,
+    };
+    tell(args, &report.to_text(screen.ascii), || {
+        format!("{:#}", report.to_json())
+    })?;
+    if best.missed > 0.0 {
+        return Err(Failure::Cannot(words().keeps_nothing().into()));
+    }
+    save(args, space, &best.numbers, screen)
+}
+
+fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(), Failure> {
+    match args.format {
+        FoundFormat::Text => write_text(None, text),
+        FoundFormat::Json => write_text(None, &(json() + "\n")),
+    }
+}
+
+/// Writes the scene with these numbers, if a file is named.
+fn save(
+    args: &SolveArgs,
+    space: &DesignSpace,
+    numbers: &[f64],
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let Some(path) = args.output.output.as_deref() else {
+        return Ok(());
+    };
+    let design = space
+        .open(numbers)
+        .map_err(|why| Failure::Cannot(why.reason()))?;
+    if design.is_held {
+        note(words().start_was_written(), screen);
+    }
+    write_scene(Some(path), &text(&design))
+}
+
+/// The text of a design, which opens in its assembly.
+fn text(design: &Design) -> String {
+    let at = design.scene.mechanism.driver().start;
+    let started = design
+        .is_held
+        .then(|| design.scene.with_start_of(&design.solver, at));
+    let started = started.flatten();
+    started.unwrap_or_else(|| design.scene.text().to_owned())
+}

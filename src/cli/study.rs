@@ -1,0 +1,278 @@
+//! `krank study`: figures of many designs of a scene, row by row or as a chart.
+
+use super::args::{OutputFormat, StudyArgs, StudyFormat};
+use super::failure::{Failure, note};
+use super::output::{self, goes_to_terminal, write_to};
+use super::progress::Progress;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
+use crate::files::{GrowingFile, GrownFile};
+use crate::quantity::Catalogue;
+use crate::report::{DesignFormat, DesignSummary, DesignTable, MOST_ROWS};
+use crate::scene::{Scene, Value};
+use crate::study::{
+    CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
+};
+use crate::wording::words;
+use std::io::{self, Write};
+use std::ops::Range;
+use std::path::Path;
+use std::thread::available_parallelism;
+
+/// A study that has been understood: its plan, and what comes of it.
+pub(super) struct ReadyStudy {
+    pub(super) figures: DesignFigures,
+    pub(super) plan: DesignPlan,
+    /// The unit of the driver's coordinate.
+    driver: String,
+    threads: usize,
+}
+
+/// Where rows go, and what is gathered on the way.
+struct StudyRows<'a> {
+    table: &'a DesignTable,
+    summary: DesignSummary,
+    /// Of the first design that is none, why.
+    reason: String,
+    progress: Progress,
+}
+
+pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure> {
+    let format = match args.format {
+        StudyFormat::Csv => OutputFormat::Csv,
+        StudyFormat::Json => OutputFormat::Json,
+        StudyFormat::Text | StudyFormat::Chart | StudyFormat::Svg => OutputFormat::Text,
+    };
+    let dialect = args.csv.dialect(format)?;
+    let digits = usize::from(args.digits);
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let axes = axes(args)?;
+    let space = DesignSpace::new(&scene, &solver, values(&scene, &axes)?);
+    let ready = ready(args, &axes, space)?;
+    let format = match format {
+        OutputFormat::Csv => DesignFormat::Csv(dialect),
+        OutputFormat::Json => DesignFormat::Json,
+        OutputFormat::Text => DesignFormat::Text { digits },
+    };
+    let table = DesignTable::new(&ready.figures, &ready.driver, format, !args.no_units);
+    let designs = match args.part {
+        Some(part) => part.of(ready.plan.count()),
+        None => 0..ready.plan.count(),
+    };
+    if args.is_drawn() {
+        return super::study_chart::draw(args, &ready, &table, screen);
+    }
+    let path = output::file(args.output.output.as_deref());
+    let rows = match path.filter(|path| grows(args, path)) {
+        Some(path) => grow(args, &ready, &table, designs, path, screen)?,
+        None if args.resume => return Err(Failure::Usage(words().resume_needs_file().into())),
+        None => write(args, &ready, &table, designs, screen)?,
+    };
+    if args.format == StudyFormat::Text {
+        let lines = rows.summary.lines(&table, digits);
+        lines.iter().for_each(|line| note(line, screen));
+    }
+    let is_whole = args.part.is_none() && !args.resume;
+    judge(&rows.summary, &rows.reason, is_whole, screen)
+}
+
+/// What varies, as it was typed.
+fn axes(args: &StudyArgs) -> Result<Vec<PlanAxis>, Failure> {
+    let wrong = |why: String| Failure::Usage(words().of_option("--vary", &why));
+    let axes = args.vary.iter().map(|text| {
+        let axis: PlanAxis = text.parse().map_err(|e| wrong(format!("{e}")))?;
+        match axis.ends {
+            None => Err(wrong(words().axis_without_ends(&axis.name))),
+            Some(_) if args.latin.is_some() && axis.count.is_some() => {
+                Err(wrong(words().hypercube_has_places(&axis.name)))
+            }
+            Some(_) => Ok(axis),
+        }
+    });
+    axes.collect()
+}
+
+/// The values of the scene that are meant, each once.
+fn values(scene: &Scene, axes: &[PlanAxis]) -> Result<Vec<Value>, Failure> {
+    let wrong = |why: String| Failure::Usage(words().of_option("--vary", &why));
+    let mut values: Vec<Value> = Vec::new();
+    for axis in axes {
+        let value = scene.value_named(&axis.name).map_err(wrong)?;
+        if values.iter().any(|other| other.name == value.name) {
+            return Err(wrong(words().value_twice(&axis.name)));
+        }
+        values.push(value);
+    }
+    Ok(values)
+}
+
+fn ready(args: &StudyArgs, axes: &[PlanAxis], space: DesignSpace) -> Result<ReadyStudy, Failure> {
+    let catalogue = Catalogue::new(space.scene());
+    let mut figures: Vec<CycleFigure> = Vec::new();
+    for name in &args.columns {
+        let figure = CycleFigure::parse(name, &catalogue)
+            .map_err(|e| Failure::Usage(words().of_option("--columns", &e)))?;
+        if !figures.contains(&figure) {
+            figures.push(figure);
+        }
+    }
+    let given = space.given();
+    let plan = match args.latin {
+        Some(count) => DesignPlan::latin(axes, &given, count, args.seed),
+        None => DesignPlan::grid(axes, &given),
+    };
+    if plan.count() > MOST_ROWS {
+        return Err(Failure::Usage(words().too_many_designs("10^9")));
+    }
+    Ok(ReadyStudy {
+        figures: DesignFigures::new(&space, figures, args.dwell),
+        plan,
+        driver: catalogue.driver().unit.clone(),
+        threads: match args.threads {
+            Some(threads) => usize::from(threads),
+            None => available_parallelism().map_or(1, usize::from),
+        },
+    })
+}
+
+impl ReadyStudy {
+    pub(super) fn run(&self, designs: Range<u64>) -> DesignRun<'_> {
+        DesignRun {
+            figures: &self.figures,
+            plan: &self.plan,
+            designs,
+            threads: self.threads,
+        }
+    }
+}
+
+impl<'a> StudyRows<'a> {
+    fn new(table: &'a DesignTable, count: u64, path: Option<&Path>, screen: TextScreen) -> Self {
+        let beside = goes_to_terminal(path);
+        StudyRows {
+            table,
+            summary: DesignSummary::new(table.columns().1.len()),
+            reason: String::new(),
+            progress: Progress::new(count, words().designs(), screen, beside),
+        }
+    }
+
+    /// Some rows as they are written.
+    fn lines(&mut self, rows: &[DesignRow]) -> io::Result<String> {
+        let mut text = String::new();
+        for row in rows {
+            text += &self.table.line(row, self.summary.rows == 0)?;
+            self.summary.note(row);
+            if self.summary.valued == 0 && self.reason.is_empty() {
+                self.reason = self.table.reason(row);
+            }
+        }
+        self.progress.tell(self.summary.rows);
+        Ok(text)
+    }
+}
+
+/// Whether rows stay in a file as they come: those of CSV in what is a file, or becomes one.
+fn grows(args: &StudyArgs, path: &Path) -> bool {
+    args.format == StudyFormat::Csv && path.metadata().map_or(true, |found| found.is_file())
+}
+
+/// Writes rows into a file, which keeps them whatever ends the command.
+fn grow<'a>(
+    args: &StudyArgs,
+    ready: &ReadyStudy,
+    table: &'a DesignTable,
+    designs: Range<u64>,
+    path: &Path,
+    screen: TextScreen,
+) -> Result<StudyRows<'a>, Failure> {
+    let failed = |e: io::Error| Failure::Output(Some(path.to_owned()), e);
+    let head = table.head().map_err(failed)?;
+    let (mut file, done) = match args.resume {
+        true => resumed(ready, table, designs.clone(), path, screen)?,
+        false => (GrowingFile::begin(path, &head).map_err(failed)?, 0),
+    };
+    let rest = designs.start + done..designs.end;
+    let mut rows = StudyRows::new(table, rest.end - rest.start, Some(path), screen);
+    let outcome = ready
+        .run(rest)
+        .each(&mut |some| file.write(&rows.lines(&some)?));
+    let outcome = outcome.and_then(|()| file.finish());
+    rows.progress.clear();
+    outcome.map_err(failed)?;
+    Ok(rows)
+}
+
+/// The file that is gone on with, and how many rows it has: those that are looked at are what this study writes there.
+fn resumed(
+    ready: &ReadyStudy,
+    table: &DesignTable,
+    designs: Range<u64>,
+    path: &Path,
+    screen: TextScreen,
+) -> Result<(GrowingFile, u64), Failure> {
+    let failed = |e: io::Error| Failure::Output(Some(path.to_owned()), e);
+    let shown = path.display().to_string();
+    let other = |line: u64| Failure::Usage(words().file_of_other_study(&shown, line));
+    let head = table.head().map_err(failed)?;
+    let grown = GrownFile::open(path, &head).map_err(failed)?;
+    let grown = grown.ok_or_else(|| other(1))?;
+    let all = designs.end - designs.start;
+    if grown.lines > all {
+        return Err(other(all + 2));
+    }
+    let mut figures = ready.figures.clone();
+    for (number, line) in &grown.samples {
+        let numbers = ready.plan.numbers(designs.start + number);
+        let row = DesignRow::of(numbers, &mut figures);
+        if table.line(&row, false).map_err(failed)? != *line {
+            return Err(other(number + 2));
+        }
+    }
+    let done = grown.lines;
+    note(&words().file_goes_on(&shown, done, all), screen);
+    Ok((grown.go_on().map_err(failed)?, done))
+}
+
+/// Writes rows to where they are whole or not at all, or to standard output.
+fn write<'a>(
+    args: &StudyArgs,
+    ready: &ReadyStudy,
+    table: &'a DesignTable,
+    designs: Range<u64>,
+    screen: TextScreen,
+) -> Result<StudyRows<'a>, Failure> {
+    let path = args.output.output.as_deref();
+    let mut rows = StudyRows::new(table, designs.end - designs.start, path, screen);
+    let outcome = write_to(path, |out: &mut dyn Write| {
+        out.write_all(table.head()?.as_bytes())?;
+        let run = ready.run(designs);
+        run.each(&mut |some| out.write_all(rows.lines(&some)?.as_bytes()))?;
+        out.write_all(table.foot().as_bytes())
+    });
+    rows.progress.clear();
+    outcome?;
+    Ok(rows)
+}
+
+/// Says which designs are none; a whole study without any figure has failed.
+pub(super) fn judge(
+    summary: &DesignSummary,
+    reason: &str,
+    is_whole: bool,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    if summary.valued == 0 && is_whole {
+        return Err(Failure::Cannot(words().no_design_has_figures(reason)));
+    }
+    let DesignSummary {
+        open, unreadable, ..
+    } = *summary;
+    if open + unreadable > 0 {
+        note(
+            &words().designs_left_out(open, unreadable, summary.rows),
+            screen,
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,420 @@
+//! A figure over two values: in shades of characters, and as lines of equal height.
+//!
+//! ```text
+//! C.x.stroke [mm]
+//! r3.length [mm]
+//!   320 |....::::----
+//!       |:::----====
+//!   280 |---====++++
+//!       +------------
+//!        90       110  r2.length [mm]
+//!
+//!   . < 180   : 180 .. 190   - 190 .. 200   = > 200
+//! ```
+
+use super::ticks::{TickStyle, Ticks};
+use super::{Axis, Panel, Plot, PlotCurve};
+use crate::Vec2;
+use crate::wording::words;
+use std::collections::HashMap;
+
+/// From low to high; nothing stands where there is no value.
+const SHADES: [char; 9] = ['.', ':', '-', '=', '+', '*', '#', '%', '@'];
+/// Columns of the text beside its labels: the axis, and room at the edge.
+const BESIDE: usize = 4;
+/// Rows of the text beside the map: names, the axis and its labels, the legend.
+const ABOVE_AND_BELOW: usize = 8;
+/// A map is no smaller than this.
+const LEAST_SIDE: usize = 4;
+
+/// A figure on a grid of two values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GridMap {
+    /// What it is, and its unit.
+    title: [String; 2],
+    along: GridAxis,
+    up: GridAxis,
+    /// Row by row from below; `None` where it does not exist.
+    heights: Vec<Option<f64>>,
+}
+
+/// The places of a value on a grid, ascending.
+#[derive(Clone, Debug, PartialEq)]
+struct GridAxis {
+    name: String,
+    unit: String,
+    places: Vec<f64>,
+}
+
+/// An edge of the grid on which a line crosses: from the node of this column and row, along or up.
+type GridEdge = (usize, usize, bool);
+
+impl GridMap {
+    /// Of a figure at `along` times `up` places, the last of which go first; places in any order, the ends of which
+    /// differ.
+    #[must_use]
+    pub fn new(
+        title: [&str; 2],
+        along: ([&str; 2], Vec<f64>),
+        up: ([&str; 2], Vec<f64>),
+        heights: &[Option<f64>],
+    ) -> GridMap {
+        let order = |places: &[f64]| {
+            let mut order: Vec<usize> = (0..places.len()).collect();
+            order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
+            order
+        };
+        let (columns, rows) = (order(&along.1), order(&up.1));
+        let height = |row: usize, column: usize| heights.get(column * up.1.len() + row).copied();
+        let all = rows.iter().flat_map(|&row| {
+            columns
+                .iter()
+                .map(move |&column| height(row, column).flatten())
+        });
+        let axis = |([name, unit], places): &([&str; 2], Vec<f64>), order: &[usize]| GridAxis {
+            name: (*name).to_owned(),
+            unit: (*unit).to_owned(),
+            places: order.iter().map(|&k| places[k]).collect(),
+        };
+        GridMap {
+            title: title.map(str::to_owned),
+            heights: all.collect(),
+            along: axis(&along, &columns),
+            up: axis(&up, &rows),
+        }
+    }
+
+    fn height(&self, column: usize, row: usize) -> Option<f64> {
+        self.heights
+            .get(row * self.along.places.len() + column)
+            .copied()
+            .flatten()
+    }
+
+    /// Round heights between the least and the greatest.
+    fn levels(&self) -> Ticks {
+        let all = || self.heights.iter().copied().flatten();
+        let (low, high) = (
+            all().fold(f64::INFINITY, f64::min),
+            all().fold(f64::NEG_INFINITY, f64::max),
+        );
+        Ticks::between(low, high, self.title[1] == "deg", SHADES.len() - 1)
+    }
+
+    /// The map in characters, no wider and, but for its legend, no higher than this.
+    #[must_use]
+    pub fn text(&self, cols: u16, rows: u16) -> String {
+        let levels = self.levels();
+        let style = self.up.style();
+        let ends = self.up.ends().map(|end| style.text(end));
+        let labels = ends.iter().map(String::len).max().unwrap_or(0) + 2;
+        let width = usize::from(cols)
+            .saturating_sub(labels + BESIDE)
+            .max(LEAST_SIDE);
+        let height = usize::from(rows)
+            .saturating_sub(ABOVE_AND_BELOW)
+            .max(LEAST_SIDE);
+        let mut text = format!("{}\n{}\n", bracketed(&self.title), self.up.title());
+        for line in 0..height {
+            let row = self.up.nearest(height - 1 - line, height);
+            let label = match line {
+                0 => &ends[1],
+                _ if line == height - 1 => &ends[0],
+                _ => "",
+            };
+            let cells: String = (0..width)
+                .map(|column| self.shade(self.along.nearest(column, width), row, &levels))
+                .collect();
+            text += format!("{label:>labels$} |{cells}").trim_end();
+            text.push('\n');
+        }
+        text += &format!("{:labels$} +{}\n", "", "-".repeat(width));
+        text += &self.foot(labels, width);
+        text + &self.legend(&levels, usize::from(cols))
+    }
+
+    /// The ends of the axis along, and its name between them if there is room.
+    fn foot(&self, labels: usize, width: usize) -> String {
+        let style = self.along.style();
+        let [low, high] = self.along.ends().map(|end| style.text(end));
+        let title = self.along.title();
+        let between = width.saturating_sub(low.len() + high.len());
+        match title.chars().count() + 2 <= between {
+            true => format!("{:labels$}  {low}{title:^between$}{high}\n", ""),
+            false => format!(
+                "{:labels$}  {low}{:between$}{high}\n{:labels$}  {title}\n",
+                "", "", ""
+            ),
+        }
+    }
+
+    fn shade(&self, column: usize, row: usize, levels: &Ticks) -> char {
+        match self.height(column, row) {
+            None => ' ',
+            Some(height) => SHADES[band(height, levels)],
+        }
+    }
+
+    /// Which shade is which heights, of those that there are.
+    fn legend(&self, levels: &Ticks, cols: usize) -> String {
+        let bounds: Vec<String> = levels.labels().map(|(_, label)| label).collect();
+        let seen = |k: usize| self.heights.iter().flatten().any(|&h| band(h, levels) == k);
+        let entry = |k: usize| match (k.checked_sub(1).and_then(|k| bounds.get(k)), bounds.get(k)) {
+            (Some(low), Some(high)) => format!("{} {low} .. {high}", SHADES[k]),
+            (None, Some(high)) => format!("{} < {high}", SHADES[k]),
+            (Some(low), None) => format!("{} > {low}", SHADES[k]),
+            (None, None) => {
+                let known = self.heights.iter().flatten().next().copied().unwrap_or(0.0);
+                format!(
+                    "{} {}",
+                    SHADES[k],
+                    TickStyle::of_range(known, known).text(known)
+                )
+            }
+        };
+        let mut entries: Vec<String> = (0..=bounds.len()).filter(|&k| seen(k)).map(entry).collect();
+        if self.heights.contains(&None) {
+            entries.push(words().blank_is_no_design().to_owned());
+        }
+        let mut text = String::new();
+        let mut line = String::new();
+        for entry in entries {
+            if !line.is_empty() && line.chars().count() + entry.chars().count() + 5 > cols {
+                text += &format!("\n{line}");
+                line.clear();
+            }
+            line += &format!("{}{entry}", if line.is_empty() { "  " } else { "   " });
+        }
+        text + "\n" + &line + "\n"
+    }
+
+    /// Lines of equal height of some maps over the same values, a panel for each.
+    #[must_use]
+    pub fn contours(maps: &[GridMap]) -> Option<Plot> {
+        let first = maps.first()?;
+        let axis = |of: &GridAxis, name: String| Axis {
+            name,
+            unit: of.unit.clone(),
+            is_angle: of.unit == "deg",
+            low: of.ends()[0],
+            high: of.ends()[1],
+        };
+        let panel = |map: &GridMap| Panel {
+            y: axis(&map.up, String::new()),
+            curves: map.curves(),
+        };
+        let x = words().axes_of_map(&first.up.title(), &first.along.name);
+        Some(Plot {
+            x: axis(&first.along, x),
+            panels: maps.iter().map(panel).collect(),
+            is_true: false,
+        })
+    }
+
+    fn curves(&self) -> Vec<PlotCurve> {
+        let levels = self.levels();
+        let curve = |(k, (level, label)): (usize, (f64, String))| PlotCurve {
+            name: match k {
+                0 => format!("{}: {label}", bracketed(&self.title)),
+                _ => label,
+            },
+            figure: None,
+            pieces: self.line_at(level),
+            turns: Vec::new(),
+            is_dotted: false,
+            link: None,
+        };
+        levels.labels().enumerate().map(curve).collect()
+    }
+
+    /// The line of this height, in pieces that hang together (marching squares). Of a saddle the sides are told apart
+    /// by the mean of its corners.
+    fn line_at(&self, level: f64) -> Vec<Vec<Vec2>> {
+        let mut ways: HashMap<GridEdge, Vec<GridEdge>> = HashMap::new();
+        let mut order = Vec::new();
+        for row in 1..self.up.places.len() {
+            for column in 1..self.along.places.len() {
+                for [a, b] in self.segments(column - 1, row - 1, level) {
+                    order.extend([a, b]);
+                    ways.entry(a).or_default().push(b);
+                    ways.entry(b).or_default().push(a);
+                }
+            }
+        }
+        // Lines that end at an edge first; what is left is closed.
+        let is_end = |edge: &GridEdge, ways: &HashMap<GridEdge, Vec<GridEdge>>| {
+            ways.get(edge).is_some_and(|to| to.len() == 1)
+        };
+        let ends: Vec<GridEdge> = order.iter().copied().filter(|e| is_end(e, &ways)).collect();
+        let starts = ends.into_iter().chain(order);
+        let pieces = starts.map(|start| walk(start, &mut ways));
+        let pieces = pieces.filter(|piece| piece.len() > 1);
+        pieces
+            .map(|piece| {
+                piece
+                    .into_iter()
+                    .filter_map(|edge| self.crossing(edge, level))
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// The pieces of the line within one square; none where a corner has no value.
+    fn segments(&self, column: usize, row: usize, level: f64) -> Vec<[GridEdge; 2]> {
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let heights = corners.map(|(right, up)| self.height(column + right, row + up));
+        let [Some(a), Some(b), Some(c), Some(d)] = heights else {
+            return Vec::new();
+        };
+        let above = [a, b, c, d].map(|height| height >= level);
+        let edges = [
+            (column, row, true),
+            (column + 1, row, false),
+            (column, row + 1, true),
+            (column, row, false),
+        ];
+        let crossed: Vec<usize> = (0..4).filter(|&k| above[k] != above[(k + 1) % 4]).collect();
+        match crossed[..] {
+            [one, two] => vec![[edges[one], edges[two]]],
+            // A saddle: corners that are as the middle is hang together.
+            [_, _, _, _] => {
+                let middle = (a + b + c + d) / 4.0 >= level;
+                match middle == above[0] {
+                    true => vec![[edges[0], edges[1]], [edges[2], edges[3]]],
+                    false => vec![[edges[3], edges[0]], [edges[1], edges[2]]],
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Where the line crosses an edge.
+    fn crossing(&self, (column, row, along): GridEdge, level: f64) -> Option<Vec2> {
+        let (right, above) = if along {
+            (column + 1, row)
+        } else {
+            (column, row + 1)
+        };
+        let (from, to) = (self.height(column, row)?, self.height(right, above)?);
+        let part = (level - from) / (to - from);
+        let node =
+            |column: usize, row: usize| Vec2::new(self.along.places[column], self.up.places[row]);
+        let (a, b) = (node(column, row), node(right, above));
+        Some(a + (b - a) * part)
+    }
+}
+
+impl GridAxis {
+    fn ends(&self) -> [f64; 2] {
+        let first = self.places.first().copied().unwrap_or(0.0);
+        [first, self.places.last().copied().unwrap_or(first)]
+    }
+
+    fn title(&self) -> String {
+        bracketed(&[self.name.clone(), self.unit.clone()])
+    }
+
+    fn style(&self) -> TickStyle {
+        let [low, high] = self.ends();
+        TickStyle::of_range(low, high)
+    }
+
+    /// The place nearest to the middle of one of so many cells between the ends.
+    fn nearest(&self, cell: usize, cells: usize) -> usize {
+        let [low, high] = self.ends();
+        let at = low + (high - low) * (cell as f64 / (cells - 1).max(1) as f64);
+        let off = |k: &usize| (self.places[*k] - at).abs();
+        let nearest = (0..self.places.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.unwrap_or(0)
+    }
+}
+
+/// Between which levels a height is.
+fn band(height: f64, levels: &Ticks) -> usize {
+    let below = levels.values.iter().filter(|&&level| level <= height);
+    below.count().min(SHADES.len() - 1)
+}
+
+/// A line from one of its edges on, as far as it goes; each part is gone once.
+fn walk(start: GridEdge, ways: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<GridEdge> {
+    let mut line = vec![start];
+    let mut here = start;
+    while let Some(next) = ways.get_mut(&here).and_then(Vec::pop) {
+        if let Some(back) = ways.get_mut(&next)
+            && let Some(way) = back.iter().position(|edge| *edge == here)
+        {
+            back.remove(way);
+        }
+        line.push(next);
+        here = next;
+    }
+    line
+}
+
+fn bracketed([name, unit]: &[String; 2]) -> String {
+    match unit.is_empty() {
+        true => name.clone(),
+        false => format!("{name} [{unit}]"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x + y over 0, 1, 2 and 0, 1.
+    fn plane() -> GridMap {
+        let heights = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0].map(Some);
+        let (along, up) = (vec![0.0, 1.0, 2.0], vec![0.0, 1.0]);
+        GridMap::new(["h", "mm"], (["a", "mm"], along), (["b", ""], up), &heights)
+    }
+
+    #[test]
+    fn shades_rise_with_the_height() {
+        let text = plane().text(24, 12);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[0], "h [mm]");
+        assert_eq!(lines[1], "b");
+        let shades = |line: &str| -> Vec<usize> {
+            let cells = line.split_once('|').unwrap().1.chars();
+            cells
+                .map(|c| SHADES.iter().position(|s| *s == c).unwrap())
+                .collect()
+        };
+        let (top, bottom) = (shades(lines[2]), shades(lines[5]));
+        assert!(top.is_sorted() && bottom.is_sorted());
+        assert!(top.iter().zip(&bottom).all(|(t, b)| t > b), "{text}");
+        assert!(text.is_ascii());
+    }
+
+    /// A line of equal height of a plane is straight, and goes from edge to edge in one piece.
+    #[test]
+    fn a_line_of_a_plane_is_straight() {
+        let pieces = plane().line_at(1.5);
+        assert_eq!(pieces.len(), 1, "{pieces:?}");
+        assert_eq!(pieces[0].len(), 3);
+        for place in &pieces[0] {
+            assert!((place.x + place.y - 1.5).abs() < 1e-12, "{place:?}");
+        }
+        assert!(plane().line_at(9.0).is_empty());
+    }
+
+    /// Round a hill the line is closed; through a hole there is none.
+    #[test]
+    fn a_line_round_a_hill_closes() {
+        let side: Vec<f64> = (-5..=5).map(f64::from).collect();
+        let mut heights = Vec::new();
+        for x in &side {
+            heights.extend(side.iter().map(|y| Some(100.0 - x * x - y * y)));
+        }
+        let axis = |name| ([name, "mm"], side.clone());
+        let map = GridMap::new(["h", ""], axis("x"), axis("y"), &heights);
+        let pieces = map.line_at(91.0);
+        assert_eq!(pieces.len(), 1, "{pieces:?}");
+        assert_eq!(pieces[0].first(), pieces[0].last());
+        heights[60] = None;
+        let map = GridMap::new(["h", ""], axis("x"), axis("y"), &heights);
+        assert!(map.line_at(99.5).is_empty());
+        assert!(map.text(40, 20).contains(words().blank_is_no_design()));
+    }
+}

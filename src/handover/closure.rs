@@ -1,0 +1,223 @@
+//! What is coupled: unknowns of several links at once, and what must vanish for them to fit.
+
+use super::placement::{ScriptPlacement, ScriptStep};
+use super::terms::{ScriptTerm, number};
+use crate::solver::Order;
+use crate::{Body, Input, LinkId, PointId, SlideId, Slider};
+
+/// A coupled group, closed by Newton's method.
+pub(super) struct Closure {
+    /// What the unknowns are called together.
+    pub(super) name: String,
+    /// Where the scene opens.
+    pub(super) seeds: Vec<f64>,
+    /// What must vanish.
+    pub(super) misfits: Vec<ScriptMisfit>,
+}
+
+/// What must vanish.
+pub(super) enum ScriptMisfit {
+    /// Both coordinates of it.
+    Both(ScriptTerm),
+    /// A number.
+    One(ScriptTerm),
+}
+
+/// How a body stands, in terms of the unknowns.
+#[derive(Clone)]
+struct Stance {
+    /// A point of it that its others are seen from, and where that is.
+    seen_from: Option<(PointId, ScriptTerm)>,
+    direction: ScriptTerm,
+}
+
+/// The unknowns of a group while they are gathered.
+struct Unknowns {
+    stances: Vec<(LinkId, Stance)>,
+    /// Pins that no link of the group carries.
+    pins: Vec<(PointId, ScriptTerm)>,
+    seeds: Vec<f64>,
+}
+
+impl ScriptPlacement<'_> {
+    /// Closes what is left of a group.
+    pub(super) fn close_coupled(&mut self, links: &[LinkId], points: &[PointId]) {
+        let unknowns = self.unknowns(links, points, "z");
+        if unknowns.seeds.is_empty() {
+            return;
+        }
+        let misfits = self.misfits(&unknowns);
+        let name = self.names.fresh("z_closed");
+        let found = self.unknowns(links, points, &name);
+        self.steps.push(ScriptStep::Close(Closure {
+            name,
+            seeds: found.seeds,
+            misfits,
+        }));
+        for (point, place) in found.pins {
+            self.put(point, place);
+        }
+        for (link, stance) in found.stances {
+            if !self.is_aimed(link) {
+                self.aim(link, stance.direction);
+            }
+            if let Some((point, place)) = stance.seen_from {
+                if !self.is_known(point) {
+                    self.put(point, place);
+                }
+                self.hold(link, point);
+            }
+        }
+    }
+
+    /// What is sought of the links that are not placed, in the elements of a list of this name.
+    fn unknowns(&self, links: &[LinkId], points: &[PointId], list: &str) -> Unknowns {
+        let mut work = self.solver.state();
+        let start = self.mechanism().driver().start;
+        let _ = self.solver.solve(start, Order::Position, &mut work);
+        let state = work.state().known();
+        let mut seeds: Vec<f64> = Vec::new();
+        let mut next = |seed: f64| {
+            seeds.push(if seed.is_finite() { seed } else { 0.0 });
+            self.language.element(list, seeds.len() - 1)
+        };
+        let mut stances = Vec::new();
+        for &link in links.iter().filter(|&&link| !self.is_placed(link)) {
+            let known = self.known_member(link);
+            let seen_from = known.or_else(|| self.members(link).first().copied());
+            let seen_from = seen_from.map(|point| {
+                let place = match known {
+                    Some(_) => self.point(point),
+                    None => {
+                        let at = state.position(point);
+                        ScriptTerm::of(format!("complex({}, {})", next(at.x), next(at.y)))
+                    }
+                };
+                (point, place)
+            });
+            let direction = match self.direction_of(link) {
+                Some(direction) => direction,
+                None => ScriptTerm::of(format!("turn({})", next(state.angle(link)))),
+            };
+            stances.push((
+                link,
+                Stance {
+                    seen_from,
+                    direction,
+                },
+            ));
+        }
+        let carried = |p: PointId| links.iter().any(|&link| self.members(link).contains(&p));
+        let alone = points
+            .iter()
+            .copied()
+            .filter(|&p| !self.is_known(p) && !carried(p) && self.is_named(p));
+        let pins = alone
+            .map(|point| {
+                let at = state.position(point);
+                let place = format!("complex({}, {})", next(at.x), next(at.y));
+                (point, ScriptTerm::of(place))
+            })
+            .collect();
+        Unknowns {
+            stances,
+            pins,
+            seeds,
+        }
+    }
+
+    fn misfits(&self, unknowns: &Unknowns) -> Vec<ScriptMisfit> {
+        let mut misfits = Vec::new();
+        let mut placed: Vec<(PointId, ScriptTerm)> = unknowns.pins.clone();
+        for (link, stance) in &unknowns.stances {
+            let Some((seen_from, _)) = stance.seen_from else {
+                continue;
+            };
+            for point in self.members(*link) {
+                let place = self.seen(*link, stance, self.local(*link, point));
+                let other = placed.iter().find(|(p, _)| *p == point);
+                match other {
+                    _ if self.is_known(point) && point != seen_from => {
+                        misfits.push(ScriptMisfit::Both(place.minus(self.point(point))));
+                    }
+                    Some((_, other)) => {
+                        misfits.push(ScriptMisfit::Both(place.minus(other.clone())))
+                    }
+                    None => placed.push((point, place)),
+                }
+            }
+        }
+        for id in self.mechanism().slide_ids() {
+            self.misfits_of_slide(id, unknowns, &placed, &mut misfits);
+        }
+        misfits
+    }
+
+    /// A place on a link, in terms of the unknowns.
+    fn seen(&self, link: LinkId, stance: &Stance, place: ScriptTerm) -> ScriptTerm {
+        match &stance.seen_from {
+            None => place,
+            Some((point, at)) => {
+                let offset = place.minus(self.local(link, *point));
+                at.clone().plus(stance.direction.clone().times(offset))
+            }
+        }
+    }
+
+    fn misfits_of_slide(
+        &self,
+        id: SlideId,
+        unknowns: &Unknowns,
+        placed: &[(PointId, ScriptTerm)],
+        misfits: &mut Vec<ScriptMisfit>,
+    ) {
+        let slide = self.mechanism().slide(id);
+        let point = slide.slider.point();
+        let stance = |link: LinkId| unknowns.stances.iter().find(|(l, _)| *l == link);
+        let sought = placed.iter().find(|(p, _)| *p == point);
+        let on = match slide.on {
+            Body::Link(link) => stance(link),
+            Body::Ground => None,
+        };
+        let sliding = match slide.slider {
+            Slider::Link { link, .. } => stance(link),
+            Slider::Pin(_) => None,
+        };
+        if sought.is_none() && on.is_none() && sliding.is_none() {
+            return;
+        }
+        let place = match sought {
+            Some((_, place)) => place.clone(),
+            None if self.is_known(point) => self.point(point),
+            None => return,
+        };
+        let guide = match on {
+            Some((link, stance)) => Some((
+                self.seen(*link, stance, self.through(id)),
+                stance.direction.clone(),
+            )),
+            None => self.guide_of_body(slide.on, id),
+        };
+        let Some((through, body)) = guide else { return };
+        let along = body.clone().times(self.along(id));
+        let away = place.minus(through);
+        misfits.push(ScriptMisfit::One(ScriptTerm::of(format!(
+            "across({away}, {along})"
+        ))));
+        if self.mechanism().is_pushed(id) {
+            let ahead = ScriptTerm::of(format!("ahead({away}, {along})"));
+            let q = self.coordinate(Input::Push(id));
+            misfits.push(ScriptMisfit::One(ahead.minus(q)));
+        }
+        if let (Slider::Link { turn, .. }, Some((link, stance))) = (slide.slider, sliding)
+            && !self.is_aimed(*link)
+        {
+            let wanted = body.times(ScriptTerm::of(format!(
+                "turn({})",
+                number(slide.angle + turn)
+            )));
+            let lock = format!("across({}, {wanted})", stance.direction);
+            misfits.push(ScriptMisfit::One(ScriptTerm::of(lock)));
+        }
+    }
+}

@@ -1,0 +1,394 @@
+//! How a script places points and links: a step for every closed form, in the order of the plan.
+
+mod meetings;
+
+use super::closure::Closure;
+use super::dialect::ScriptLanguage;
+use super::identifiers::Identifiers;
+use super::terms::{ScriptTerm, complex, number};
+use crate::scene::Scene;
+use crate::solver::Solver;
+use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
+
+/// A name and what it is worth.
+#[derive(Clone, Debug)]
+pub(super) struct Assignment {
+    pub(super) name: String,
+    pub(super) term: ScriptTerm,
+}
+
+/// What the script does for a state, in order.
+pub(super) enum ScriptStep {
+    Assign(Assignment),
+    /// A group begins, which places these links.
+    Group(Vec<LinkId>),
+    /// Unknowns of a coupled group are found.
+    Close(Closure),
+}
+
+/// All that the script places, and how.
+pub(super) struct ScriptPlacement<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) solver: &'a Solver,
+    pub(super) language: ScriptLanguage,
+    pub(super) names: Identifiers,
+    pub(super) constants: Vec<Assignment>,
+    pub(super) steps: Vec<ScriptStep>,
+    /// By point: whether its place is known.
+    known: Vec<bool>,
+    /// By link: a point from which its others are seen, once it is placed.
+    placed: Vec<Option<PointId>>,
+    /// By link: the name of its direction, once that is known.
+    aimed: Vec<Option<String>>,
+}
+
+impl<'a> ScriptPlacement<'a> {
+    pub(super) fn of(scene: &'a Scene, solver: &'a Solver, language: ScriptLanguage) -> Self {
+        let mechanism = &scene.mechanism;
+        let mut placement = ScriptPlacement {
+            scene,
+            solver,
+            language,
+            names: Identifiers::of(scene),
+            constants: Vec::new(),
+            steps: Vec::new(),
+            known: vec![false; mechanism.points().len()],
+            placed: vec![None; mechanism.links().len()],
+            aimed: vec![None; mechanism.links().len()],
+        };
+        placement.list_constants();
+        placement.drive();
+        for group in solver.plan().groups.iter().skip(1) {
+            placement.steps.push(ScriptStep::Group(group.links.clone()));
+            placement.settle();
+            while !placement.is_done(&group.links, &group.points) {
+                if !placement.close_form(&group.links, &group.points) {
+                    placement.close_coupled(&group.links, &group.points);
+                    placement.settle();
+                    break;
+                }
+                placement.settle();
+            }
+        }
+        placement.settle();
+        placement
+    }
+
+    pub(super) fn mechanism(&self) -> &'a Mechanism {
+        &self.scene.mechanism
+    }
+
+    // Constants.
+
+    fn constant(&mut self, name: String, value: String) {
+        let term = ScriptTerm::of(value);
+        self.constants.push(Assignment { name, term });
+    }
+
+    fn list_constants(&mut self) {
+        let mechanism = self.mechanism();
+        for point in mechanism.point_ids() {
+            if let Some(at) = mechanism.point(point).ground {
+                self.known[point.index()] = true;
+                let name = self.names.point(point).to_owned();
+                self.constant(name, complex(at.x, at.y));
+            }
+        }
+        for link in mechanism.link_ids() {
+            let given = mechanism.link(link);
+            for member in given.members.iter().filter(|m| Some(m.point) != given.com) {
+                self.list_member(link, *member);
+            }
+        }
+        for slide in mechanism.slide_ids() {
+            self.list_guide(slide);
+        }
+    }
+
+    fn list_member(&mut self, link: LinkId, member: Member) {
+        if member.local == Vec2::ZERO {
+            return;
+        }
+        let name = self.local_name(link, member.point);
+        self.constant(name, complex(member.local.x, member.local.y));
+    }
+
+    /// A length is called like its link, another place on it like link and point.
+    fn local_name(&self, link: LinkId, point: PointId) -> String {
+        let name = self.names.link(link);
+        match self.mechanism().link(link).ends {
+            Some((_, to)) if to == point => name.to_owned(),
+            _ => format!("{name}_{}", self.names.point(point)),
+        }
+    }
+
+    fn list_guide(&mut self, id: SlideId) {
+        let slide = self.mechanism().slide(id);
+        let name = self.names.slide(id).to_owned();
+        if slide.named.is_none() && slide.through != Vec2::ZERO {
+            self.constant(
+                format!("{name}_through"),
+                complex(slide.through.x, slide.through.y),
+            );
+        }
+        if slide.angle != 0.0 {
+            let direction = format!("turn({})", number(slide.angle));
+            self.constant(format!("{name}_along"), direction);
+        }
+    }
+
+    // Terms of what is given.
+
+    pub(super) fn point(&self, point: PointId) -> ScriptTerm {
+        ScriptTerm::of(self.names.point(point))
+    }
+
+    /// Where a point lies on its link.
+    pub(super) fn local(&self, link: LinkId, point: PointId) -> ScriptTerm {
+        match self.mechanism().link(link).local(point) {
+            Some(local) if local != Vec2::ZERO => ScriptTerm::of(self.local_name(link, point)),
+            _ => ScriptTerm::zero(),
+        }
+    }
+
+    /// From one point of a link to another, in its frame.
+    fn between(&self, link: LinkId, from: PointId, to: PointId) -> ScriptTerm {
+        self.local(link, to).minus(self.local(link, from))
+    }
+
+    fn radius(&self, link: LinkId, from: PointId, to: PointId) -> ScriptTerm {
+        let between = match self.local(link, to) == ScriptTerm::zero() {
+            true => self.local(link, from),
+            false => self.between(link, from, to),
+        };
+        ScriptTerm::of(format!("abs({between})"))
+    }
+
+    /// The point that a guide runs through, in the frame of what carries it.
+    pub(super) fn through(&self, id: SlideId) -> ScriptTerm {
+        let slide = self.mechanism().slide(id);
+        match (slide.named, slide.on) {
+            (Some(point), Body::Ground) => self.point(point),
+            (Some(point), Body::Link(link)) => self.local(link, point),
+            (None, _) if slide.through == Vec2::ZERO => ScriptTerm::zero(),
+            (None, _) => ScriptTerm::of(format!("{}_through", self.names.slide(id))),
+        }
+    }
+
+    /// The direction of a guide in the frame of what carries it.
+    pub(super) fn along(&self, id: SlideId) -> ScriptTerm {
+        match self.mechanism().slide(id).angle == 0.0 {
+            true => ScriptTerm::one(),
+            false => ScriptTerm::of(format!("{}_along", self.names.slide(id))),
+        }
+    }
+
+    /// The direction of a body, once it is known.
+    fn direction(&self, body: Body) -> Option<ScriptTerm> {
+        match body {
+            Body::Ground => Some(ScriptTerm::one()),
+            Body::Link(link) => self.aimed[link.index()].clone().map(ScriptTerm::of),
+        }
+    }
+
+    /// A place in the frame of a body, as the ground sees it, once the body is placed.
+    fn on_body(&self, body: Body, place: ScriptTerm) -> Option<ScriptTerm> {
+        let Body::Link(link) = body else {
+            return Some(place);
+        };
+        let seen_from = self.placed[link.index()]?;
+        let offset = place.minus(self.local(link, seen_from));
+        Some(
+            self.point(seen_from)
+                .plus(self.direction(body)?.times(offset)),
+        )
+    }
+
+    /// The direction of a link, once it is known.
+    pub(super) fn direction_of(&self, link: LinkId) -> Option<ScriptTerm> {
+        self.direction(Body::Link(link))
+    }
+
+    /// A guide on a body that is placed: the point that it runs through, and the direction of the body.
+    pub(super) fn guide_of_body(
+        &self,
+        body: Body,
+        id: SlideId,
+    ) -> Option<(ScriptTerm, ScriptTerm)> {
+        Some((self.on_body(body, self.through(id))?, self.direction(body)?))
+    }
+
+    // Steps.
+
+    pub(super) fn assign(&mut self, name: String, term: ScriptTerm) {
+        self.steps
+            .push(ScriptStep::Assign(Assignment { name, term }));
+    }
+
+    pub(super) fn put(&mut self, point: PointId, term: ScriptTerm) {
+        self.known[point.index()] = true;
+        self.assign(self.names.point(point).to_owned(), term);
+    }
+
+    pub(super) fn aim(&mut self, link: LinkId, term: ScriptTerm) {
+        let name = self
+            .names
+            .fresh(&format!("u_{}", self.scene.link_name(link)));
+        self.aimed[link.index()] = Some(name.clone());
+        self.assign(name, term);
+    }
+
+    /// A link of known direction has this point at a known place.
+    pub(super) fn hold(&mut self, link: LinkId, point: PointId) {
+        self.placed[link.index()] = Some(point);
+    }
+
+    pub(super) fn is_known(&self, point: PointId) -> bool {
+        self.known[point.index()]
+    }
+
+    /// Whether a script has this point: centres of mass are none of it.
+    pub(super) fn is_named(&self, point: PointId) -> bool {
+        let mut links = self.mechanism().links().iter();
+        self.scene.point_name(point).is_some() && links.all(|link| link.com != Some(point))
+    }
+
+    pub(super) fn is_placed(&self, link: LinkId) -> bool {
+        self.placed[link.index()].is_some()
+    }
+
+    pub(super) fn is_aimed(&self, link: LinkId) -> bool {
+        self.aimed[link.index()].is_some()
+    }
+
+    fn is_done(&self, links: &[LinkId], points: &[PointId]) -> bool {
+        links.iter().all(|&link| self.is_placed(link))
+            && points
+                .iter()
+                .all(|&p| self.is_known(p) || !self.is_named(p))
+    }
+
+    /// The points of a link that a script places.
+    pub(super) fn members(&self, link: LinkId) -> Vec<PointId> {
+        let given = self.mechanism().link(link);
+        let members = given.members.iter().map(|m| m.point);
+        members.filter(|&p| Some(p) != given.com).collect()
+    }
+
+    pub(super) fn known_member(&self, link: LinkId) -> Option<PointId> {
+        self.members(link).into_iter().find(|&p| self.is_known(p))
+    }
+
+    /// The coordinate of an input: the driver's is q, that of a further one follows it.
+    pub(super) fn coordinate(&self, input: Input) -> ScriptTerm {
+        ScriptTerm::of(match self.mechanism().timed_input(input) {
+            None => "q".to_owned(),
+            Some(timed) => format!("({} * q + {})", number(timed.ratio), number(timed.phase)),
+        })
+    }
+
+    fn drive(&mut self) {
+        let inputs: Vec<Input> = self.mechanism().inputs().collect();
+        for input in inputs {
+            self.drive_by(input);
+        }
+        self.settle();
+    }
+
+    fn drive_by(&mut self, input: Input) {
+        let q = self.coordinate(input);
+        match input {
+            Input::Turn(link) => {
+                self.steps.push(ScriptStep::Group(vec![link]));
+                self.aim(link, ScriptTerm::of(format!("turn({q})")));
+                if let Some(pivot) = self.known_member(link) {
+                    self.hold(link, pivot);
+                }
+            }
+            Input::Push(id) => {
+                let slide = self.mechanism().slide(id);
+                if slide.on == Body::Ground {
+                    self.steps.push(ScriptStep::Group(Vec::new()));
+                    let place = self.through(id).plus(self.along(id).times(q));
+                    self.put(slide.slider.point(), place);
+                }
+            }
+        }
+    }
+
+    /// What follows at once from what is known: directions by guides and by two points, and riders.
+    pub(super) fn settle(&mut self) {
+        loop {
+            let before = self.steps.len();
+            for link in self.mechanism().link_ids() {
+                self.lock(link);
+                self.settle_link(link);
+            }
+            if self.steps.len() == before {
+                return;
+            }
+        }
+    }
+
+    /// The direction of a link that keeps its angle to a guide.
+    fn lock(&mut self, link: LinkId) {
+        if self.is_aimed(link) {
+            return;
+        }
+        for id in self.mechanism().slide_ids() {
+            let slide = self.mechanism().slide(id);
+            let Slider::Link {
+                link: sliding,
+                turn,
+                ..
+            } = slide.slider
+            else {
+                continue;
+            };
+            let angle = match turn + slide.angle == 0.0 {
+                true => ScriptTerm::one(),
+                false => ScriptTerm::of(format!("turn({})", number(slide.angle + turn))),
+            };
+            if sliding == link {
+                if let Some(body) = self.direction(slide.on) {
+                    self.aim(link, body.times(angle));
+                    return;
+                }
+            } else if slide.on == Body::Link(link)
+                && let Some(other) = self.direction(Body::Link(sliding))
+            {
+                self.aim(link, other.over(angle));
+                return;
+            }
+        }
+    }
+
+    fn settle_link(&mut self, link: LinkId) {
+        if !self.is_placed(link) {
+            let members = self.members(link);
+            let known: Vec<PointId> = members.into_iter().filter(|&p| self.is_known(p)).collect();
+            let Some(&first) = known.first() else { return };
+            if !self.is_aimed(link) {
+                let local = |p: PointId| self.mechanism().link(link).local(p);
+                let Some(&other) = known.iter().find(|&&p| local(p) != local(first)) else {
+                    return;
+                };
+                self.aim_by(link, first, other);
+            }
+            self.hold(link, first);
+        }
+        for point in self.members(link) {
+            if !self.is_known(point)
+                && let Some(place) = self.on_body(Body::Link(link), self.local(link, point))
+            {
+                self.put(point, place);
+            }
+        }
+    }
+
+    /// The direction of a link with two known points.
+    fn aim_by(&mut self, link: LinkId, from: PointId, to: PointId) {
+        let seen = self.point(to).minus(self.point(from));
+        self.aim(link, seen.over(self.between(link, from, to)));
+    }
+}

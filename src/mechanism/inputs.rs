@@ -1,0 +1,115 @@
+//! Further inputs, which follow the driver.
+
+use super::{Defect, Driver, ElementId, Input, LinkId, Mechanism, SlideId};
+
+/// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
+/// switched with another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedInput {
+    /// What is moved.
+    pub input: Input,
+    /// Its coordinate for a unit of the driver's: degrees or the scene's length unit, each.
+    pub ratio: f64,
+    /// Its coordinate where the driver's is 0.
+    pub phase: f64,
+}
+
+impl TimedInput {
+    /// Its coordinate at one of the driver's.
+    #[must_use]
+    pub fn coordinate(&self, at: f64) -> f64 {
+        let (count, of) = self.fraction().unwrap_or((self.ratio, 1.0));
+        count * at / of + self.phase
+    }
+
+    /// Its speed for a unit of the driver's: in radians or the scene's length unit, each.
+    #[must_use]
+    pub fn rate(&self, driver: Input) -> f64 {
+        self.ratio
+            * match (driver, self.input) {
+                (Input::Turn(_), Input::Push(_)) => 1_f64.to_degrees(),
+                (Input::Push(_), Input::Turn(_)) => 1_f64.to_radians(),
+                _ => 1.0,
+            }
+    }
+
+    /// The ratio as a fraction of whole numbers, if it is one with a small denominator: 0.3333333333333333
+    /// is meant for a third.
+    pub(crate) fn fraction(&self) -> Option<(f64, f64)> {
+        let denominators = (1..=MOST_DENOMINATOR).map(f64::from);
+        let mut fractions = denominators.map(|of| ((self.ratio * of).round(), of));
+        fractions.find(|(count, of)| count / of == self.ratio)
+    }
+
+    /// Whether it is where it was after so many turns of a driven link.
+    pub(crate) fn comes_round(&self, turns: usize) -> bool {
+        match (self.input, self.fraction()) {
+            (Input::Turn(_), Some((count, of))) => count * turns as f64 % of == 0.0,
+            (Input::Turn(_), None) => false,
+            (Input::Push(_), _) => self.ratio == 0.0,
+        }
+    }
+
+    pub(super) fn check(&self, has_pivot: bool, found: &mut Vec<Defect>) {
+        if !(self.ratio.is_finite() && self.phase.is_finite()) {
+            found.push(Defect::Driver);
+        }
+        if let (Input::Turn(link), false) = (self.input, has_pivot) {
+            found.push(Defect::NoPivot { link });
+        }
+    }
+}
+
+/// A motion is followed over so many turns: a ratio with a larger denominator does not come round in them.
+const MOST_DENOMINATOR: u8 = 16;
+
+impl Mechanism {
+    /// The inputs that follow the driver.
+    #[must_use]
+    pub fn timed(&self) -> &[TimedInput] {
+        &self.parts.timed
+    }
+
+    /// Every input, the driver's first: as many as there are degrees of freedom.
+    pub fn inputs(&self) -> impl Iterator<Item = Input> + '_ {
+        let timed = self.timed().iter().map(|timed| timed.input);
+        std::iter::once(self.driver().input).chain(timed)
+    }
+
+    /// Whether an input turns a link.
+    #[must_use]
+    pub fn is_turned(&self, link: LinkId) -> bool {
+        self.inputs().any(|input| input == Input::Turn(link))
+    }
+
+    /// Whether an input pushes a slide.
+    #[must_use]
+    pub fn is_pushed(&self, slide: SlideId) -> bool {
+        self.inputs().any(|input| input == Input::Push(slide))
+    }
+
+    /// The further input of a link or a slide, if it has one.
+    #[must_use]
+    pub fn timed_input(&self, input: Input) -> Option<&TimedInput> {
+        self.timed().iter().find(|timed| timed.input == input)
+    }
+}
+
+impl Driver {
+    /// Whether it turns a link, and does not push a slide.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self.input, Input::Turn(_))
+    }
+}
+
+impl Input {
+    /// The link or the slide.
+    #[must_use]
+    pub fn element(self) -> ElementId {
+        match self {
+            Input::Turn(link) => ElementId::Link(link),
+            Input::Push(slide) => ElementId::Slide(slide),
+        }
+    }
+}

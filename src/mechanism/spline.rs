@@ -1,0 +1,127 @@
+//! A smooth curve through knots, at rest at both ends: the cubic spline that is clamped there.
+
+/// A cubic between each two knots; value, slope and second derivative go on from one to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClampedSpline {
+    /// Where, and the value there.
+    knots: Vec<[f64; 2]>,
+    /// The second derivatives at the knots.
+    bends: Vec<f64>,
+}
+
+impl ClampedSpline {
+    /// Through these knots; `None` for fewer than two, and where their places do not grow.
+    #[must_use]
+    pub fn new(knots: Vec<[f64; 2]>) -> Option<ClampedSpline> {
+        let grow = knots.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        let is_sound = knots.len() > 1 && grow && knots.iter().flatten().all(|x| x.is_finite());
+        is_sound.then(|| ClampedSpline {
+            bends: bends(&knots),
+            knots,
+        })
+    }
+
+    /// The first knot and the last.
+    #[must_use]
+    pub fn ends(&self) -> [[f64; 2]; 2] {
+        [self.knots[0], self.knots[self.knots.len() - 1]]
+    }
+
+    /// The value at a place, and its first two derivatives; beyond an end those of that end.
+    #[must_use]
+    pub fn at(&self, place: f64) -> [f64; 3] {
+        let last = self.knots.len() - 1;
+        let place = place.clamp(self.knots[0][0], self.knots[last][0]);
+        let k = self.knots.partition_point(|knot| knot[0] <= place);
+        let k = k.clamp(1, last) - 1;
+        let [[begin, low], [end, high]] = [self.knots[k], self.knots[k + 1]];
+        let [first, second] = [self.bends[k], self.bends[k + 1]];
+        let h = end - begin;
+        let (b, a) = ((place - begin) / h, (end - place) / h);
+        let cubic = |s: f64| s * (s * s - 1.0);
+        let slope = |s: f64| 3.0 * s * s - 1.0;
+        [
+            a * low + b * high + (cubic(a) * first + cubic(b) * second) * h * h / 6.0,
+            (high - low) / h + (slope(b) * second - slope(a) * first) * h / 6.0,
+            a * first + b * second,
+        ]
+    }
+}
+
+/// The second derivatives at the knots: where two cubics meet their slopes agree, and at the ends they are 0.
+fn bends(knots: &[[f64; 2]]) -> Vec<f64> {
+    let widths: Vec<f64> = knots
+        .windows(2)
+        .map(|pair| pair[1][0] - pair[0][0])
+        .collect();
+    let rise = |k: usize| (knots[k + 1][1] - knots[k][1]) / widths[k];
+    let last = knots.len() - 1;
+    // From top to bottom, row by row: of each its pivot and its right side, less what stands above.
+    let (mut pivots, mut bends) = (Vec::new(), Vec::new());
+    for k in 0..=last {
+        let before = if k > 0 { widths[k - 1] } else { 0.0 };
+        let behind = if k < last { widths[k] } else { 0.0 };
+        let arrives = if k > 0 { rise(k - 1) } else { 0.0 };
+        let leaves = if k < last { rise(k) } else { 0.0 };
+        let (mut pivot, mut side) = (2.0 * (before + behind), 6.0 * (leaves - arrives));
+        if let (Some(above), Some(solved)) = (pivots.last(), bends.last()) {
+            let part: f64 = before / above;
+            pivot -= part * before;
+            side -= part * solved;
+        }
+        pivots.push(pivot);
+        bends.push(side);
+    }
+    bends[last] /= pivots[last];
+    for k in (0..last).rev() {
+        bends[k] = (bends[k] - widths[k] * bends[k + 1]) / pivots[k];
+    }
+    bends
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s^2 (3 - 2 s) is a cubic at rest at both ends: through its own knots there is no other.
+    #[test]
+    fn a_cubic_at_rest_at_both_ends_is_found_again() {
+        let cubic = |s: f64| s * s * (3.0 - 2.0 * s);
+        for places in [&[0.0, 1.0][..], &[0.0, 0.1, 0.25, 0.7, 1.0]] {
+            let knots = places.iter().map(|&s| [s, cubic(s)]).collect();
+            let spline = ClampedSpline::new(knots).unwrap();
+            for k in 0..=40 {
+                let s = f64::from(k) / 40.0;
+                let exact = [cubic(s), 6.0 * s * (1.0 - s), 6.0 - 12.0 * s];
+                for (found, exact) in spline.at(s).into_iter().zip(exact) {
+                    assert!((found - exact).abs() < 1e-13, "{s}: {found} for {exact}");
+                }
+            }
+        }
+    }
+
+    /// Three knots leave one slope m free at (0.2, 40); of the cubics of Hermite the second derivatives meet there
+    /// where 2 m / h0 + 2 m / h1 = 3 d0 / h0 + 3 d1 / h1: m = 3 (200/0.2 + 80/0.3 * 1/0.3) / (2 (1/0.2 + 1/0.3)).
+    #[test]
+    fn through_three_knots_the_slope_in_the_middle_is_known() {
+        let spline = ClampedSpline::new(vec![[0.0, 0.0], [0.2, 40.0], [0.5, 120.0]]).unwrap();
+        let (rise, other) = (200.0 / 0.2, 80.0 / 0.3 / 0.3);
+        let slope = 3.0 * (rise + other) / (2.0 * (5.0 + 1.0 / 0.3));
+        let [value, found, _] = spline.at(0.2);
+        assert!(
+            (value - 40.0).abs() < 1e-12 && (found - slope).abs() < 1e-10,
+            "{found} {slope}"
+        );
+        let apart = 1e-9;
+        let [before, after] = [spline.at(0.2 - apart)[2], spline.at(0.2 + apart)[2]];
+        assert!((before - after).abs() < 1e-3, "{before} {after}");
+        assert_eq!([spline.at(-1.0)[1], spline.at(9.0)[0]], [0.0, 120.0]);
+    }
+
+    #[test]
+    fn knots_that_do_not_grow_are_refused() {
+        assert_eq!(ClampedSpline::new(vec![[0.0, 1.0]]), None);
+        assert_eq!(ClampedSpline::new(vec![[0.0, 1.0], [0.0, 2.0]]), None);
+        assert_eq!(ClampedSpline::new(vec![[0.0, 1.0], [1.0, f64::NAN]]), None);
+    }
+}

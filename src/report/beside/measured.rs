@@ -1,0 +1,137 @@
+//! Measurements over the driver's coordinate, row by row beside what krank has there.
+
+use super::course;
+use super::foreign::{ForeignCourse, ForeignFigures, ForeignTable};
+use super::list::apart;
+use crate::page::{Page, TextStyle};
+use crate::quantity::{Catalogue, Quantity};
+use crate::report::columns::{CellSource, Columns};
+use crate::report::rows::{CsvRows, JsonRows, RowWriter, TextRows};
+use crate::report::sweep::{RowFormat, SweepOutcome};
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Solver};
+use std::io::{self, Write};
+
+/// Columns that were measured over the driver's coordinate.
+pub struct Measured {
+    file: String,
+    course: ForeignCourse,
+}
+
+impl ForeignFigures {
+    /// The file as measurements of these figures, or of all that krank knows; `None` where it is no table over the
+    /// driver's coordinate, or has none of them.
+    #[must_use]
+    pub fn measured(&self, catalogue: &Catalogue, of: Option<&[Quantity]>) -> Option<Measured> {
+        let ForeignTable::Course(mut course) = self.table(catalogue) else {
+            return None;
+        };
+        if let Some(of) = of {
+            course.keep(|quantity| of.contains(quantity));
+        }
+        let is_any = !(course.rows.is_empty() || course.columns.is_empty());
+        is_any.then(|| Measured {
+            file: self.name().to_owned(),
+            course,
+        })
+    }
+}
+
+impl Measured {
+    /// What was measured.
+    #[must_use]
+    pub fn figures(&self) -> &[Quantity] {
+        &self.course.columns
+    }
+
+    /// Heads that are no columns of krank's, or in no such unit.
+    #[must_use]
+    pub fn strangers(&self) -> &[String] {
+        &self.course.strangers
+    }
+
+    /// The driver's coordinate and the value of every measurement of a figure.
+    #[must_use]
+    pub fn points(&self, figure: usize) -> Vec<(f64, f64)> {
+        let rows = self.course.rows.iter();
+        let value = |(at, values): &(f64, Vec<_>)| {
+            let value: Option<super::foreign::ForeignValue> = *values.get(figure)?;
+            Some((*at, value?.value))
+        };
+        rows.filter_map(value).collect()
+    }
+
+    /// Writes a row for each of the file: of every figure krank's, the measured one and by how much that is more. Text
+    /// has the root mean square and the largest of the differences below.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(
+        &self,
+        (scene, solver): (&Scene, &Solver),
+        (format, units): (RowFormat, bool),
+        ascii: bool,
+        mut to: impl Write,
+    ) -> io::Result<SweepOutcome> {
+        let columns = self.columns(units);
+        let outcome = match format {
+            RowFormat::Csv(dialect) => self.rows(solver, CsvRows::new(&columns, dialect, &mut to)?),
+            RowFormat::Json => self.rows(solver, JsonRows::new(&scene.name, &columns, &mut to)?),
+            RowFormat::Text { digits } => {
+                let outcome = self.rows(solver, TextRows::new(&columns, digits, &mut to)?)?;
+                write!(to, "\n{}", self.summary(solver, ascii))?;
+                Ok(outcome)
+            }
+        }?;
+        Ok(outcome)
+    }
+
+    /// The root mean square and the largest difference of each figure.
+    fn summary(&self, solver: &Solver, ascii: bool) -> String {
+        let mut page = Page::default();
+        course::add_table(&mut page, &self.file, &self.course, solver);
+        page.to_text(TextStyle::plain(ascii))
+    }
+
+    fn columns(&self, units: bool) -> Columns {
+        let mut columns = Columns::new(&self.course.driver, &[], units);
+        for figure in &self.course.columns {
+            let named = |ending: &str| Quantity {
+                name: format!("{}.{ending}", figure.name),
+                ..figure.clone()
+            };
+            columns.quantities.push(figure.clone());
+            columns.sources.push(CellSource::Figure);
+            columns.quantities.push(named("measured"));
+            columns.sources.push(CellSource::Figure);
+            columns.quantities.push(named("difference"));
+            columns.sources.push(CellSource::Difference);
+        }
+        columns
+    }
+
+    fn rows(&self, solver: &Solver, mut rows: impl RowWriter) -> io::Result<SweepOutcome> {
+        let order = self.course.columns.iter().map(Quantity::order).max();
+        let mut state = solver.state();
+        let mut outcome = SweepOutcome::default();
+        for (at, values) in &self.course.rows {
+            let condition = solver.solve(*at, order.unwrap_or(Order::Position), &mut state);
+            let mut cells = vec![Some(*at)];
+            for (figure, value) in self.course.columns.iter().zip(values) {
+                let own = figure.value(&state);
+                let measured = match (value, own) {
+                    (Some(value), Some(own)) => Some(value.nearer(|v| apart(figure, v, own)).value),
+                    (value, None) => value.map(|value| value.value),
+                    (None, Some(_)) => None,
+                };
+                let off = own.zip(measured).map(|(own, it)| apart(figure, it, own));
+                cells.extend([own, measured, off]);
+            }
+            rows.row(&cells, condition)?;
+            outcome.rows += 1;
+            outcome.valued += u64::from(condition != Condition::NoAssembly);
+        }
+        rows.finish()?;
+        Ok(outcome)
+    }
+}

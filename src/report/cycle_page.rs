@@ -1,0 +1,245 @@
+//! What figures do over the motion, to be read.
+
+use super::check_page::{condition_text, place_text};
+use super::cycle_report::{CycleReport, FollowedFigure, WorstPlace};
+use super::number::{concise, significant};
+use crate::page::{Content, Facts, Page, TextStyle};
+use crate::quantity::{Quantity, rate_unit};
+use crate::scene::Scene;
+use crate::solver::{Range, Solver};
+use crate::study::{DwellStretch, Excursion, FigurePlace, NoFigure, TimeRatio, TurningPlace};
+use crate::wording::{Language, words};
+
+/// Columns of the labels, and where there is little room.
+const LABEL: usize = 14;
+const NARROW: usize = 12;
+/// Significant digits of a figure that is solved for to the last digit, and of a rate.
+const ALL: usize = 9;
+const DIGITS: usize = 6;
+/// Of a dwell.
+const SOME: usize = 5;
+/// Of a tolerance.
+const FEW: usize = 3;
+
+impl CycleReport {
+    /// As text for a person; the title in ASCII alone if asked.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// All that was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&words().told_of_scene(&self.scene));
+        let speed = self.rate_text(self.speed);
+        page.text_below(match self.range {
+            Range::Full { .. } => words().cycle_goes_round(&speed, &self.range_text),
+            Range::Limited { .. } => words().cycle_of_range(&speed, &self.range_text),
+        });
+        if self.figures.is_empty() {
+            page.text_below(words().nothing_to_follow().to_owned());
+        }
+        for figure in &self.figures {
+            let unit = &figure.quantity.unit;
+            let unit = if unit.is_empty() { "-" } else { unit };
+            page.heading(format!("{} [{unit}]", figure.quantity.name));
+            page.add(self.told(figure));
+        }
+        self.add_whole(&mut page);
+        page
+    }
+
+    fn rate_text(&self, speed: f64) -> String {
+        let unit = rate_unit(&self.driver.unit);
+        format!("{} {unit}", concise(speed.abs(), DIGITS))
+    }
+
+    fn add_whole(&self, page: &mut Page) {
+        if self.transmission.is_empty() && self.condition.is_empty() {
+            return;
+        }
+        let mut facts = labelled();
+        let at = |worst: &WorstPlace| place_text(worst.at, &self.driver.unit);
+        let angles = self.transmission.iter().map(|worst| {
+            let [least, off] = [worst.least, 90.0 - worst.least].map(|v| format!("{v:.2}"));
+            words().off_the_best(&worst.group, &off, &least, &at(worst))
+        });
+        facts.tell(&indented(words().label_transmission()), angles);
+        let conditions = self.condition.iter();
+        let conditions = conditions.map(|facts| condition_text(facts, &self.driver.unit));
+        facts.tell(&indented(words().label_condition()), conditions);
+        page.heading(words().mechanism_as_a_whole().to_owned());
+        page.add(Content::Facts(facts));
+    }
+
+    fn told(&self, figure: &FollowedFigure) -> Content {
+        let mut facts = labelled();
+        let is_angle = figure.quantity.unit == "deg";
+        let label = match is_angle {
+            true => words().label_swing(),
+            false => words().label_stroke(),
+        };
+        match &figure.excursion {
+            Err(why) => facts.tell(&indented(label), [self.none(*why)]),
+            Ok(excursion) if excursion.is_level() => {
+                let value = concise(excursion.greatest.value, ALL);
+                let unit = &figure.quantity.unit;
+                let told = words().stays_at(&format!("{value} {unit}"));
+                facts.tell(&indented(label), [told]);
+            }
+            Ok(excursion) => self.tell(excursion, &figure.quantity.unit, label, &mut facts),
+        }
+        Content::Facts(facts)
+    }
+
+    fn tell(&self, excursion: &Excursion, unit: &str, label: &str, facts: &mut Facts) {
+        let stroke = match excursion.stroke() {
+            Ok(stroke) => format!("{} {unit}", concise(stroke, ALL)),
+            Err(_) if excursion.revolutions.abs() == 1.0 => words().turns_round_once().to_owned(),
+            Err(_) => words().turns_round_times(&concise(excursion.revolutions.abs(), FEW)),
+        };
+        facts.tell(&indented(label), [stroke]);
+        let turns = excursion
+            .turnings
+            .iter()
+            .map(|turn| self.turn_text(turn, unit));
+        facts.tell(&indented(words().label_turns()), turns);
+        let ratio = match excursion.ratio {
+            Ok(ratio) => Some(self.ratio_text(ratio)),
+            Err(NoFigure::TurnsRound | NoFigure::Stands) => None,
+            Err(why) => Some(self.none(why)),
+        };
+        facts.tell(&indented(words().label_ratio()), ratio);
+        if let Some((tolerance, dwells)) = &excursion.dwells {
+            let tolerance = format!("{} {unit}", concise(*tolerance, FEW));
+            let told = dwells.iter().map(|d| self.dwell_text(d, &tolerance));
+            let mut told: Vec<String> = told.collect();
+            if told.is_empty() {
+                told.push(words().never_dwells().to_owned());
+            }
+            facts.tell(&indented(words().label_dwells()), told);
+        }
+        let rate = rate_unit(unit);
+        let fastest = self.rate_place(excursion.fastest, &rate);
+        facts.tell(&indented(words().label_fastest()), [fastest]);
+        let hardest = self.rate_place(excursion.hardest, &rate_unit(&rate));
+        facts.tell(&indented(words().label_hardest()), [hardest]);
+    }
+
+    fn brief(&self, figure: &FollowedFigure) -> Vec<String> {
+        let unit = &figure.quantity.unit;
+        let excursion = match &figure.excursion {
+            Ok(excursion) => excursion,
+            Err(why) => return vec![self.none(*why)],
+        };
+        let label = match unit.as_str() {
+            "deg" => words().label_swing(),
+            _ => words().label_stroke(),
+        };
+        let sized = |value: f64, unit: &str| format!("{} {unit}", concise(value, DIGITS));
+        let stroke = excursion.stroke().map(|stroke| sized(stroke, unit));
+        let ratio = excursion.ratio.map(|ratio| concise(ratio.value, DIGITS));
+        let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
+        let dwell = dwells.map(|dwell| dwell.way).max_by(f64::total_cmp);
+        let dwell = dwell.map(|way| format!("{} {}", concise(way, SOME), self.driver.unit));
+        let fastest = excursion
+            .fastest
+            .map(|place| sized(place.value, &rate_unit(unit)));
+        let stroke = (label, stroke.map_err(Some));
+        let turns = (
+            words().label_turns(),
+            Ok(excursion.turnings.len().to_string()),
+        );
+        let told = [
+            turns,
+            (words().label_ratio(), ratio.map_err(Some)),
+            (words().label_dwells(), dwell.ok_or(None)),
+            (words().label_fastest(), fastest.map_err(Some)),
+        ];
+        // Of what stays there is no more to say.
+        let told = told.into_iter().filter(|_| !excursion.is_level());
+        let lines = [stroke].into_iter().chain(told);
+        let lines = lines.filter_map(|(label, value)| match value {
+            Ok(value) => Some(format!("{label:NARROW$}{value}")),
+            Err(Some(why)) => Some(format!("{label:NARROW$}{}", self.none(why))),
+            Err(None) => None,
+        });
+        lines.collect()
+    }
+
+    fn turn_text(&self, turn: &TurningPlace, unit: &str) -> String {
+        let value = format!("{} {unit}", concise(turn.place.value, ALL));
+        let at = place_text(turn.place.at, &self.driver.unit);
+        let told = match turn.is_peak {
+            true => words().peak_at(&value, &at),
+            false => words().dip_at(&value, &at),
+        };
+        match turn.is_limit {
+            true => words().limit_of_driver(&told),
+            false => told,
+        }
+    }
+
+    fn ratio_text(&self, ratio: TimeRatio) -> String {
+        let unit = if ratio.are_times {
+            "s"
+        } else {
+            &self.driver.unit
+        };
+        let ways = ratio
+            .ways
+            .map(|way| format!("{} {unit}", significant(way, DIGITS)));
+        let value = concise(ratio.value, ALL);
+        words().slow_by_quick(&value, &ways[0], &ways[1], ratio.rises_slowly)
+    }
+
+    fn dwell_text(&self, dwell: &DwellStretch, tolerance: &str) -> String {
+        let unit = &self.driver.unit;
+        let way = format!("{} {unit}", significant(dwell.way, SOME));
+        let way = match dwell.seconds {
+            Some(seconds) => words().in_seconds(&way, &significant(seconds, SOME)),
+            None => way,
+        };
+        let [from, to] = [dwell.from, dwell.to].map(|at| significant(at, SOME));
+        let of = concise(dwell.about.place.value, SOME);
+        words().stays_within(&way, &from, &to, tolerance, &of)
+    }
+
+    fn rate_place(&self, place: Result<FigurePlace, NoFigure>, unit: &str) -> String {
+        match place {
+            Ok(place) => {
+                let value = format!("{} {unit}", significant(place.value, DIGITS));
+                words().value_at(&value, &place_text(place.at, &self.driver.unit))
+            }
+            Err(why) => self.none(why),
+        }
+    }
+
+    fn none(&self, why: NoFigure) -> String {
+        words().not_there(&self.reason(why, Language::spoken()))
+    }
+}
+
+/// The most telling properties of one figure in a few short lines.
+#[cfg_attr(
+    not(feature = "tui"),
+    allow(dead_code, reason = "said in the workbench")
+)]
+pub(crate) fn brief_cycle(scene: &Scene, solver: &Solver, quantity: &Quantity) -> Vec<String> {
+    let report = CycleReport::of_columns(scene, solver, std::slice::from_ref(quantity), None);
+    let figures = report.figures.iter();
+    figures.flat_map(|figure| report.brief(figure)).collect()
+}
+
+fn indented(label: &str) -> String {
+    format!("  {label}")
+}
+
+fn labelled() -> Facts {
+    Facts {
+        names: LABEL + 1,
+        ..Facts::default()
+    }
+}

@@ -1,0 +1,91 @@
+//! What many designs come to: how many there are, and where each figure is least and greatest.
+
+use super::design_rows::{DesignColumn, DesignTable};
+use crate::study::{DesignRow, DesignState};
+use crate::wording::words;
+
+/// Gathers it row by row.
+#[derive(Clone, Debug)]
+pub struct DesignSummary {
+    /// All designs.
+    pub rows: u64,
+    /// Those that have a figure.
+    pub valued: u64,
+    /// Those that do not assemble as the scene does.
+    pub open: u64,
+    /// Those whose numbers make no scene.
+    pub unreadable: u64,
+    extremes: Vec<Option<DesignExtremes>>,
+}
+
+/// Where a figure is least and greatest: its value and the numbers of the design.
+#[derive(Clone, Debug)]
+struct DesignExtremes {
+    least: (f64, Vec<f64>),
+    greatest: (f64, Vec<f64>),
+}
+
+impl DesignSummary {
+    /// Of so many figures.
+    #[must_use]
+    pub fn new(figures: usize) -> DesignSummary {
+        DesignSummary {
+            rows: 0,
+            valued: 0,
+            open: 0,
+            unreadable: 0,
+            extremes: vec![None; figures],
+        }
+    }
+
+    /// One more.
+    pub fn note(&mut self, row: &DesignRow) {
+        self.rows += 1;
+        self.valued += u64::from(row.figures.iter().any(Result::is_ok));
+        self.open += u64::from(row.state == DesignState::NoAssembly);
+        self.unreadable += u64::from(row.state == DesignState::Unreadable);
+        for (figure, known) in self.extremes.iter_mut().enumerate() {
+            if let Some(value) = row.figure(figure) {
+                DesignExtremes::note(known, value, &row.numbers);
+            }
+        }
+    }
+
+    /// In a line for each figure where it is least and greatest; of equal designs the first.
+    #[must_use]
+    pub fn lines(&self, table: &DesignTable, digits: usize) -> Vec<String> {
+        let (numbers, figures) = table.columns();
+        let told = figures.iter().zip(&self.extremes);
+        let line = |(figure, found): (&DesignColumn, &Option<DesignExtremes>)| {
+            let Some(found) = found else {
+                return words().has_no_value_in_designs(&figure.name);
+            };
+            let end = |(value, at): &(f64, Vec<f64>)| {
+                let at = numbers.iter().zip(at);
+                let at = at.map(|(c, &v)| format!("{} = {}", c.name, c.text(v, digits)));
+                let at: Vec<String> = at.collect();
+                (figure.text(*value, digits), at.join(", "))
+            };
+            let ((least, low), (greatest, high)) = (end(&found.least), end(&found.greatest));
+            words().designs_from_to(&figure.name, [&least, &low], [&greatest, &high])
+        };
+        told.map(line).collect()
+    }
+}
+
+impl DesignExtremes {
+    fn note(known: &mut Option<DesignExtremes>, value: f64, numbers: &[f64]) {
+        let here = || (value, numbers.to_vec());
+        match known {
+            None => {
+                *known = Some(DesignExtremes {
+                    least: here(),
+                    greatest: here(),
+                });
+            }
+            Some(known) if value < known.least.0 => known.least = here(),
+            Some(known) if value > known.greatest.0 => known.greatest = here(),
+            Some(_) => {}
+        }
+    }
+}

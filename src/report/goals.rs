@@ -1,0 +1,259 @@
+//! What a search for goals, or for the best design, came to.
+
+use super::number::{concise, significant};
+use crate::page::{Cell, Content, Facts, Page, Table, TextStyle};
+use crate::study::{
+    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoFigure, SearchOutcome,
+};
+use crate::wording::words;
+use serde_json::{Map, Value, json};
+
+/// Digits of what is read by eye, and of what meets a goal: as many as show that it does.
+const DIGITS: usize = 7;
+const FINE: usize = 12;
+/// Designs in a table beside the given one.
+const MOST_SHOWN: usize = 4;
+
+/// Designs that meet goals.
+#[derive(Clone, Debug)]
+pub struct GoalReport<'a> {
+    /// The designs that were searched.
+    pub space: &'a DesignSpace,
+    /// What was wished.
+    pub goals: &'a [Goal],
+    /// The figures of the given design, goal by goal; none where it does not open.
+    pub given: Option<Vec<Result<f64, NoFigure>>>,
+    /// What was found.
+    pub outcome: &'a SearchOutcome,
+}
+
+impl GoalReport<'_> {
+    /// The designs that are told: those that meet the goals, or the nearest that does not.
+    fn told(&self) -> impl Iterator<Item = &FoundDesign> {
+        self.outcome.solutions.iter().chain(&self.outcome.nearest)
+    }
+
+    /// As text for a person.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// What was wished and what was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&self.space.scene().title());
+        let mut facts = Facts::default();
+        let wishes = self.goals.iter().map(written);
+        facts.tell(words().to_be_met(), wishes);
+        facts.tell(words().designs_found(), [self.verdict()]);
+        page.add(Content::Facts(facts));
+        page.table(self.table());
+        page
+    }
+
+    fn verdict(&self) -> String {
+        let outcome = self.outcome;
+        match outcome.solutions.len() {
+            0 if outcome.nearest.is_some() => words().none_meets_goals(outcome.starts),
+            0 => words().no_design_opens(outcome.starts),
+            1 => words().one_design_meets(outcome.starts),
+            count => words().designs_meet(count, MOST_SHOWN, outcome.starts),
+        }
+    }
+
+    fn table(&self) -> Table {
+        let numbered = match self.outcome.solutions.is_empty() {
+            true => vec![words().nearest_design().to_owned()],
+            false => (1..=self.outcome.solutions.len().min(MOST_SHOWN))
+                .map(|n| n.to_string())
+                .collect(),
+        };
+        let heads = std::iter::once(words().given_design().to_owned()).chain(numbered);
+        let mut table = Table::new("", heads);
+        for (i, value) in self.space.values().iter().enumerate() {
+            let numbers = self
+                .told()
+                .take(MOST_SHOWN)
+                .map(|found| number(found.numbers[i]));
+            let given = concise(value.number, FINE);
+            table.row(
+                self.name(i),
+                std::iter::once(given).chain(numbers).map(Cell::sure),
+            );
+        }
+        for (i, goal) in self.goals.iter().enumerate() {
+            let figures = self
+                .told()
+                .take(MOST_SHOWN)
+                .map(|found| figure(found.figures.get(i)));
+            let given = figure(self.given.as_ref().and_then(|given| given.get(i)));
+            table.row(
+                titled(&goal.figure),
+                std::iter::once(given).chain(figures).map(Cell::sure),
+            );
+        }
+        table
+    }
+
+    /// A value that varies, as it is named on the command line, and its unit.
+    fn name(&self, value: usize) -> String {
+        let value = &self.space.values()[value];
+        with_unit(&value.name.replace(' ', "."), value.unit)
+    }
+
+    /// All that was found, for programs.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let design = |found: &FoundDesign| {
+            json!({
+                "values": named(self.space, &found.numbers),
+                "figures": self.figures(&found.figures),
+                "distance": found.distance,
+            })
+        };
+        json!({
+            "scene": self.space.scene().name,
+            "goals": self.goals.iter().map(written).collect::<Vec<_>>(),
+            "given": named(self.space, &self.space.given()),
+            "starts": self.outcome.starts,
+            "solutions": self.outcome.solutions.iter().map(design).collect::<Vec<_>>(),
+            "nearest": self.outcome.nearest.as_ref().map(design),
+        })
+    }
+
+    fn figures(&self, found: &[Result<f64, NoFigure>]) -> Value {
+        let pairs = self.goals.iter().zip(found);
+        let pairs =
+            pairs.map(|(goal, value)| (goal.figure.name().to_owned(), json!(value.as_ref().ok())));
+        Value::Object(pairs.collect::<Map<_, _>>())
+    }
+}
+
+/// The best design.
+#[derive(Clone, Debug)]
+pub struct BestReport<'a> {
+    /// The designs that were searched.
+    pub space: &'a DesignSpace,
+    /// What was to be the best.
+    pub figure: &'a CycleFigure,
+    /// Whether the greatest was.
+    pub greatest: bool,
+    /// What was to be kept.
+    pub constraints: &'a [Goal],
+    /// The figure, and then those of the constraints, of the given design; none where it does not open.
+    pub given: Option<Vec<Result<f64, NoFigure>>>,
+    /// What was found.
+    pub best: &'a BestDesign,
+    /// The same figures of it.
+    pub figures: Vec<Result<f64, NoFigure>>,
+}
+
+impl BestReport<'_> {
+    /// As text for a person.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// What was wished and what was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&self.space.scene().title());
+        let mut facts = Facts::default();
+        let wish = match self.greatest {
+            true => words().greatest_wished(self.figure.name()),
+            false => words().least_wished(self.figure.name()),
+        };
+        facts.tell(words().to_be_best(), [wish]);
+        facts.tell(words().to_be_kept(), self.constraints.iter().map(written));
+        let settled = words().generations_made(self.best.generations, self.best.settled);
+        facts.tell(words().designs_found(), [settled]);
+        page.add(Content::Facts(facts));
+        page.table(self.table());
+        page
+    }
+
+    fn table(&self) -> Table {
+        let heads = [words().given_design(), words().best_design()];
+        let mut table = Table::new("", heads);
+        let values = self.space.values().iter().zip(&self.best.numbers);
+        for (value, number) in values {
+            let name = with_unit(&value.name.replace(' ', "."), value.unit);
+            let cells = [concise(value.number, FINE), self::number(*number)];
+            table.row(name, cells.map(Cell::sure));
+        }
+        let asked =
+            std::iter::once(self.figure).chain(self.constraints.iter().map(|goal| &goal.figure));
+        for (i, asked) in asked.enumerate() {
+            let given = figure(self.given.as_ref().and_then(|given| given.get(i)));
+            table.row(
+                titled(asked),
+                [given, figure(self.figures.get(i))].map(Cell::sure),
+            );
+        }
+        table
+    }
+
+    /// All that was found, for programs.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        json!({
+            "scene": self.space.scene().name,
+            "figure": self.figure.name(),
+            "sense": if self.greatest { "greatest" } else { "least" },
+            "constraints": self.constraints.iter().map(written).collect::<Vec<_>>(),
+            "given": named(self.space, &self.space.given()),
+            "values": named(self.space, &self.best.numbers),
+            "value": self.best.value,
+            "missed": self.best.missed,
+            "generations": self.best.generations,
+            "settled": self.best.settled,
+        })
+    }
+}
+
+fn named(space: &DesignSpace, numbers: &[f64]) -> Value {
+    let pairs = space.values().iter().zip(numbers);
+    let pairs = pairs.map(|(value, number)| (value.name.replace(' ', "."), json!(number)));
+    Value::Object(pairs.collect::<Map<_, _>>())
+}
+
+/// A goal as it is written.
+fn written(goal: &Goal) -> String {
+    let number = concise(goal.number, FINE);
+    let text = format!("{} {} {number}", goal.figure.name(), goal.sense.sign());
+    match goal.figure.unit() {
+        "" => text,
+        unit => format!("{text} {unit}"),
+    }
+}
+
+fn figure(found: Option<&Result<f64, NoFigure>>) -> String {
+    match found {
+        Some(Ok(value)) => significant(*value, DIGITS),
+        Some(Err(_)) | None => "-".into(),
+    }
+}
+
+/// A number of a design, without noughts at its end.
+fn number(value: f64) -> String {
+    let text = significant(value, FINE);
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+fn titled(figure: &CycleFigure) -> String {
+    with_unit(figure.name(), figure.unit())
+}
+
+fn with_unit(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
+}

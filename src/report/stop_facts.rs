@@ -1,0 +1,116 @@
+//! The stops at which a motion ends.
+
+use super::number::concise;
+use crate::scene::Scene;
+use crate::solver::{EndStop, Solver};
+use crate::wording::words;
+use crate::{Input, LimitOf, StrokeEnd};
+use serde::Serialize;
+
+/// A stop at an end of the range.
+#[derive(Clone, Debug, Serialize)]
+pub struct StopFacts {
+    /// What is limited: a slide, a link, the driver, or the limit by its own name.
+    pub name: String,
+    /// The driver's coordinate at which it is met, in deg or the scene's unit.
+    pub at: f64,
+    /// The end of the limit that is met, in deg or the scene's unit.
+    pub value: f64,
+    /// The unit of that.
+    #[serde(skip)]
+    unit: &'static str,
+}
+
+/// The stops at which the motion ends, in order.
+#[must_use]
+pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
+    let facts = |stop: &EndStop| {
+        let limit = scene.mechanism.limit(stop.limit);
+        let is_angle = match limit.of {
+            LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            LimitOf::Slide(_) => false,
+            LimitOf::Angle { .. } => true,
+        };
+        StopFacts {
+            name: scene.limit_name(stop.limit).to_owned(),
+            at: stop.at,
+            value: match stop.end {
+                StrokeEnd::Least => limit.low,
+                StrokeEnd::Greatest => limit.high,
+            },
+            unit: if is_angle { "deg" } else { scene.unit.symbol() },
+        }
+    };
+    solver.motion().stops.iter().map(facts).collect()
+}
+
+impl StopFacts {
+    /// In words; `at` is the driver's coordinate in `unit`.
+    #[must_use]
+    pub fn text(&self, at: &str, unit: &str) -> String {
+        let value = format!("{} {}", concise(self.value, usize::MAX), self.unit);
+        words().stop_at(at, unit, &self.name, &value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::{Check, Verdict};
+
+    const SLIDER_CRANK: &str = "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+        r2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 300 }\n[slides]\n\
+        rod = { point = \"C\", on = \"ground\", through = \"A\", angle = 0 }\n[start]\nC = [350, 0]\n[limits]\n";
+
+    fn told(limits: &str) -> (String, [String; 2], serde_json::Value) {
+        let scene = Scene::parse(&format!("{SLIDER_CRANK}{limits}"), "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let check = Check::new(&scene, &solver);
+        let [range, ..] = Verdict::new(&scene, &solver).parts;
+        let range = range.unwrap();
+        let mut json = check.to_json();
+        (
+            check.to_text(true),
+            [range.long, range.short],
+            json["stops"].take(),
+        )
+    }
+
+    /// The places by the law of cosines: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
+    #[test]
+    fn stops_are_told_with_their_places() {
+        let (text, verdict, json) = told("rod = [250, 380]\n");
+        assert!(
+            text.contains(
+                "stops      32.073412392109 deg: rod at 380 mm\n           110.487315114723 deg: rod at 250 mm\n"
+            ),
+            "{text}"
+        );
+        assert_eq!(verdict[0], "32.073..110.49 deg, stops of rod");
+        assert_eq!(verdict[1], verdict[0]);
+        assert_eq!(json[0]["name"], "rod");
+        assert_eq!(json[0]["value"], 380.0);
+        assert_eq!(json[1]["at"], 110.48731511472266);
+        assert_eq!(json.as_array().map(Vec::len), Some(2));
+    }
+
+    #[test]
+    fn other_limits_are_told_by_their_names() {
+        let (text, verdict, _) = told(
+            "rod = [200, 380]\nknee = { link = \"r3\", from = \"r2\", angle = [-123, -30] }\n",
+        );
+        assert!(text.contains(" deg: knee at -123 deg\n"), "{text}");
+        assert!(
+            verdict[0].ends_with(", stops of rod and knee"),
+            "{verdict:?}"
+        );
+    }
+
+    #[test]
+    fn what_turns_freely_has_none() {
+        let (text, verdict, json) = told("rod = [100, 500]\n");
+        assert!(!text.contains("stops"), "{text}");
+        assert_eq!(verdict, ["turns fully", "turns fully"]);
+        assert_eq!(json, serde_json::json!([]));
+    }
+}

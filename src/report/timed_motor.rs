@@ -1,0 +1,187 @@
+//! The motor over the period of a motion over time, to be read and as data.
+
+use super::number::{concise, significant};
+use crate::Input;
+use crate::page::{Content, Facts, Page, TextStyle};
+use crate::quantity::Catalogue;
+use crate::scene::{Motor, Scene};
+use crate::study::motor::{MotorDemand, MotorFit, TimedDuty, TimedPeak};
+use crate::wording::words;
+use serde_json::{Value, json};
+
+const LABEL: usize = 18;
+const DIGITS: usize = 6;
+
+/// What was found of a scene.
+#[derive(Clone, Debug)]
+pub struct TimedMotorReport {
+    scene: String,
+    duty: TimedDuty,
+    fit: MotorFit,
+    turns: bool,
+    /// The unit of the driver's coordinate, and that of lengths.
+    units: [String; 2],
+}
+
+impl TimedMotorReport {
+    /// Of a period that was gone through, against a motor.
+    #[must_use]
+    pub fn new(scene: &Scene, duty: TimedDuty, motor: &Motor) -> TimedMotorReport {
+        TimedMotorReport {
+            scene: scene.name.clone(),
+            fit: duty.fit(motor),
+            turns: matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            units: [
+                Catalogue::new(scene).driver().unit.clone(),
+                scene.unit.symbol().to_owned(),
+            ],
+            duty,
+        }
+    }
+
+    /// As text for a person; the title in ASCII alone if asked.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// All that was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let (duty, mut page) = (&self.duty, Page::aligned());
+        page.title(&words().told_of_scene(&self.scene));
+        page.text_below(words().over_a_period(&concise(duty.period, DIGITS)));
+        let effort = match self.turns {
+            true => words().torque(),
+            false => words().force(),
+        };
+        let [unit, speed] = self.effort_and_speed();
+        self.add_part(&mut page, format!("{effort} [{unit}]"), |facts| {
+            self.tell_peaks(facts, duty.torque);
+            facts.tell(&indented(words().label_mean()), [sized(duty.mean)]);
+            facts.tell(&indented(words().label_rms()), [sized(duty.rms)]);
+        });
+        self.add_part(&mut page, format!("{} [W]", words().power()), |facts| {
+            self.tell_peaks(facts, duty.power);
+            facts.tell(&indented(words().label_mean()), [sized(duty.mean_power())]);
+        });
+        self.add_part(
+            &mut page,
+            format!("{} [J]", words().label_energy()),
+            |facts| {
+                facts.tell(&indented(words().label_put_in()), [sized(duty.energy[0])]);
+                facts.tell(
+                    &indented(words().label_given_back()),
+                    [sized(duty.energy[1])],
+                );
+            },
+        );
+        self.add_part(
+            &mut page,
+            format!("{} [{speed}]", words().speed()),
+            |facts| {
+                self.tell_peaks(facts, duty.speed);
+            },
+        );
+        self.add_fit(&mut page);
+        page
+    }
+
+    /// What torque, and what speed is in.
+    fn effort_and_speed(&self) -> [String; 2] {
+        match self.turns {
+            true => ["N m".to_owned(), "rad/s".to_owned()],
+            false => ["N".to_owned(), format!("{}/s", self.units[1])],
+        }
+    }
+
+    fn add_part(&self, page: &mut Page, heading: String, tell: impl FnOnce(&mut Facts)) {
+        let mut facts = Facts {
+            names: LABEL + 1,
+            ..Facts::default()
+        };
+        tell(&mut facts);
+        page.heading(heading);
+        page.add(Content::Facts(facts));
+    }
+
+    fn tell_peaks(&self, facts: &mut Facts, peaks: [TimedPeak; 2]) {
+        let labels = [words().label_largest(), words().label_least()];
+        for (label, peak) in labels.into_iter().zip(peaks) {
+            let place = format!("{} {}", concise(peak.at, DIGITS), self.units[0]);
+            let told = words().at_a_time(&sized(peak.value), &sized(peak.time), &place);
+            facts.tell(&indented(label), [told]);
+        }
+    }
+
+    /// The motor, as far as it is known.
+    fn add_fit(&self, page: &mut Page) {
+        let Some(is_enough) = self.fit.is_enough() else {
+            return;
+        };
+        let verdict = match is_enough {
+            true => words().enough(),
+            false => words().not_enough(),
+        };
+        let asked = [
+            (words().rated_for_rms(), self.fit.rated),
+            (words().peak(), self.fit.peak),
+            (words().speed(), self.fit.speed),
+        ];
+        self.add_part(page, words().motor_is(verdict), |facts| {
+            for (label, demand) in asked {
+                let told = demand.map(|demand| demand_text(&demand));
+                facts.tell(&indented(label), told);
+            }
+        });
+    }
+
+    /// As data; the names are promises.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let duty = &self.duty;
+        let peak = |peak: TimedPeak| json!({"value": peak.value, "time": peak.time, "at": peak.at});
+        let effort = if self.turns { "torque" } else { "force" };
+        let [unit, speed] = self.effort_and_speed();
+        json!({
+            "scene": self.scene,
+            "period": duty.period,
+            (effort): {
+                "unit": unit,
+                "largest": peak(duty.torque[0]),
+                "least": peak(duty.torque[1]),
+                "mean": duty.mean,
+                "rms": duty.rms,
+            },
+            "power": {
+                "largest": peak(duty.power[0]),
+                "least": peak(duty.power[1]),
+                "mean": duty.mean_power(),
+            },
+            "energy": {"put_in": duty.energy[0], "given_back": duty.energy[1]},
+            "speed": {
+                "unit": speed,
+                "largest": peak(duty.speed[0]),
+                "least": peak(duty.speed[1]),
+            },
+            "error": duty.error,
+            "enough": self.fit.is_enough(),
+        })
+    }
+}
+
+fn indented(label: &str) -> String {
+    format!("  {label}")
+}
+
+fn sized(value: f64) -> String {
+    significant(value, DIGITS)
+}
+
+fn demand_text(demand: &MotorDemand) -> String {
+    let [has, wants] = [demand.has, demand.asked].map(sized);
+    match demand.is_enough() {
+        true => words().has_left(&has, &wants, &sized(-demand.lacks())),
+        false => words().has_a_share(&has, &wants, &concise(100.0 * demand.has / demand.asked, 3)),
+    }
+}

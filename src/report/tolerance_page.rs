@@ -1,0 +1,460 @@
+//! What tolerances do to figures at one coordinate of the driver: for people, and for other programs.
+
+use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::number::{concise, significant};
+use super::tables_data::{cell, number};
+use crate::page::{Content, Facts, Page, Setting, Table, TextStyle};
+use crate::quantity::{Catalogue, Quantity, length_name, state_word};
+use crate::scene::Scene;
+use crate::solver::Condition;
+use crate::study::{
+    Contribution, Distribution, Percentiles, SampleOrder, Samples, ToleranceFigure, ToleranceOf,
+    ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
+};
+use crate::wording::words;
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// Digits of a figure, and of what is small beside it.
+const DIGITS: usize = 6;
+const FEW_DIGITS: usize = 4;
+/// Blanks before what belongs to a figure.
+const INDENT: usize = 2;
+
+/// What tolerances do to figures at one coordinate of the driver.
+#[derive(Clone, Debug)]
+pub struct ToleranceReport {
+    scene: String,
+    /// Where; over the whole motion there is no such place.
+    place: Option<ToldPlace>,
+    /// A part for each figure.
+    pub figures: Vec<ToldTolerance>,
+    samples: Option<ToldSamples>,
+}
+
+/// A place of the driver, and in which condition the mechanism is there.
+#[derive(Clone, Debug)]
+struct ToldPlace {
+    driver: Quantity,
+    at: f64,
+    condition: Condition,
+}
+
+/// A figure, and what tolerances do to it.
+#[derive(Clone, Debug)]
+pub struct ToldTolerance {
+    /// The figure's name,
+    pub name: String,
+    /// and its unit, if it has one.
+    pub unit: String,
+    /// What was found; `None` where it does not exist here.
+    pub found: Option<ToleranceFigure>,
+    /// Who contributes, by name.
+    pub contributions: Vec<(String, Contribution)>,
+    /// How it is spread among the samples.
+    pub percentiles: Option<Percentiles>,
+}
+
+/// What became of the samples as a whole.
+#[derive(Clone, Copy, Debug)]
+struct ToldSamples {
+    order: SampleOrder,
+    open: f64,
+    changed: Option<f64>,
+}
+
+impl ToleranceReport {
+    /// Of a study of this scene at a coordinate, where the mechanism is in this condition.
+    #[must_use]
+    pub fn at(
+        scene: &Scene,
+        study: &mut ToleranceStudy,
+        at: f64,
+        condition: Condition,
+        samples: Option<SampleOrder>,
+    ) -> Self {
+        let found = study.at(at);
+        let sampled = samples.map(|order| (order, study.sampled(at, order)));
+        let names = study
+            .figures()
+            .iter()
+            .map(|q| (q.name.clone(), q.unit.clone()));
+        let place = ToldPlace {
+            driver: Catalogue::new(scene).driver().clone(),
+            at,
+            condition,
+        };
+        ToleranceReport::of(scene, Some(place), names.zip(found), sampled)
+    }
+
+    /// Of figures of the whole motion.
+    #[must_use]
+    pub fn of_whole(scene: &Scene, study: &mut WholeTolerance, samples: SampleOrder) -> Self {
+        let found = study.found();
+        let sampled = (samples, study.sampled(samples));
+        let figures = study.figures().iter();
+        let names = figures.map(|figure| (figure.name().to_owned(), figure.unit().to_owned()));
+        ToleranceReport::of(scene, None, names.zip(found), Some(sampled))
+    }
+
+    fn of(
+        scene: &Scene,
+        place: Option<ToldPlace>,
+        found: impl Iterator<Item = ((String, String), Option<ToleranceFigure>)>,
+        sampled: Option<(SampleOrder, Samples)>,
+    ) -> Self {
+        let told = found.enumerate().map(|(i, ((name, unit), mut found))| {
+            let of = |sampled: &(_, Samples)| sampled.1.figures.get(i).copied().flatten();
+            let percentiles = sampled.as_ref().and_then(of);
+            // What is reached within the tolerances is told, whatever was looked at before.
+            let is_within =
+                |(order, _): &(SampleOrder, _)| order.distribution == Distribution::Even;
+            if let (Some(found), Some(percentiles)) = (&mut found, percentiles)
+                && sampled.as_ref().is_some_and(is_within)
+            {
+                found.worst = found.worst.widened(percentiles.ends);
+            }
+            let from = found.iter().flat_map(|found| &found.contributions);
+            ToldTolerance {
+                name,
+                unit,
+                contributions: from.map(|c| (contributor(scene, c.of), *c)).collect(),
+                percentiles,
+                found,
+            }
+        });
+        ToleranceReport {
+            scene: scene.name.clone(),
+            place,
+            figures: told.collect(),
+            samples: sampled.map(|(order, samples)| ToldSamples {
+                order,
+                open: samples.open,
+                changed: samples.changed,
+            }),
+        }
+    }
+
+    /// As text for a person; the title in ASCII alone if asked.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// All that was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&words().told_of_scene(&self.scene));
+        page.text_below(match &self.place {
+            Some(ToldPlace { driver, at, .. }) => {
+                format!("{} {} {}", driver.name, concise(*at, 9), driver.unit)
+            }
+            None => words().over_the_whole_motion().to_owned(),
+        });
+        for told in &self.figures {
+            self.add_figure(told, &mut page);
+        }
+        if let Some(samples) = &self.samples {
+            page.add(Content::Facts(samples.facts()));
+        }
+        page
+    }
+
+    fn add_figure(&self, told: &ToldTolerance, page: &mut Page) {
+        let mut facts = Facts::default();
+        let header = match told.unit.as_str() {
+            "" => told.name.clone(),
+            unit => format!("{} [{unit}]", told.name),
+        };
+        let Some(found) = &told.found else {
+            facts.tell(&header, ["-".to_owned()]);
+            page.add(Content::Facts(facts));
+            return;
+        };
+        facts.tell(&header, [significant(found.nominal, DIGITS)]);
+        let mut tell = |label: &str, lines: Vec<String>| {
+            facts.tell(&format!("{:INDENT$}{label}", ""), lines);
+        };
+        tell(words().label_worst_case(), worst_text(found));
+        let square = found.root_sum_square;
+        let square = square.map(|square| format!("+-{}", significant(square, FEW_DIGITS)));
+        let square = square.unwrap_or_else(|| words().no_first_order().into());
+        tell(words().label_root_sum_square(), vec![square]);
+        if let Some(percentiles) = &told.percentiles {
+            tell(words().label_most_samples(), spread_text(percentiles));
+        }
+        page.add(Content::Facts(facts));
+        if !told.contributions.is_empty() {
+            page.add_below(Content::Table(told.table()));
+        }
+    }
+
+    /// A line for each number: `name,value,unit`. Names are those of the columns over the motion.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
+        let mut csv = CsvSheet::new(dialect, to);
+        csv.record(["name", "value", "unit"])?;
+        if let Some(ToldPlace { driver, at, .. }) = &self.place {
+            csv.record([&*driver.name, &cell(Some(*at)), &*driver.unit])?;
+        }
+        for told in &self.figures {
+            for (name, value, unit) in told.lines() {
+                csv.record([&*name, &*value, unit])?;
+            }
+        }
+        if let Some(samples) = &self.samples {
+            csv.record(["samples.open", &cell(Some(samples.open)), ""])?;
+            csv.record(["samples.class-changed", &cell(samples.changed), ""])?;
+        }
+        if let Some(place) = &self.place {
+            csv.record(["state", state_word(place.condition), ""])?;
+        }
+        csv.finish()
+    }
+
+    /// One object.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let units = self.figures.iter();
+        let units = units.map(|told| (told.name.clone(), told.unit.clone().into()));
+        let figures = self.figures.iter();
+        let figures = figures.map(|told| (told.name.clone(), told.to_json()));
+        let samples = self.samples.as_ref().map(|samples| {
+            json!({
+                "count": samples.order.count,
+                "seed": samples.order.seed,
+                "distribution": distribution_word(samples.order.distribution),
+                "open": number(Some(samples.open)),
+                "class_changed": number(samples.changed),
+            })
+        });
+        json!({
+            "scene": self.scene,
+            "units": Value::Object(units.collect()),
+            "driver": self.place.as_ref().map(|place| {
+                json!({ "name": place.driver.name, "at": number(Some(place.at)) })
+            }),
+            "state": self.place.as_ref().map(|place| state_word(place.condition)),
+            "figures": Value::Object(figures.collect()),
+            "samples": samples,
+        })
+    }
+}
+
+impl ToldSamples {
+    fn facts(&self) -> Facts {
+        let mut facts = Facts::default();
+        let SampleOrder {
+            count,
+            seed,
+            distribution,
+        } = self.order;
+        let spread = match distribution {
+            Distribution::Normal => words().spread_normally(),
+            Distribution::Even => words().spread_evenly(),
+        };
+        let open = match self.open {
+            0.0 => words().samples_all_close().to_owned(),
+            part => words().part_of_samples_open(&percent(part)),
+        };
+        let changed = self.changed.map(|changed| match changed {
+            0.0 => words().samples_keep_class().to_owned(),
+            part => words().part_of_samples_changed(&percent(part)),
+        });
+        let lines = [words().how_samples_are_made(count, spread, seed), open];
+        facts.tell(words().label_samples(), lines.into_iter().chain(changed));
+        facts
+    }
+}
+
+impl ToldTolerance {
+    /// Who contributes.
+    fn table(&self) -> Table {
+        let heads = [
+            words().head_tolerance(),
+            words().head_per_unit(),
+            words().head_off_by(),
+            words().head_share(),
+        ];
+        let mut table = Table::new(words().label_contributions(), heads).set(Setting {
+            indent: INDENT,
+            least: vec![FEW_DIGITS + INDENT],
+            ..Setting::default()
+        });
+        for (name, from) in &self.contributions {
+            let share = percent(from.share);
+            let cells = [
+                concise(from.tolerance, FEW_DIGITS),
+                significant(from.slope, FEW_DIGITS),
+                significant(from.size, FEW_DIGITS),
+                share,
+            ];
+            table.row(name.clone(), cells);
+        }
+        table
+    }
+
+    fn lines(&self) -> Vec<(String, String, &str)> {
+        let name = &self.name;
+        let unit: &str = &self.unit;
+        let mut lines: Vec<(String, String, &str)> = Vec::new();
+        let mut line = |part: String, value: String, unit| {
+            lines.push((format!("{name}.{part}"), value, unit));
+        };
+        let found = self.found.as_ref();
+        let worst = found.map(|found| found.worst);
+        line("nominal".into(), cell(found.map(|f| f.nominal)), unit);
+        line("worst.low".into(), cell(worst.map(|w| w.low)), unit);
+        line("worst.high".into(), cell(worst.map(|w| w.high)), unit);
+        let reached = worst.map(|worst| worst.reached);
+        line("reached.low".into(), cell(reached.map(|r| r[0])), unit);
+        line("reached.high".into(), cell(reached.map(|r| r[1])), unit);
+        let by = worst.map_or("", |worst| worst_word(worst.kind));
+        line("worst.by".into(), by.into(), "");
+        line(
+            "closes".into(),
+            worst.as_ref().map_or("", closes_word).into(),
+            "",
+        );
+        let square = found.and_then(|found| found.root_sum_square);
+        line("rss".into(), cell(square), unit);
+        if let Some(all) = &self.percentiles {
+            for (part, value) in [
+                ("p0.135", all.low),
+                ("p50", all.median),
+                ("p99.865", all.high),
+                ("mean", all.mean),
+                ("deviation", all.deviation),
+            ] {
+                line(part.into(), cell(Some(value)), unit);
+            }
+        }
+        for (from, contribution) in &self.contributions {
+            line(format!("by.{from}"), cell(Some(contribution.size)), unit);
+            line(format!("share.{from}"), cell(Some(contribution.share)), "");
+        }
+        lines
+    }
+
+    fn to_json(&self) -> Value {
+        let mut object = Map::new();
+        let found = self.found.as_ref();
+        object.insert("nominal".into(), number(found.map(|found| found.nominal)));
+        let worst = found.map(|found| {
+            json!({
+                "low": number(Some(found.worst.low)),
+                "high": number(Some(found.worst.high)),
+                "reached": found.worst.reached.map(|end| number(Some(end))),
+                "by": worst_word(found.worst.kind),
+                "closes": closes_word(&found.worst),
+            })
+        });
+        object.insert("worst".into(), worst.unwrap_or_default());
+        let square = found.and_then(|found| found.root_sum_square);
+        object.insert("rss".into(), number(square));
+        let samples = self.percentiles.map(|all| {
+            json!({
+                "p0.135": number(Some(all.low)),
+                "p50": number(Some(all.median)),
+                "p99.865": number(Some(all.high)),
+                "mean": number(Some(all.mean)),
+                "deviation": number(Some(all.deviation)),
+            })
+        });
+        object.insert("samples".into(), samples.unwrap_or_default());
+        let from = self.contributions.iter().map(|(name, from)| {
+            json!({
+                "of": name,
+                "tolerance": number(Some(from.tolerance)),
+                "slope": number(Some(from.slope)),
+                "size": number(Some(from.size)),
+                "share": number(Some(from.share)),
+            })
+        });
+        object.insert("contributions".into(), from.collect());
+        Value::Object(object)
+    }
+}
+
+/// What is off, by its name: `r3.length`, and of a loose pin `r3.B.clearance`.
+pub(super) fn contributor(scene: &Scene, of: ToleranceOf) -> String {
+    match of {
+        ToleranceOf::Length(length) => length_name(scene, length),
+        ToleranceOf::Pin(link, point) => {
+            let point = scene.point_name(point).unwrap_or("?");
+            format!("{}.{point}.clearance", scene.link_name(link))
+        }
+    }
+}
+
+fn worst_text(found: &ToleranceFigure) -> Vec<String> {
+    let WorstCase {
+        low,
+        high,
+        reached,
+        kind,
+        fails,
+    } = found.worst;
+    let off = |end: f64| {
+        let off = end - found.nominal;
+        let sign = if off < 0.0 { "-" } else { "+" };
+        format!("{sign}{}", significant(off.abs(), FEW_DIGITS))
+    };
+    let [from, to] = [low, high].map(|end| significant(end, DIGITS));
+    let how = match kind {
+        WorstKind::Corners => words().worst_by_corners(),
+        WorstKind::Enclosed => words().worst_enclosed(),
+        WorstKind::Estimated => words().worst_estimated(),
+    };
+    let fails = fails.then(|| words().worst_does_not_close().to_owned());
+    let range = words().range_and_off(&from, &to, &off(low), &off(high));
+    let reached = (kind == WorstKind::Enclosed).then(|| {
+        let [low, high] = reached;
+        let [from, to] = reached.map(|end| significant(end, DIGITS));
+        words().worst_reached(&from, &to, &off(low), &off(high))
+    });
+    let told = [range, how.to_owned()].into_iter();
+    told.chain(reached).chain(fails).collect()
+}
+
+fn spread_text(all: &Percentiles) -> Vec<String> {
+    let [low, high, mean] = [all.low, all.high, all.mean].map(|v| significant(v, DIGITS));
+    let deviation = significant(all.deviation, FEW_DIGITS);
+    vec![
+        words().spread_of_samples(&low, &high),
+        words().mean_and_deviation(&mean, &deviation),
+    ]
+}
+
+/// A part of the whole in percent.
+fn percent(part: f64) -> String {
+    format!("{} %", concise(part * 100.0, 3))
+}
+
+/// How a worst case was found, as files for other programs have it.
+pub(super) fn worst_word(kind: WorstKind) -> &'static str {
+    match kind {
+        WorstKind::Corners => "corners",
+        WorstKind::Enclosed => "enclosed",
+        WorstKind::Estimated => "estimated",
+    }
+}
+
+/// Whether all machines within their tolerances close, as files for other programs have it.
+pub(super) fn closes_word(worst: &WorstCase) -> &'static str {
+    match (worst.fails, worst.kind) {
+        (true, _) => "not-always",
+        (false, WorstKind::Corners | WorstKind::Enclosed) => "yes",
+        (false, WorstKind::Estimated) => "unproved",
+    }
+}
+
+fn distribution_word(distribution: Distribution) -> &'static str {
+    match distribution {
+        Distribution::Normal => "normal",
+        Distribution::Even => "even",
+    }
+}

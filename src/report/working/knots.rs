@@ -1,0 +1,33 @@
+//! Forces over a coordinate, by the line between two knots.
+
+use super::draft::{Context, Draft};
+use super::expression::Expression;
+use crate::Profile;
+
+/// The two knots between which a coordinate lies; of a jump the line behind it.
+pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
+    let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= at && at <= pair[1][0];
+    let mut lines = curve.knots().windows(2);
+    let line = lines.rfind(|pair| pair[0][0] < pair[1][0] && is_on(pair))?;
+    Some([line[0], line[1]])
+}
+
+/// The force p on the line between two knots, and the size of what it comes from. The coordinate is called
+/// `symbol`, and rounds as one of this size.
+pub(super) fn on_line(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    symbol: &str,
+    (at, size): (f64, f64),
+    [[d1, p1], [d2, p2]]: [[f64; 2]; 2],
+) -> (f64, f64) {
+    let f = context.figures;
+    let given = |symbol: &str, value: f64| Expression::known(symbol, f.given(value), value);
+    let (first, second) = (format!("{symbol}1"), format!("{symbol}2"));
+    let slope = (given("p2", p2) - given("p1", p1)) / (given(&second, d2) - given(&first, d1));
+    let at = Expression::known(symbol, f.beside(at, size), at);
+    let law = given("p1", p1) + slope * (at - given(&first, d1));
+    let worked = draft.worked("p", &law, |p| format!("{} N", f.number(p)));
+    let steep = (p2 - p1).abs() / (d2 - d1) * size;
+    (worked, p1.abs().max(p2.abs()) + steep)
+}

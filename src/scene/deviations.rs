@@ -1,0 +1,450 @@
+//! Reads how far lengths may be off, and how loose pins are; and settles which of it holds for which length.
+
+use super::Unit;
+use super::draft::SceneDraft;
+use super::general_tolerance::GeneralTolerance;
+use super::names::{Names, Sort};
+use super::reader::{ByteSpan, Name, Reader, quoted};
+use super::slide::DraftSlide;
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
+use std::collections::HashMap;
+
+/// The sections `[tolerances]` and `[clearances]` as they are written.
+pub(super) type Deviations = Lenient<Entries<Lenient<f64>>>;
+
+/// How far a length may be off, and where that is said.
+#[derive(Clone, Debug)]
+pub(super) struct DraftTolerance {
+    size: AllowedDeviation,
+    place: ByteSpan,
+}
+
+/// A tolerance as it is given.
+#[derive(Clone, Copy, Debug)]
+enum AllowedDeviation {
+    /// In the scene's unit.
+    Size(f64),
+    Class(GeneralTolerance),
+}
+
+/// All that is said of tolerances beside what links and slides say of their own.
+#[derive(Debug, Default)]
+pub(super) struct DraftTolerances<'t> {
+    pub(super) general: Option<DraftTolerance>,
+    pub(super) points: Vec<(Name<'t>, DraftTolerance)>,
+    pub(super) clearance: f64,
+    pub(super) pins: Vec<(Name<'t>, f64)>,
+    /// Links that are the frame, and have a tolerance.
+    pub(super) of_frame: Vec<(String, DraftTolerance)>,
+}
+
+/// Reads a tolerance: a number, or a class of ISO 2768.
+pub(super) fn tolerance(
+    reader: &mut Reader<'_>,
+    what: &str,
+    value: &Lenient<f64>,
+) -> Option<DraftTolerance> {
+    let place = value.span.clone();
+    let size = match &value.read {
+        Err(Misplaced::Text(text)) if names_class(text) => {
+            AllowedDeviation::Class(class(reader, what, text, &place)?)
+        }
+        _ => AllowedDeviation::Size(not_negative(reader, what, value)?),
+    };
+    Some(DraftTolerance { size, place })
+}
+
+/// Whether a text is, or is meant to be, a class of the standard; anything else is a formula.
+fn names_class(text: &str) -> bool {
+    let begins = text.trim_start().get(..3);
+    begins
+        .is_some_and(|begin| begin.eq_ignore_ascii_case("iso") || begin == "DIN" || begin == "276")
+        || GeneralTolerance::designated(text).is_some()
+}
+
+fn class(
+    reader: &mut Reader<'_>,
+    what: &str,
+    text: &str,
+    place: &ByteSpan,
+) -> Option<GeneralTolerance> {
+    let class = GeneralTolerance::designated(text);
+    if class.is_none() {
+        let all = GeneralTolerance::designations();
+        let near = did_you_mean(text, all.iter().map(String::as_str));
+        reader.report(
+            Diagnostic::new(words().no_general_tolerance(what, &quoted(text)))
+                .at(place.clone(), words().unknown_general_tolerance())
+                .maybe_help(near)
+                .help(words().known_general_tolerances(&format!("\"{}\"", all.join("\", \"")))),
+        );
+    }
+    class
+}
+
+fn not_negative(reader: &mut Reader<'_>, what: &str, value: &Lenient<f64>) -> Option<f64> {
+    let number = reader.number(what, value)?;
+    if number >= 0.0 {
+        return Some(number);
+    }
+    let literal = reader.literal(&value.span);
+    reader.report(
+        Diagnostic::new(words().must_not_be_less_than_zero(what, &literal))
+            .at(value.span.clone(), words().is_negative())
+            .help(words().nought_is_exact()),
+    );
+    None
+}
+
+/// Reads `[tolerances]`.
+pub(super) fn points<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v Deviations,
+) -> Vec<(Name<'v>, DraftTolerance)> {
+    reader.table("[tolerances]", "A = 0.05", value);
+    let read = |(name, value): (Name<'v>, &Lenient<f64>)| {
+        let what = words().tolerance_of_point(&name.to_string());
+        let read = tolerance(reader, &what, value)?;
+        Some((name, read))
+    };
+    value.entries().filter_map(read).collect()
+}
+
+/// Reads `[clearances]`.
+pub(super) fn pins<'v>(reader: &mut Reader<'_>, value: &'v Deviations) -> Vec<(Name<'v>, f64)> {
+    reader.table("[clearances]", "B = 0.02", value);
+    let read = |(name, value): (Name<'v>, &Lenient<f64>)| {
+        let what = words().clearance_of_pin(&name.to_string());
+        let read = not_negative(reader, &what, value)?;
+        Some((name, read))
+    };
+    value.entries().filter_map(read).collect()
+}
+
+/// Reads `clearance`.
+pub(super) fn clearance(reader: &mut Reader<'_>, value: &Lenient<f64>) -> f64 {
+    not_negative(reader, "`clearance`", value).unwrap_or(0.0)
+}
+
+/// What is known of the scene when its tolerances are settled.
+pub(super) struct Settling<'r, 's, 't> {
+    pub(super) reader: &'r mut Reader<'s>,
+    pub(super) draft: &'r SceneDraft<'t>,
+    pub(super) names: &'r Names<'t>,
+    pub(super) points: &'r HashMap<&'t str, PointId>,
+    pub(super) point_names: &'r [Option<String>],
+    pub(super) slides: &'r [&'r DraftSlide<'t>],
+    pub(super) mechanism: &'r Mechanism,
+}
+
+impl<'r> Settling<'r, '_, '_> {
+    /// What may be off, and by how much.
+    pub(super) fn settle(mut self) -> Tolerances {
+        for (name, tolerance) in &self.draft.tolerances.of_frame {
+            self.reader.report(
+                Diagnostic::new(words().frame_has_no_tolerance(name))
+                    .at(tolerance.place.clone(), words().is_of_the_frame())
+                    .help(words().give_ground_points_tolerances()),
+            );
+        }
+        self.unused_slides();
+        let own = self.own_tolerances();
+        let mut lengths = Vec::new();
+        for length in self.mechanism.lengths() {
+            if let Some(tolerance) = self.of(length, &own) {
+                lengths.push((length, self.size(length, tolerance)));
+            }
+        }
+        Tolerances {
+            lengths,
+            clearances: self.clearances(),
+        }
+    }
+
+    /// A guide through a point by its name has no coordinates that could be off.
+    fn unused_slides(&mut self) {
+        for (slide, id) in self.slides.iter().zip(self.mechanism.slide_ids()) {
+            let is_named = self.mechanism.slide(id).named.is_some();
+            if let Some(tolerance) = slide.tolerance.as_ref().filter(|_| is_named) {
+                let of = words().slide_called(&slide.name.to_string());
+                self.reader.report(
+                    Diagnostic::new(words().guide_has_no_tolerance(&of))
+                        .at(tolerance.place.clone(), words().nothing_to_be_off())
+                        .help(words().give_point_of_guide_tolerance()),
+                );
+            }
+        }
+    }
+
+    /// The tolerances that points have of their own. One without coordinates of its own is reported.
+    fn own_tolerances(&mut self) -> HashMap<PointId, &'r DraftTolerance> {
+        let mut own = HashMap::new();
+        for (name, tolerance) in &self.draft.tolerances.points {
+            let Some(point) = self.point("[tolerances]", name) else {
+                continue;
+            };
+            let mut lengths = self.mechanism.lengths().into_iter();
+            if !lengths.any(|length| placed(length) == Some(point)) {
+                let what = words().tolerance_of_point(&name.to_string());
+                self.reader.report(
+                    Diagnostic::new(words().point_has_no_coordinates(&what))
+                        .at(name.span.clone(), words().nothing_to_be_off())
+                        .help(words().give_link_a_tolerance()),
+                );
+            }
+            own.insert(point, tolerance);
+        }
+        own
+    }
+
+    fn point(&mut self, section: &str, name: &Name<'_>) -> Option<PointId> {
+        self.names.find(self.reader, section, name, Sort::Point)?;
+        self.points.get(name.text).copied()
+    }
+
+    /// The tolerance of a length: the nearest that is given.
+    fn of(
+        &self,
+        length: Length,
+        own: &HashMap<PointId, &'r DraftTolerance>,
+    ) -> Option<&'r DraftTolerance> {
+        let draft = self.draft;
+        let owner = match length {
+            Length::Link(link)
+            | Length::Local(link, ..)
+            | Length::Arm(link, _)
+            | Length::Across(link, _) => draft.links[link.index()].tolerance.as_ref(),
+            Length::Through(slide, _) => self.slides[slide.index()].tolerance.as_ref(),
+            Length::Ground(..) => None,
+        };
+        let point = placed(length).and_then(|point| own.get(&point).copied());
+        point.or(owner).or(draft.tolerances.general.as_ref())
+    }
+
+    /// By how much a length may be off. A coordinate of 0 is exact under a class: it has no size.
+    fn size(&mut self, length: Length, tolerance: &DraftTolerance) -> f64 {
+        let nominal = self.mechanism.given(length).abs();
+        let size = match tolerance.size {
+            AllowedDeviation::Size(size) => size,
+            AllowedDeviation::Class(_) if nominal == 0.0 => 0.0,
+            AllowedDeviation::Class(class) => {
+                let mm = self.draft.unit.in_units_of(Unit::Millimetre);
+                match class.deviation(nominal * mm) {
+                    Some(deviation) => deviation / mm,
+                    None => {
+                        self.report_unsized(length, tolerance, class, nominal * mm);
+                        0.0
+                    }
+                }
+            }
+        };
+        if matches!(length, Length::Link(_) | Length::Arm(..)) && size >= nominal {
+            let what = self.called(length);
+            let literal = self.reader.literal(&tolerance.place);
+            self.reader.report(
+                Diagnostic::new(words().tolerance_beyond_length(&what, nominal, &literal))
+                    .at(tolerance.place.clone(), words().is_too_large())
+                    .and(self.place(length), words().of_this_length())
+                    .help(words().give_it_its_own_tolerance()),
+            );
+        }
+        size
+    }
+
+    fn report_unsized(
+        &mut self,
+        length: Length,
+        tolerance: &DraftTolerance,
+        class: GeneralTolerance,
+        mm: f64,
+    ) {
+        let (low, high) = class.sizes();
+        let what = self.called(length);
+        let name = class.designation();
+        self.reader.report(
+            Diagnostic::new(words().no_deviation_of_size(&name, &what, mm, low, high))
+                .at(self.place(length), words().of_this_length())
+                .and(tolerance.place.clone(), words().by_this_class())
+                .help(words().give_it_its_own_tolerance()),
+        );
+    }
+
+    /// What a length is called in a message.
+    fn called(&self, length: Length) -> String {
+        let point = |point: PointId| {
+            let name = self.point_names[point.index()].as_deref();
+            quoted(name.unwrap_or_default())
+        };
+        let link =
+            |link: LinkId| words().link_called(&self.draft.links[link.index()].name.to_string());
+        match length {
+            Length::Link(id) => words().key_of("length", &link(id)),
+            Length::Local(id, of, _) | Length::Arm(id, of) | Length::Across(id, of) => {
+                format!("{} {}", words().point_in(&link(id)), point(of))
+            }
+            Length::Ground(of, _) => format!("{} {}", words().ground_point(), point(of)),
+            Length::Through(slide, _) => {
+                let name = self.slides[slide.index()].name.to_string();
+                words().key_of("through", &words().slide_called(&name))
+            }
+        }
+    }
+
+    /// Where the element stands that a length belongs to.
+    fn place(&self, length: Length) -> ByteSpan {
+        match length {
+            Length::Link(link)
+            | Length::Local(link, ..)
+            | Length::Arm(link, _)
+            | Length::Across(link, _) => self.draft.links[link.index()].name.span.clone(),
+            Length::Through(slide, _) => self.slides[slide.index()].name.span.clone(),
+            Length::Ground(point, _) => {
+                let name = self.point_names[point.index()].as_deref();
+                let mut all = self.draft.ground.iter();
+                let found = all.find(|place| Some(place.name.text) == name);
+                found
+                    .map(|place| place.name.span.clone())
+                    .unwrap_or_default()
+            }
+        }
+    }
+
+    /// How loose every pin is: one that joins several links has a clearance for each but the first.
+    fn clearances(&mut self) -> Vec<(LinkId, PointId, f64)> {
+        let mut own: HashMap<PointId, f64> = HashMap::new();
+        for (name, size) in &self.draft.tolerances.pins {
+            let Some(point) = self.point("[clearances]", name) else {
+                continue;
+            };
+            if loose(self.mechanism, point).is_empty() {
+                let what = words().clearance_of_pin(&name.to_string());
+                self.reader.report(
+                    Diagnostic::new(words().is_no_pin(&what))
+                        .at(name.span.clone(), words().joins_nothing())
+                        .help(words().pins_join()),
+                );
+            }
+            own.insert(point, *size);
+        }
+        let all = self.draft.tolerances.clearance;
+        let mut clearances = Vec::new();
+        for point in self.mechanism.point_ids() {
+            let size = own.get(&point).copied().unwrap_or(all);
+            if size > 0.0 {
+                let links = loose(self.mechanism, point);
+                clearances.extend(links.into_iter().map(|link| (link, point, size)));
+            }
+        }
+        clearances
+    }
+}
+
+/// The point whose place a length is.
+fn placed(length: Length) -> Option<PointId> {
+    match length {
+        Length::Ground(point, _)
+        | Length::Local(_, point, _)
+        | Length::Arm(_, point)
+        | Length::Across(_, point) => Some(point),
+        Length::Link(_) | Length::Through(..) => None,
+    }
+}
+
+/// The links that are loose on a pin: all that it joins but the first, and all where it is fixed to the ground or
+/// moves in a slot.
+fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
+    let has = |id: &LinkId| mechanism.link(*id).member(point).is_some();
+    let links = mechanism.link_ids().filter(has);
+    let in_slot = |slider: Slider| matches!(slider, Slider::Pin(pin) if pin == point);
+    let is_held = mechanism.point(point).ground.is_some()
+        || mechanism.slides().iter().any(|slide| in_slot(slide.slider));
+    links.skip(usize::from(!is_held)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::Scene;
+
+    const SCENE: &str = r#"
+unit = "cm"
+tolerance = "ISO 2768-m"
+clearance = 0.002
+[ground]
+A = [0, 0]
+D = [40, 0.2]
+[driver]
+link = "crank"
+angle = 60
+speed = "1 rad/s"
+[links]
+crank = { from = "A", to = "B", length = 10 }
+coupler = { from = "B", to = "C", length = 30, tolerance = 0.03, points = { P = [15, 8], Q = [5, 0] } }
+rocker = { from = "C", to = "D", length = 25, tolerance = "ISO 2768-f" }
+rod = { from = "P", to = "E", length = 12 }
+[slides]
+ram = { point = "E", on = "ground", through = [30, -20], angle = 90, tolerance = 0.05 }
+[start]
+C = [31, 23]
+E = [30, 20]
+[tolerances]
+P = 0.001
+A = 0
+[clearances]
+C = 0
+P = 0.004
+"#;
+
+    /// By the table of the standard, and the nearest that is given for the rest.
+    #[test]
+    fn every_length_has_the_tolerance_that_is_nearest() {
+        let scene = Scene::parse(SCENE, "t.toml").unwrap();
+        let told = scene.tolerances().lengths.iter();
+        let told = told.map(|&(length, by)| (scene.mechanism.given(length), by));
+        let found: Vec<(f64, f64)> = told.collect();
+        let expected = [
+            // Ground: A has its own; 400 mm are +-0.5 mm, 2 mm are +-0.1 mm.
+            (0.0, 0.0),
+            (0.0, 0.0),
+            (40.0, 0.05),
+            (0.2, 0.01),
+            // 100 mm: +-0.3 mm.
+            (10.0, 0.03),
+            // The coupler has its own, and so has P; Q has that of the coupler.
+            (30.0, 0.03),
+            (15.0, 0.001),
+            (8.0, 0.001),
+            (5.0, 0.03),
+            (0.0, 0.03),
+            // 250 mm, fine: +-0.2 mm.
+            (25.0, 0.02),
+            // 120 mm: +-0.3 mm.
+            (12.0, 0.03),
+            (30.0, 0.05),
+            (-20.0, 0.05),
+        ];
+        assert_eq!(found, expected);
+    }
+
+    /// Each pin once: that on the ground, those between two links and that in a slot, but C, which has none.
+    #[test]
+    fn pins_are_loose_where_they_join() {
+        let scene = Scene::parse(SCENE, "t.toml").unwrap();
+        let told = scene.tolerances().clearances.iter();
+        let told = told.map(|&(link, point, by)| {
+            let point = scene.point_name(point).unwrap();
+            (point, scene.link_name(link), by)
+        });
+        let found: Vec<(&str, &str, f64)> = told.collect();
+        let expected = [
+            ("A", "crank", 0.002),
+            ("D", "rocker", 0.002),
+            ("B", "coupler", 0.002),
+            ("P", "rod", 0.004),
+            ("E", "rod", 0.002),
+        ];
+        assert_eq!(found, expected);
+    }
+}

@@ -1,0 +1,114 @@
+//! General tolerances of ISO 2768-1: how far a length may be off where a drawing says nothing else of it.
+
+/// A tolerance class of ISO 2768-1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum GeneralTolerance {
+    Fine,
+    Medium,
+    Coarse,
+    VeryCoarse,
+}
+
+/// The designation of a class without its letter.
+const STANDARD: &str = "ISO 2768-";
+/// The least size that the standard speaks of, in mm.
+const LEAST: f64 = 0.5;
+/// Permissible deviations in mm: up to which size, and of f, m, c and v; 0 where there is none.
+const DEVIATIONS: [(f64, [f64; 4]); 8] = [
+    (3.0, [0.05, 0.1, 0.2, 0.0]),
+    (6.0, [0.05, 0.1, 0.3, 0.5]),
+    (30.0, [0.1, 0.2, 0.5, 1.0]),
+    (120.0, [0.15, 0.3, 0.8, 1.5]),
+    (400.0, [0.2, 0.5, 1.2, 2.5]),
+    (1000.0, [0.3, 0.8, 2.0, 4.0]),
+    (2000.0, [0.5, 1.2, 3.0, 6.0]),
+    (4000.0, [0.0, 2.0, 4.0, 8.0]),
+];
+/// What a size that was converted to mm may be off.
+const ROUNDING: f64 = 1e-12;
+
+impl GeneralTolerance {
+    const ALL: [GeneralTolerance; 4] = [
+        GeneralTolerance::Fine,
+        GeneralTolerance::Medium,
+        GeneralTolerance::Coarse,
+        GeneralTolerance::VeryCoarse,
+    ];
+
+    /// As a drawing designates it: `ISO 2768-m`.
+    pub(super) fn designation(self) -> String {
+        let letter = ['f', 'm', 'c', 'v'][self as usize];
+        format!("{STANDARD}{letter}")
+    }
+
+    /// All designations.
+    pub(super) fn designations() -> [String; 4] {
+        Self::ALL.map(Self::designation)
+    }
+
+    pub(super) fn designated(text: &str) -> Option<GeneralTolerance> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|class| class.designation() == text)
+    }
+
+    /// The permissible deviation of a size, both in mm; `None` outside of what the standard speaks of.
+    pub(super) fn deviation(self, size: f64) -> Option<f64> {
+        let least = size * (1.0 - ROUNDING);
+        if size * (1.0 + ROUNDING) < LEAST {
+            return None;
+        }
+        let (_, all) = DEVIATIONS.iter().find(|(most, _)| least <= *most)?;
+        Some(all[self as usize]).filter(|deviation| *deviation > 0.0)
+    }
+
+    /// The sizes for which it has a deviation, in mm.
+    pub(super) fn sizes(self) -> (f64, f64) {
+        let mut least = LEAST;
+        let mut greatest = LEAST;
+        for (most, all) in DEVIATIONS {
+            match all[self as usize] > 0.0 {
+                true => greatest = most,
+                false if greatest == LEAST => least = most,
+                false => {}
+            }
+        }
+        (least, greatest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Figures of the standard's table 1, at both sides of its steps.
+    #[test]
+    fn deviations_are_those_of_the_standard() {
+        use GeneralTolerance::{Coarse, Fine, Medium, VeryCoarse};
+        for (class, size, deviation) in [
+            (Fine, 0.5, Some(0.05)),
+            (Fine, 6.0, Some(0.05)),
+            (Fine, 6.01, Some(0.1)),
+            (Fine, 2000.0, Some(0.5)),
+            (Fine, 2001.0, None),
+            (Medium, 0.4, None),
+            (Medium, 30.0, Some(0.2)),
+            (Medium, 100.0, Some(0.3)),
+            (Medium, 120.0, Some(0.3)),
+            (Medium, 250.0, Some(0.5)),
+            (Medium, 401.0, Some(0.8)),
+            (Medium, 4000.0, Some(2.0)),
+            (Medium, 4001.0, None),
+            (Coarse, 3.0, Some(0.2)),
+            (Coarse, 300.0, Some(1.2)),
+            (VeryCoarse, 3.0, None),
+            (VeryCoarse, 3.5, Some(0.5)),
+            (VeryCoarse, 4000.0, Some(8.0)),
+        ] {
+            assert_eq!(class.deviation(size), deviation, "{class:?} {size}");
+        }
+        assert_eq!(Fine.sizes(), (0.5, 2000.0));
+        assert_eq!(VeryCoarse.sizes(), (3.0, 4000.0));
+        assert_eq!(GeneralTolerance::designated("ISO 2768-c"), Some(Coarse));
+        assert_eq!(GeneralTolerance::designated("ISO 2768-mK"), None);
+    }
+}

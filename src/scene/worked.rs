@@ -1,0 +1,130 @@
+//! Numbers of a scene that are worked out from formulas of its parameters.
+
+use super::Scene;
+use super::figures::FormulaPlace;
+use super::reader::{ByteSpan, Name, Reader, bare_number};
+use crate::Double;
+use crate::document::{Diagnostic, NamedNumbers};
+use crate::expression::{
+    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, evaluate,
+};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+
+/// Names that a help lists at most.
+const LISTED: usize = 12;
+
+impl Reader<'_> {
+    /// What a formula that stands for a number is worth.
+    pub(super) fn worked_out(&mut self, what: &str, text: &str, span: &ByteSpan) -> Option<f64> {
+        let formula = Name {
+            text,
+            span: span.clone(),
+        };
+        let tree = match expression::parse(text) {
+            Ok(tree) => tree,
+            Err(fault) => {
+                let help = fault.help.clone().or_else(|| bare_number(text));
+                let place = FormulaPlace::of(self, &formula);
+                self.report(place.fault(what, &Malformed { help, ..fault }));
+                return None;
+            }
+        };
+        let worth = self.worth(what, &formula, &tree)?;
+        Some(worth.hi + 0.0)
+    }
+
+    /// The same to twice the digits, of a formula that was parsed.
+    pub(super) fn worth(
+        &mut self,
+        what: &str,
+        formula: &Name<'_>,
+        tree: &ExpressionTree,
+    ) -> Option<Double> {
+        // What is wrong with a parameter is told there.
+        if self.named.lacks(tree) {
+            return None;
+        }
+        match self.named.worth_of(formula.text, tree) {
+            Ok(found) => {
+                self.worked.insert(formula.span.start, found.value.hi + 0.0);
+                Some(found.value)
+            }
+            Err(fault) => {
+                let place = FormulaPlace::of(self, formula);
+                self.report(place.fault(what, &fault));
+                None
+            }
+        }
+    }
+}
+
+impl NamedNumbers {
+    /// Whether a formula names a number whose worth is not known.
+    fn lacks(&self, tree: &ExpressionTree) -> bool {
+        let mut lacks = false;
+        tree.each_name(&mut |name| lacks |= matches!(self.worth.get(name), Some(None)));
+        lacks
+    }
+
+    /// What a formula is worth.
+    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<Evaluated, Malformed> {
+        let (symbol, tenths_of_mm) = self.length;
+        let length = LengthScale {
+            symbol,
+            tenths_of_mm,
+        };
+        evaluate(text, tree, length, &|name| {
+            let found = self.worth.get(name).copied().flatten();
+            found.ok_or_else(|| self.meant(name))
+        })
+    }
+
+    /// The same of a text.
+    pub(super) fn worth_of_text(&self, text: &str) -> Result<Evaluated, Malformed> {
+        self.worth_of(text, &expression::parse(text)?)
+    }
+
+    /// What was probably meant by a name that is unknown.
+    fn meant(&self, name: &str) -> Option<String> {
+        let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        if let Some(meant) = did_you_mean(name, names.iter().copied()) {
+            return Some(meant);
+        }
+        let help = match names.len() {
+            _ if name.contains('-') => words().minus_between_blanks().to_owned(),
+            0 => words().scene_has_no_parameters().to_owned(),
+            1..=LISTED => words().parameters_are(&format!("`{}`", names.join("`, `"))),
+            _ => return None,
+        };
+        Some(help)
+    }
+}
+
+/// Whether all formulas with units measure what stands there; reports those that do not.
+pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+    if reader.worked.is_empty() {
+        return true;
+    }
+    let before = reader.found.len();
+    for value in scene.values() {
+        let (Some(found), Some(wanted)) = (value.dimension, value.measure.dimension()) else {
+            continue;
+        };
+        if !fits(found, wanted) {
+            let found = found.symbol(scene.unit.symbol());
+            let wanted = match value.unit {
+                "" => "1",
+                unit => unit,
+            };
+            let message = words().value_measures_other(&value.name, &found, wanted);
+            reader.report(Diagnostic::new(message).at(value.place, ""));
+        }
+    }
+    reader.found.len() == before
+}
+
+fn fits(found: Dimension, wanted: Dimension) -> bool {
+    found.adds_to(wanted)
+}

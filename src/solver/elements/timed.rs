@@ -1,0 +1,57 @@
+//! A further link that an input turns: its angle follows the driver's coordinate.
+
+use super::{Backwards, Element, StepOutcome};
+use crate::solver::demand::PlacedPart;
+use crate::solver::following::{Following, InputMotion};
+use crate::solver::forces::{ForceState, Site};
+use crate::solver::state::{LinkState, State};
+use crate::{LinkId, Number, Vec2};
+
+/// A link whose angle follows the driver's coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Timed {
+    pub link: LinkId,
+    pub following: Following,
+}
+
+impl Element for Timed {
+    type Back = TimedBack;
+
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.link));
+    }
+
+    fn inputs(&self, _reads: &mut impl FnMut(PlacedPart)) {}
+
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> StepOutcome {
+        let InputMotion { p, w, a } = self.following.at(q);
+        let d = T::unit(p);
+        state.links[self.link.index()] = LinkState { d, w, a };
+        StepOutcome::Done
+    }
+
+    fn back(&self, _site: &Site<'_>) -> Option<TimedBack> {
+        Some(TimedBack { step: *self })
+    }
+}
+
+/// The driver holds against the couple on the link, by way of what makes it follow.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct TimedBack {
+    step: Timed,
+}
+
+impl Backwards for TimedBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, _state: &State<T>, forces: &mut ForceState<T>) {
+        let Timed { link, following } = &self.step;
+        let couple = forces.links[link.index()];
+        forces.drive_by(Some(following), couple);
+    }
+}

@@ -1,0 +1,87 @@
+//! A motion that ends at stops.
+//!
+//! What is known of the whole motion stays: how the groups are solved, and where. Only the range ends sooner, and
+//! what lies beyond is not told.
+
+use super::{Motion, Range};
+use crate::{LimitId, StrokeEnd};
+
+/// A stop at which the motion ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EndStop {
+    /// The limit that is met.
+    pub limit: LimitId,
+    /// At which of its ends.
+    pub end: StrokeEnd,
+    /// The driver's coordinate there, in degrees or in the scene's length unit.
+    pub at: f64,
+}
+
+impl Motion {
+    /// Ends the motion at stops on the way down and up, where there are any.
+    pub(in crate::solver) fn stop(&mut self, [down, up]: [Option<EndStop>; 2], opening: f64) {
+        if down.is_none() && up.is_none() {
+            return;
+        }
+        let (first, last) = match self.whole {
+            Range::Full { period } => (opening - period, opening + period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let low = down.map_or(first, |stop| stop.at);
+        let high = up.map_or(last, |stop| stop.at);
+        self.range = Range::Limited { low, high };
+        self.stops = [down, up].into_iter().flatten().collect();
+        self.dead_points.retain(|&at| at == low || at == high);
+        // At a stop the mechanism is as solvable as before it.
+        let [from, to] = self.clear;
+        self.clear = [from.max(low.next_down()), to.min(high.next_up())];
+        // Where it comes round often, once tells.
+        let once = match self.whole {
+            Range::Full { period } => high.min(low + period),
+            Range::Limited { .. } => high,
+        };
+        self.samples = self.between(&self.samples, low, once);
+        self.change_points = self.within(&self.change_points);
+        let misses = std::mem::take(&mut self.near_misses);
+        for miss in misses {
+            let places = self.within(&[miss.at]).into_iter();
+            self.near_misses
+                .extend(places.map(|at| super::NearMiss { at, ..miss }));
+        }
+        self.near_misses.sort_by(|a, b| a.at.total_cmp(&b.at));
+    }
+
+    /// The end that the motion has without stops, if a coordinate lies within some roundings of it.
+    pub(in crate::solver) fn own_end(&self, at: f64, roundings: f64) -> Option<f64> {
+        let Range::Limited { low, high } = self.whole else {
+            return None;
+        };
+        let room = roundings * self.finest.max(f64::EPSILON * at.abs());
+        [low, high].into_iter().find(|end| (at - end).abs() <= room)
+    }
+
+    /// Places of the whole motion that lie in the range, each as often as it comes round.
+    fn within(&self, places: &[f64]) -> Vec<f64> {
+        let (low, high) = self.range.ends();
+        self.between(places, low, high)
+    }
+
+    fn between(&self, places: &[f64], low: f64, high: f64) -> Vec<f64> {
+        let mut found = Vec::new();
+        for &at in places {
+            let (first, period) = match self.whole {
+                Range::Full { period } => (at - period * ((at - low) / period).floor(), period),
+                Range::Limited { .. } => (at, f64::INFINITY),
+            };
+            let mut place = first;
+            while place <= high {
+                // The quotient rounds: the first may lie before the range.
+                found.extend((low <= place).then_some(place));
+                place += period;
+            }
+        }
+        found.sort_by(f64::total_cmp);
+        found.dedup();
+        found
+    }
+}

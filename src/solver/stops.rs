@@ -1,0 +1,417 @@
+//! The stops of a mechanism: where the motion meets the end of a limit.
+//!
+//! The motion is followed first as if there were none. A limit of the driver's own coordinate then cuts the
+//! range as it is given; of any other the coordinate is followed from where the scene opens, both ways, and the
+//! first place at which it leaves its limit is found to the last digit of the driver's coordinate.
+//!
+//! Between two places at which the walk has been (a degree of a crank apart, or less) a coordinate x cannot come
+//! nearer to a stop than its smaller clearance less M h^2 / 8, with h the way of the driver and M no less than its
+//! second derivative. M is taken as twice the largest of what is seen at the ends; where that does not settle it,
+//! the way is halved, down to neighbouring doubles. So a violation is only passed by where x bends in between, and
+//! back again, more than twice as much as at both ends.
+
+use super::exact::Exact;
+use super::motion::EndStop;
+use super::state::{Condition, State};
+use super::{Demand, Fault, Order, Range, Solver, Workspace};
+use crate::numeric::root;
+use crate::{Body, Double, Input, LimitId, LimitOf, Number, StrokeEnd, Vec2, angle};
+use std::f64::consts::TAU;
+
+/// A coordinate that passes its stop by no more than this has touched it: rounding, as a part of its size, in
+/// radians or scaled lengths.
+const TOUCHED: f64 = 1e-13;
+/// How much larger than what is seen at both ends of a way a second derivative may be between them.
+const STEEPER: f64 = 2.0;
+/// Halvings from a degree down to neighbouring doubles, with room.
+const MOST_HALVINGS: u32 = 80;
+/// Doublings of an ulp within which twice the digits look for a stop that doubles have found.
+const DOUBLINGS: i32 = 40;
+/// A stop so many roundings of a coordinate from an end that the motion has anyhow is at that end.
+const SAME_END: f64 = 4.0;
+
+/// The stops that end the motion: on the way down, and up.
+pub(super) type EndStops = [Option<EndStop>; 2];
+
+impl Solver {
+    /// The same between the stops of its mechanism.
+    ///
+    /// # Errors
+    /// Where the scene opens beyond one, or between two that leave no way.
+    pub(super) fn between_stops(mut self) -> Result<Solver, Fault> {
+        let mut stops: EndStops = [None, None];
+        for id in self.mechanism.limit_ids() {
+            let of = self.mechanism.limit(id).of;
+            let found = if self.is_driven(of) {
+                self.driver_stops(id)?
+            } else {
+                LimitWatch::new(&self, id, of).stops()?
+            };
+            for ((stop, found), sense) in stops.iter_mut().zip(found).zip([-1.0, 1.0]) {
+                let is_first =
+                    |found: &EndStop| stop.is_none_or(|stop| (found.at - stop.at) * sense < 0.0);
+                *stop = found.filter(is_first).or(*stop);
+            }
+        }
+        if let [Some(down), Some(up)] = stops
+            && down.at >= up.at
+        {
+            let [down, up] = [down.limit, up.limit];
+            return Err(Fault::HeldByStops { down, up });
+        }
+        self.motion.stop(stops, self.opening);
+        Ok(self)
+    }
+
+    /// Whether a limit holds the driver's own coordinate, by whichever name.
+    fn is_driven(&self, of: LimitOf) -> bool {
+        match (of, self.mechanism.driver().input) {
+            (LimitOf::Driver, _) => true,
+            (LimitOf::Slide(slide), Input::Push(driven)) => slide == driven,
+            (LimitOf::Angle { link, from }, Input::Turn(driven)) => {
+                link == driven && from == Body::Ground
+            }
+            (LimitOf::Slide(_), Input::Turn(_)) | (LimitOf::Angle { .. }, Input::Push(_)) => false,
+        }
+    }
+
+    /// The ends of a limit of the driver's own coordinate, as far as the motion comes there.
+    fn driver_stops(&self, id: LimitId) -> Result<EndStops, Fault> {
+        let limit = self.mechanism.limit(id);
+        let at = self.opening;
+        let by = match self.engine.turns {
+            true => angle::TURN * turns_between(at, [limit.low, limit.high], angle::TURN),
+            false => 0.0,
+        };
+        let [low, high] = [limit.low, limit.high].map(|end| end + by);
+        if !(low <= at && at <= high) {
+            return Err(Fault::BeyondStop {
+                limit: id,
+                value: at,
+            });
+        }
+        let is_met = |end: f64| match self.motion.range {
+            Range::Full { .. } => true,
+            Range::Limited { low, high } => low <= end && end <= high,
+        };
+        let stop = |at: f64, end| is_met(at).then_some(EndStop { limit: id, end, at });
+        Ok([stop(low, StrokeEnd::Least), stop(high, StrokeEnd::Greatest)])
+    }
+
+    /// The places at which the walk has been, from where the scene opens to where the motion ends or has come
+    /// round.
+    fn way(&self, sense: f64) -> Vec<f64> {
+        let start = self.opening;
+        let (end, shift) = match self.motion.range {
+            Range::Full { period } => (start + sense * period, (1.0 - sense) / 2.0 * period),
+            Range::Limited { low, high } => (if sense > 0.0 { high } else { low }, 0.0),
+        };
+        let on_the_way = |&at: &f64| (at - start) * sense > 0.0 && (end - at) * sense > 0.0;
+        let samples = self.motion.samples.iter().map(|at| at - shift);
+        let mut way: Vec<f64> = samples.filter(on_the_way).collect();
+        way.sort_by(|a, b| (a * sense).total_cmp(&(b * sense)));
+        way.push(end);
+        way
+    }
+}
+
+/// Whole turns, as few as there can be, by which two ends are moved so that a value lies between them; those
+/// that bring it nearest where none do.
+fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
+    let least = ((value - high) / turn).ceil();
+    let most = ((value - low) / turn).floor();
+    if least <= most {
+        0.0_f64.max(least).min(most)
+    } else {
+        ((value - 0.5 * (low + high)) / turn).round()
+    }
+}
+
+/// A coordinate at one place, in radians or scaled lengths, and its derivatives by the driver's coordinate, where
+/// they exist.
+#[derive(Clone, Copy, Debug)]
+struct Sighting {
+    at: f64,
+    value: f64,
+    rates: Option<[f64; 2]>,
+}
+
+/// Follows the coordinate of a limit along the motion.
+struct LimitWatch<'s> {
+    whole: &'s Solver,
+    solver: Solver,
+    id: LimitId,
+    of: LimitOf,
+    work: Workspace,
+    /// The ends, in radians or scaled lengths.
+    ends: [f64; 2],
+    touched: f64,
+}
+
+impl<'s> LimitWatch<'s> {
+    fn new(whole: &'s Solver, id: LimitId, of: LimitOf) -> LimitWatch<'s> {
+        let mut demand = Demand::default();
+        let limit = whole.mechanism.limit(id);
+        let mut ends = [limit.low, limit.high];
+        match of {
+            LimitOf::Driver => {}
+            LimitOf::Slide(slide) => {
+                demand.slides.push(slide);
+                ends = ends.map(|end| whole.engine.frame.length(end));
+            }
+            LimitOf::Angle { link, from } => {
+                demand.links.push(link);
+                demand.links.extend(match from {
+                    Body::Ground => None,
+                    Body::Link(from) => Some(from),
+                });
+                ends = ends.map(angle::radians);
+            }
+        }
+        let solver = whole.only(&demand);
+        let size = ends.iter().fold(1.0_f64, |size, end| size.max(end.abs()));
+        LimitWatch {
+            work: solver.state(),
+            touched: TOUCHED * size,
+            whole,
+            solver,
+            id,
+            of,
+            ends,
+        }
+    }
+
+    /// The stops at which the coordinate ends the motion on both ways.
+    fn stops(&mut self) -> Result<EndStops, Fault> {
+        let opening = self.whole.opening;
+        let Some(mut start) = self.look(opening, 0.0) else {
+            return Ok([None, None]);
+        };
+        if let LimitOf::Angle { .. } = self.of {
+            start.value -= TAU * turns_between(start.value, self.ends, TAU);
+        }
+        let is_beyond = |end| self.clearance(end, start.value) < -self.touched;
+        if [StrokeEnd::Least, StrokeEnd::Greatest]
+            .into_iter()
+            .any(is_beyond)
+        {
+            let value = match self.of {
+                LimitOf::Angle { .. } => start.value.to_degrees(),
+                LimitOf::Driver | LimitOf::Slide(_) => start.value * self.solver.engine.frame.scale,
+            };
+            return Err(Fault::BeyondStop {
+                limit: self.id,
+                value,
+            });
+        }
+        let up = self.first_stop(start, 1.0);
+        let goes_round = matches!(self.whole.motion.range, Range::Full { .. });
+        let down = match up.is_none() && goes_round {
+            true => None,
+            false => self.first_stop(start, -1.0),
+        };
+        Ok([down, up])
+    }
+
+    /// The first stop on the way up or down.
+    fn first_stop(&mut self, start: Sighting, sense: f64) -> Option<EndStop> {
+        let mut from = start;
+        for at in self.whole.way(sense) {
+            let to = self.look(at, from.value)?;
+            let ends = [StrokeEnd::Least, StrokeEnd::Greatest];
+            let found = ends.map(|end| Some((end, self.passed(end, from, to, MOST_HALVINGS)?)));
+            let found = found.into_iter().flatten();
+            let first =
+                found.min_by(|(_, a), (_, b)| (a[0].at * sense).total_cmp(&(b[0].at * sense)));
+            if let Some((end, [inside, outside])) = first {
+                let at = self.end_between(end, inside, outside);
+                let at = self.whole.motion.own_end(at, SAME_END).unwrap_or(at);
+                let limit = self.id;
+                return Some(EndStop { limit, end, at });
+            }
+            from = to;
+        }
+        None
+    }
+
+    /// Two places next to each other between which the coordinate first passes an end on this way.
+    fn passed(
+        &mut self,
+        end: StrokeEnd,
+        from: Sighting,
+        to: Sighting,
+        halvings: u32,
+    ) -> Option<[Sighting; 2]> {
+        let [a, b] = [from, to].map(|s| self.clearance(end, s.value));
+        let h = self.solver.engine.difference(from.at, to.at).abs();
+        if let (Some(first), Some(last)) = (from.rates, to.rates) {
+            let bend = (last[0] - first[0]).abs() / h;
+            let bend = STEEPER * bend.max(first[1].abs()).max(last[1].abs());
+            if a.min(b) - bend * h * h / 8.0 >= -self.touched {
+                return None;
+            }
+            // Where it goes one way all along, its end tells.
+            let goes_one_way =
+                first[0].abs().min(last[0].abs()) > bend * h && first[0] * last[0] > 0.0;
+            if goes_one_way && a.min(b) >= -self.touched {
+                return None;
+            }
+            if goes_one_way && a >= -self.touched {
+                return Some([from, to]);
+            }
+        }
+        let at = from.at + 0.5 * (to.at - from.at);
+        if halvings == 0 || at == from.at || at == to.at {
+            return (b < -self.touched).then_some([from, to]);
+        }
+        let middle = self.look(at, from.value)?;
+        let first = self.passed(end, from, middle, halvings - 1);
+        first.or_else(|| self.passed(end, middle, to, halvings - 1))
+    }
+
+    /// How far inside an end a coordinate is.
+    fn clearance(&self, end: StrokeEnd, value: f64) -> f64 {
+        match end {
+            StrokeEnd::Least => value - self.ends[0],
+            StrokeEnd::Greatest => self.ends[1] - value,
+        }
+    }
+
+    /// The coordinate at a place; of an angle the turn nearest to another one.
+    fn look(&mut self, at: f64, near: f64) -> Option<Sighting> {
+        let condition = self.solver.solve(at, Order::Acceleration, &mut self.work);
+        if condition == Condition::NoAssembly {
+            return None;
+        }
+        let (value, rates) = match self.of {
+            LimitOf::Driver => return None,
+            LimitOf::Slide(slide) => {
+                let travel = &self.work.travels[slide.index()];
+                (travel.s, [travel.v, travel.a])
+            }
+            LimitOf::Angle { link, from } => {
+                let (direction, rates) = seen(&self.work, link, from);
+                let value = direction.y.atan2(direction.x);
+                (value + TAU * ((near - value) / TAU).round(), rates)
+            }
+        };
+        let has_rates = condition != Condition::DeadPoint && rates.iter().all(|r| r.is_finite());
+        let rates = has_rates.then_some(rates);
+        Some(Sighting { at, value, rates })
+    }
+
+    /// The coordinate of the driver at which an end is met, between two places close to each other.
+    fn end_between(&mut self, end: StrokeEnd, inside: Sighting, outside: Sighting) -> f64 {
+        let [a, b] = [inside, outside].map(|s| self.clearance(end, s.value));
+        if a <= 0.0 {
+            return inside.at;
+        }
+        let finest = self.solver.engine.finest();
+        let found = root((inside.at, a), (outside.at, b), finest, |at| {
+            let sighting = self.look(at, inside.value)?;
+            Some(self.clearance(end, sighting.value))
+        });
+        let found = found.unwrap_or(inside.at);
+        self.sharpened(end, found, [inside.at, outside.at])
+            .unwrap_or(found)
+    }
+
+    /// The double nearest to where an end is met, by twice the digits from the numbers that are meant; `None`
+    /// where a coupled group or a series has a part in it.
+    fn sharpened(
+        &mut self,
+        end: StrokeEnd,
+        found: f64,
+        [inside, outside]: [f64; 2],
+    ) -> Option<f64> {
+        let exact = self.solver.exact.clone()?;
+        let is_closed = exact.closed == exact.engine.program.steps.len();
+        if !is_closed || self.solver.is_passing(found) {
+            return None;
+        }
+        let mut close = exact.state::<Double>(self.solver.slides);
+        let ulp = self.solver.engine.finest().max(f64::EPSILON * found.abs());
+        let sense = (outside - inside).signum();
+        let (low, high) = (inside.min(outside), inside.max(outside));
+        let mut clearance = |at: f64| self.exactly(&exact, end, at, &mut close);
+        let mut apart = |sense: f64, wanted: fn(Double) -> bool| {
+            let places = (0..DOUBLINGS).map(|k| found + sense * ulp * (f64::from(k).exp2() - 1.0));
+            let places = places.map(|at| at.clamp(low, high));
+            let mut told = places.map(|at| Some((at, clearance(at)?)));
+            told.find_map(|told| told.filter(|(_, c)| wanted(*c)))
+        };
+        let mut good = apart(-sense, |c| c.hi >= 0.0)?;
+        let mut bad = apart(sense, |c| c.hi < 0.0)?;
+        loop {
+            let at = good.0 + 0.5 * (bad.0 - good.0);
+            if at == good.0 || at == bad.0 || (bad.0 - good.0).abs() < f64::EPSILON * ulp {
+                break;
+            }
+            let here = (at, clearance(at)?);
+            *(if here.1.hi < 0.0 { &mut bad } else { &mut good }) = here;
+        }
+        let nearest = if good.1.hi <= -bad.1.hi {
+            good.0
+        } else {
+            bad.0
+        };
+        Some(if nearest.abs() < f64::EPSILON * ulp {
+            0.0
+        } else {
+            nearest
+        })
+    }
+
+    /// How far inside an end the coordinate is, of an angle the sine of that, in twice the digits.
+    fn exactly(
+        &mut self,
+        exact: &Exact,
+        end: StrokeEnd,
+        at: f64,
+        close: &mut State<Double>,
+    ) -> Option<Double> {
+        self.solver.aim(at, &mut self.work);
+        let how = (
+            &self.work.state.signs[..],
+            self.solver.motion.stretched_at(at),
+        );
+        let order = Order::Position;
+        if exact.run(exact.closed, Double::exactly(at), order, how, close) == Condition::NoAssembly
+        {
+            return None;
+        }
+        let limit = self.whole.mechanism.limit(self.id);
+        let (value, sign) = match end {
+            StrokeEnd::Least => (limit.low, Double::ONE),
+            StrokeEnd::Greatest => (limit.high, -Double::ONE),
+        };
+        let frame = &exact.engine.frame;
+        let inside = match self.of {
+            LimitOf::Driver => return None,
+            LimitOf::Slide(slide) => {
+                let end = frame.local(Vec2::new(value, 0.0)).x.value();
+                close.travels[slide.index()].s - end
+            }
+            LimitOf::Angle { link, from } => {
+                let end = Vec2::<Double>::of(frame.unit(value));
+                end.cross(seen(close, link, from).0)
+            }
+        };
+        Some(sign * inside)
+    }
+}
+
+/// The direction of a link as seen from a body, and the derivatives of its angle.
+fn seen<T: Number>(state: &State<T>, link: crate::LinkId, from: Body) -> (Vec2<T>, [T; 2]) {
+    let link = &state.links[link.index()];
+    match from {
+        Body::Ground => (link.d, [link.w, link.a]),
+        Body::Link(from) => {
+            let from = &state.links[from.index()];
+            (
+                link.d.turned(from.d.conj()),
+                [link.w - from.w, link.a - from.a],
+            )
+        }
+    }
+}

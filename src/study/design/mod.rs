@@ -1,0 +1,154 @@
+//! Designs: a scene with other numbers, opened in the assembly that the scene means.
+//!
+//! A [`DesignSpace`] has some values of a scene that vary; [`DesignSpace::open`] writes other numbers into the text,
+//! reads it as any scene is read, and opens it. So a design is what anybody gets who types these numbers, what follows
+//! from them by formulas too, but for one thing: where the text would open in another assembly than the scene's own,
+//! the assembly is kept, and where that cannot be the design says so. It never changes assembly silently.
+//!
+//! ```text
+//! plan       which designs: a grid, or a Latin hypercube, each by its number
+//! run        a row for each design of a plan, on all cores, in order
+//! goal       what a figure of the cycle is to be
+//! solve      numbers that meet goals: Levenberg and Marquardt's method, from many starts
+//! optimise   the best numbers under constraints: differential evolution
+//! ```
+
+mod evaluation;
+mod goal;
+mod optimise;
+mod plan;
+mod run;
+mod solve;
+#[cfg(test)]
+mod tests;
+
+pub use evaluation::DesignFigures;
+pub use goal::{Goal, GoalSense, MistypedGoal};
+pub use optimise::{BestDesign, OptimiseOrder};
+pub use plan::{DesignPlan, MistypedAxis, PlanAxis};
+pub use run::{DesignRow, DesignRun, DesignState};
+pub use solve::{FoundDesign, GoalSearch, SearchOutcome};
+
+use crate::scene::{Diagnostics, Scene, Value};
+use crate::solver::{Condition, Fault, Order, Solver};
+
+/// Some values of a scene that vary.
+#[derive(Clone, Debug)]
+pub struct DesignSpace {
+    scene: Scene,
+    solver: Solver,
+    values: Vec<Value>,
+}
+
+/// A scene with other numbers.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// The scene, as it would be saved.
+    pub scene: Scene,
+    /// Its solver, in the assembly that the scene means that it was made from.
+    pub solver: Solver,
+    /// Whether its text alone would open in another assembly.
+    pub is_held: bool,
+}
+
+/// Why a design cannot be opened.
+#[derive(Clone, Debug)]
+pub enum NoDesign {
+    /// Its numbers make no scene.
+    Unread(Box<Diagnostics>),
+    /// It does not assemble as the scene does; the scene says it in words.
+    Unsolved(Box<Scene>, Box<Fault>),
+}
+
+impl DesignSpace {
+    /// Of a scene and its solver; `values` are among [`Scene::values`].
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver, values: Vec<Value>) -> DesignSpace {
+        DesignSpace {
+            scene: scene.clone(),
+            solver: solver.clone(),
+            values,
+        }
+    }
+
+    /// The scene as it was given.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Its solver.
+    #[must_use]
+    pub fn solver(&self) -> &Solver {
+        &self.solver
+    }
+
+    /// The values that vary.
+    #[must_use]
+    pub fn values(&self) -> &[Value] {
+        &self.values
+    }
+
+    /// Their numbers as they were given.
+    #[must_use]
+    pub fn given(&self) -> Vec<f64> {
+        self.values.iter().map(|value| value.number).collect()
+    }
+
+    /// The text of the scene with other numbers.
+    #[must_use]
+    pub fn text(&self, numbers: &[f64]) -> String {
+        let pairs = self.values.iter().zip(numbers);
+        let texts: Vec<(Value, String)> = pairs
+            .map(|(value, number)| (value.clone(), value.with_number(*number)))
+            .collect();
+        self.scene.with_values(&texts)
+    }
+
+    /// The design of these numbers.
+    ///
+    /// # Errors
+    /// Where they make no scene, or one that does not assemble as this one does.
+    pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
+        let text = self.text(numbers);
+        let scene = Scene::parse(&text, self.scene.origin())
+            .map_err(|faults| NoDesign::Unread(Box::new(faults)))?;
+        let at = self.seen_at(&scene);
+        let plain = Solver::new(&scene.mechanism);
+        match plain {
+            Ok(solver) if self.solver.has_sides_of(at, &solver) => Ok(Design {
+                scene,
+                solver,
+                is_held: false,
+            }),
+            _ => match self.solver.carried_over(at, &scene.mechanism) {
+                Ok(solver) => Ok(Design {
+                    scene,
+                    solver,
+                    is_held: true,
+                }),
+                Err(fault) => Err(NoDesign::Unsolved(Box::new(scene), Box::new(fault))),
+            },
+        }
+    }
+
+    /// Where to look for the assembly: where the design opens, if the scene gets there, else where that opens.
+    fn seen_at(&self, scene: &Scene) -> f64 {
+        let [there, here] = [scene, &self.scene].map(|scene| scene.mechanism.driver().start);
+        let mut state = self.solver.state();
+        let gets_there = there == here
+            || self.solver.solve(there, Order::Position, &mut state) != Condition::NoAssembly;
+        if gets_there { there } else { here }
+    }
+}
+
+impl NoDesign {
+    /// In a line.
+    #[must_use]
+    pub fn reason(&self) -> String {
+        match self {
+            NoDesign::Unread(faults) => faults.first_words().to_owned(),
+            NoDesign::Unsolved(scene, fault) => scene.explain(fault).first_words().to_owned(),
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! The best design under constraints: differential evolution (Storn and Price, 1997), which asks for no derivative.
+//!
+//! Of two designs the better one is the one that is one at all; then the one that misses the constraints less; then the
+//! one with the better figure (Deb, 2000). The same seed gives the same design, on however many cores.
+
+use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
+use crate::numeric::SeededChance;
+use std::thread;
+
+/// Designs of a generation for each value that varies, and at least.
+const FOR_EACH: usize = 12;
+const FEWEST: usize = 24;
+/// How much of the difference of two designs is added to a third, and how likely each number takes part.
+const WEIGHT: f64 = 0.7;
+const CROSSING: f64 = 0.9;
+/// A generation whose numbers lie together within this part of their ends has come to its end.
+const TOGETHER: f64 = 1e-10;
+
+/// What is to be the best.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OptimiseOrder {
+    /// Whether the greatest value is the best; otherwise the least.
+    pub greatest: bool,
+    /// Generations at the most.
+    pub generations: u32,
+    /// From which chance follows.
+    pub seed: u64,
+    /// Threads.
+    pub threads: usize,
+}
+
+/// The best design that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BestDesign {
+    /// Its numbers.
+    pub numbers: Vec<f64>,
+    /// The figure that was to be the best.
+    pub value: f64,
+    /// By how much it misses the constraints, all together in parts of their size: 0 where it keeps them.
+    pub missed: f64,
+    /// Generations that were made.
+    pub generations: u32,
+    /// Whether the last of them lay together in one place.
+    pub settled: bool,
+}
+
+/// Generations in which the best may stay what it is.
+const LONGEST_REST: u32 = 60;
+
+/// How good a design is: less is better, what it misses first. Infinite where there is none.
+type Worth = (f64, f64);
+
+const NONE: Worth = (f64::INFINITY, f64::INFINITY);
+
+fn better(one: Worth, other: Worth) -> Worth {
+    if other < one { other } else { one }
+}
+
+impl BestDesign {
+    /// Finds it: the first figure of `figures` is to be the best, the others are those of `constraints`, in their order.
+    /// `watch` is told the generation and stops by saying so. `None` where no design of any was one.
+    pub fn find(
+        figures: &DesignFigures,
+        constraints: &[Goal],
+        axes: &[PlanAxis],
+        order: OptimiseOrder,
+        watch: &mut dyn FnMut(u32) -> bool,
+    ) -> Option<BestDesign> {
+        let given = figures.space().given();
+        let constraints = &sized(figures, constraints, &given)[..];
+        let count = (FOR_EACH * axes.len()).max(FEWEST);
+        let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
+        let mut generation: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
+        let mut worth = worths(figures, constraints, &generation, order);
+        let mut chance = SeededChance::new(order.seed ^ 0x5bd1_e995);
+        let mut made = 0;
+        let mut settled = false;
+        let (mut last, mut stays) = (NONE, 0);
+        while made < order.generations && !settled && watch(made) {
+            let trials: Vec<Vec<f64>> = (0..generation.len())
+                .map(|i| trial(&generation, i, axes, &mut chance))
+                .collect();
+            let found = worths(figures, constraints, &trials, order);
+            for ((design, worth), (trial, found)) in generation
+                .iter_mut()
+                .zip(&mut worth)
+                .zip(trials.into_iter().zip(found))
+            {
+                if found <= *worth {
+                    (*design, *worth) = (trial, found);
+                }
+            }
+            settled = lie_together(&generation, axes);
+            made += 1;
+            let now = worth.iter().copied().fold(NONE, better);
+            stays = if now == last { stays + 1 } else { 0 };
+            last = now;
+            if stays >= LONGEST_REST {
+                break;
+            }
+        }
+        let best = (0..worth.len()).min_by(|&a, &b| {
+            worth[a]
+                .partial_cmp(&worth[b])
+                .unwrap_or(std::cmp::Ordering::Equal)
+        })?;
+        let (missed, value) = worth[best];
+        missed.is_finite().then(|| BestDesign {
+            numbers: generation[best].clone(),
+            value: if order.greatest { -value } else { value },
+            missed,
+            generations: made,
+            settled,
+        })
+    }
+}
+
+/// The constraints, each measured by what it has to be changed by.
+fn sized(figures: &DesignFigures, constraints: &[Goal], given: &[f64]) -> Vec<Goal> {
+    let values = figures.clone().of(given).unwrap_or_default();
+    let kept = values.into_iter().skip(1).map(Result::ok);
+    let values = kept.chain(std::iter::repeat(None));
+    let pairs = constraints.iter().cloned().zip(values);
+    pairs.map(|(goal, value)| goal.from(value)).collect()
+}
+
+/// A design of three others, crossed with the one whose place it may take.
+fn trial(
+    generation: &[Vec<f64>],
+    of: usize,
+    axes: &[PlanAxis],
+    chance: &mut SeededChance,
+) -> Vec<f64> {
+    let [a, b, c] = three_others(generation.len(), of, chance);
+    let own = &generation[of];
+    let last = u32::try_from(own.len().saturating_sub(1)).unwrap_or(0);
+    let always = chance.between(0, last) as usize;
+    (0..own.len())
+        .map(|i| {
+            let takes_part = i == always || 0.5 * (1.0 + chance.even()) < CROSSING;
+            if !takes_part {
+                return own[i];
+            }
+            let number = generation[a][i] + WEIGHT * (generation[b][i] - generation[c][i]);
+            let [low, high] = axes[i].ends.unwrap_or([own[i], own[i]]);
+            let (low, high) = (low.min(high), low.max(high));
+            // Beyond an end it lies half of the way to it.
+            if number < low {
+                0.5 * (own[i] + low)
+            } else if number > high {
+                0.5 * (own[i] + high)
+            } else {
+                number
+            }
+        })
+        .collect()
+}
+
+/// Three numbers below a count of at least four, none of them `of`, all different.
+fn three_others(count: usize, of: usize, chance: &mut SeededChance) -> [usize; 3] {
+    let last = u32::try_from(count - 1).unwrap_or(u32::MAX);
+    let mut others = [of; 3];
+    for i in 0..3 {
+        loop {
+            let other = chance.between(0, last) as usize;
+            if other != of && !others[..i].contains(&other) {
+                others[i] = other;
+                break;
+            }
+        }
+    }
+    others
+}
+
+fn lie_together(generation: &[Vec<f64>], axes: &[PlanAxis]) -> bool {
+    axes.iter().enumerate().all(|(i, axis)| {
+        let numbers = generation.iter().map(|design| design[i]);
+        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        });
+        let [from, to] = axis.ends.unwrap_or([low, high]);
+        high - low <= TOGETHER * (to - from).abs().max(low.abs().max(high.abs()))
+    })
+}
+
+/// How good every design is, found on several threads.
+fn worths(
+    figures: &DesignFigures,
+    constraints: &[Goal],
+    designs: &[Vec<f64>],
+    order: OptimiseOrder,
+) -> Vec<Worth> {
+    let part = designs.len().div_ceil(order.threads.max(1)).max(1);
+    thread::scope(|scope| {
+        let parts = designs.chunks(part).map(|designs| {
+            let mut figures = figures.clone();
+            scope.spawn(move || {
+                let worth =
+                    |numbers: &Vec<f64>| worth(&mut figures, constraints, numbers, order.greatest);
+                designs.iter().map(worth).collect::<Vec<_>>()
+            })
+        });
+        let parts: Vec<_> = parts.collect();
+        let nothing = |count: usize| vec![(f64::INFINITY, f64::INFINITY); count];
+        let found = parts.into_iter().zip(designs.chunks(part));
+        found
+            .flat_map(|(part, designs)| part.join().unwrap_or_else(|_| nothing(designs.len())))
+            .collect()
+    })
+}
+
+fn worth(
+    figures: &mut DesignFigures,
+    constraints: &[Goal],
+    numbers: &[f64],
+    greatest: bool,
+) -> Worth {
+    let Ok(found) = figures.of(numbers) else {
+        return NONE;
+    };
+    let Some((Ok(value), kept)) = found.split_first().map(|(best, kept)| (*best, kept)) else {
+        return NONE;
+    };
+    let mut missed = 0.0;
+    for (goal, value) in constraints.iter().zip(kept) {
+        let Ok(value) = *value else { return NONE };
+        if !goal.is_met(value) {
+            missed += goal.part(value).abs();
+        }
+    }
+    (missed, if greatest { -value } else { value })
+}

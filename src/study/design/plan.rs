@@ -1,0 +1,206 @@
+//! Which designs: a grid, or a Latin hypercube. Each has a number, so that any part of them can be done by itself, and
+//! again.
+
+use crate::numeric::SeededChance;
+use crate::wording::words;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// A value that varies: `a=90..110/21`, from 90 to 110 in 21 places; `a=100` or `a` stays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanAxis {
+    /// The name of the value.
+    pub name: String,
+    /// From where to where.
+    pub ends: Option<[f64; 2]>,
+    /// In how many places, where that was said.
+    pub count: Option<u32>,
+}
+
+/// What is no axis.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{}", words().no_axis(text))]
+pub struct MistypedAxis {
+    /// What was written.
+    pub text: String,
+}
+
+impl FromStr for PlanAxis {
+    type Err = MistypedAxis;
+
+    fn from_str(text: &str) -> Result<PlanAxis, MistypedAxis> {
+        let wrong = || MistypedAxis {
+            text: text.to_owned(),
+        };
+        let number = |text: &str| {
+            let number = text.trim().parse::<f64>().ok();
+            number.filter(|v| v.is_finite()).ok_or_else(wrong)
+        };
+        let Some((name, rest)) = text.split_once('=') else {
+            let name = text.trim().to_owned();
+            let axis = PlanAxis {
+                name,
+                ends: None,
+                count: None,
+            };
+            return if axis.name.is_empty() {
+                Err(wrong())
+            } else {
+                Ok(axis)
+            };
+        };
+        let (ends, count) = match rest.split_once('/') {
+            Some((ends, count)) => {
+                let count = count.trim().parse::<u32>().ok().filter(|&count| count > 0);
+                (ends, Some(count.ok_or_else(wrong)?))
+            }
+            None => (rest, None),
+        };
+        let (low, high) = ends.split_once("..").ok_or_else(wrong)?;
+        let axis = PlanAxis {
+            name: name.trim().to_owned(),
+            ends: Some([number(low)?, number(high)?]),
+            count,
+        };
+        if axis.name.is_empty() {
+            Err(wrong())
+        } else {
+            Ok(axis)
+        }
+    }
+}
+
+/// Places along a value.
+#[derive(Clone, Debug, PartialEq)]
+struct PlanPlaces {
+    ends: [f64; 2],
+    count: u32,
+}
+
+impl PlanPlaces {
+    /// A place between the ends, as a decimal of 15 digits: 0.3 and not 0.30000000000000004.
+    fn at(&self, part: f64) -> f64 {
+        let [low, high] = self.ends;
+        let place = low + (high - low) * part;
+        let size = low.abs().max(high.abs());
+        let digits = if size > 0.0 {
+            14 - size.log10().floor() as i32
+        } else {
+            0
+        };
+        let decimal = format!("{place:.*}", digits.clamp(0, 300) as usize);
+        decimal.parse().unwrap_or(place)
+    }
+}
+
+/// Some designs, by their numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignPlan {
+    axes: Vec<PlanPlaces>,
+    /// Of a Latin hypercube, for each axis in which of its parts a design lies.
+    parts: Option<Vec<Vec<u32>>>,
+    count: u64,
+}
+
+/// Places where none are asked for.
+const USUAL_PLACES: u32 = 11;
+
+impl DesignPlan {
+    /// All combinations, the last axis going first. An axis without ends stays at what is given for it.
+    #[must_use]
+    pub fn grid(axes: &[PlanAxis], given: &[f64]) -> DesignPlan {
+        let axes: Vec<PlanPlaces> = axes
+            .iter()
+            .zip(given)
+            .map(|(axis, &given)| places(axis, given))
+            .collect();
+        let counts = axes.iter().map(|axis| u64::from(axis.count));
+        DesignPlan {
+            count: counts.fold(1, u64::saturating_mul),
+            axes,
+            parts: None,
+        }
+    }
+
+    /// So many designs, spread by chance so that each of as many parts of every axis has one.
+    #[must_use]
+    pub fn latin(axes: &[PlanAxis], given: &[f64], count: u32, seed: u64) -> DesignPlan {
+        let mut chance = SeededChance::new(seed);
+        let axes: Vec<PlanPlaces> = axes
+            .iter()
+            .zip(given)
+            .map(|(axis, &given)| places(axis, given))
+            .collect();
+        let parts = axes.iter().map(|_| shuffled(count, &mut chance)).collect();
+        DesignPlan {
+            axes,
+            parts: Some(parts),
+            count: u64::from(count),
+        }
+    }
+
+    /// How many designs there are.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// How many places each axis has.
+    pub fn places(&self) -> impl Iterator<Item = u32> {
+        self.axes.iter().map(|axis| axis.count)
+    }
+
+    /// The numbers of a design.
+    #[must_use]
+    pub fn numbers(&self, design: u64) -> Vec<f64> {
+        match &self.parts {
+            Some(parts) => {
+                let axes = self.axes.iter().zip(parts);
+                let place = |(axis, parts): (&PlanPlaces, &Vec<u32>)| {
+                    let part = usize::try_from(design).ok().and_then(|k| parts.get(k));
+                    let part = f64::from(part.copied().unwrap_or(0)) + 0.5;
+                    axis.at(part / self.count as f64)
+                };
+                axes.map(place).collect()
+            }
+            None => self.on_grid(design),
+        }
+    }
+
+    fn on_grid(&self, design: u64) -> Vec<f64> {
+        let mut rest = design;
+        let mut numbers: Vec<f64> = self
+            .axes
+            .iter()
+            .rev()
+            .map(|axis| {
+                let count = u64::from(axis.count);
+                let place = rest % count;
+                rest /= count;
+                let last = (count - 1).max(1);
+                axis.at(place as f64 / last as f64)
+            })
+            .collect();
+        numbers.reverse();
+        numbers
+    }
+}
+
+fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
+    let ends = axis.ends.unwrap_or([given, given]);
+    let usual = if ends[0] == ends[1] { 1 } else { USUAL_PLACES };
+    PlanPlaces {
+        ends,
+        count: axis.count.unwrap_or(usual),
+    }
+}
+
+/// The numbers below a count in an order by chance (Fisher and Yates).
+fn shuffled(count: u32, chance: &mut SeededChance) -> Vec<u32> {
+    let mut all: Vec<u32> = (0..count).collect();
+    for last in (1..count).rev() {
+        let other = chance.between(0, last);
+        all.swap(last as usize, other as usize);
+    }
+    all
+}

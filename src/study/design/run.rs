@@ -1,0 +1,135 @@
+//! Designs of a plan, one row each: on several cores, and always in the order of the plan.
+
+use super::{DesignFigures, DesignPlan, NoDesign};
+use crate::study::NoFigure;
+use std::ops::Range;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
+
+/// Designs that are handed on together: as many as take about a millisecond.
+const CHUNK: u64 = 32;
+/// Chunks that a thread may be ahead of who takes them.
+const AHEAD: usize = 64;
+
+/// Whether a design is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DesignState {
+    /// It assembles as the scene does.
+    Ok,
+    /// It does not.
+    NoAssembly,
+    /// Its numbers make no scene.
+    Unreadable,
+}
+
+/// What came of one design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignRow {
+    /// The numbers that vary.
+    pub numbers: Vec<f64>,
+    /// Whether it is one at all.
+    pub state: DesignState,
+    /// Why it is none, in words; empty where it is one.
+    pub reason: String,
+    /// The figures, each or why there is none; empty where it is no design.
+    pub figures: Vec<Result<f64, NoFigure>>,
+}
+
+/// Which designs of a plan are looked at, and by how many threads.
+#[derive(Clone, Debug)]
+pub struct DesignRun<'a> {
+    /// Their figures.
+    pub figures: &'a DesignFigures,
+    /// The plan.
+    pub plan: &'a DesignPlan,
+    /// Which of its designs.
+    pub designs: Range<u64>,
+    /// Threads.
+    pub threads: usize,
+}
+
+impl DesignState {
+    /// As tables and files have it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            DesignState::Ok => "ok",
+            DesignState::NoAssembly => "no-assembly",
+            DesignState::Unreadable => "unreadable",
+        }
+    }
+}
+
+impl DesignRow {
+    /// The row of a design with these numbers.
+    #[must_use]
+    pub fn of(numbers: Vec<f64>, figures: &mut DesignFigures) -> DesignRow {
+        let (state, reason, figures) = match figures.of(&numbers) {
+            Ok(found) => (DesignState::Ok, String::new(), found),
+            Err(none) => {
+                let state = match &none {
+                    NoDesign::Unread(_) => DesignState::Unreadable,
+                    NoDesign::Unsolved(..) => DesignState::NoAssembly,
+                };
+                (state, none.reason(), Vec::new())
+            }
+        };
+        DesignRow {
+            numbers,
+            state,
+            reason,
+            figures,
+        }
+    }
+
+    /// The figure of this number, if it exists.
+    #[must_use]
+    pub fn figure(&self, figure: usize) -> Option<f64> {
+        self.figures.get(figure)?.ok()
+    }
+}
+
+impl DesignRun<'_> {
+    /// Hands the rows on in their order, some at a time; an error of who takes them ends it.
+    ///
+    /// # Errors
+    /// What `take` says.
+    pub fn each<E>(&self, take: &mut dyn FnMut(Vec<DesignRow>) -> Result<(), E>) -> Result<(), E> {
+        let chunks = self
+            .designs
+            .end
+            .saturating_sub(self.designs.start)
+            .div_ceil(CHUNK);
+        let threads = (self.threads.max(1) as u64).min(chunks);
+        thread::scope(|scope| {
+            let mut lines: Vec<Receiver<Vec<DesignRow>>> = Vec::new();
+            for first in 0..threads {
+                let (to, from) = sync_channel(AHEAD);
+                lines.push(from);
+                let own = (first..chunks).step_by(usize::try_from(threads).unwrap_or(1));
+                scope.spawn(move || self.work(own, &to));
+            }
+            // Each thread has every so many-th chunk, so that they come in turn.
+            for line in (0..chunks).zip(lines.iter().cycle()).map(|(_, line)| line) {
+                match line.recv() {
+                    Ok(rows) => take(rows)?,
+                    Err(_) => break,
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// The rows of some chunks, as long as somebody takes them.
+    fn work(&self, chunks: impl Iterator<Item = u64>, to: &SyncSender<Vec<DesignRow>>) {
+        let mut figures = self.figures.clone();
+        for chunk in chunks {
+            let first = self.designs.start + chunk * CHUNK;
+            let last = first.saturating_add(CHUNK).min(self.designs.end);
+            let rows = (first..last).map(|k| DesignRow::of(self.plan.numbers(k), &mut figures));
+            if to.send(rows.collect()).is_err() {
+                return;
+            }
+        }
+    }
+}

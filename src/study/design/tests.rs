@@ -1,0 +1,347 @@
+//! Designs against closed formulas, written out here.
+
+use super::*;
+use crate::quantity::Catalogue;
+use crate::scene::presets;
+use crate::study::CycleFigure;
+
+fn opened(name: &str) -> (Scene, Solver) {
+    let preset = presets::find(name).unwrap();
+    let scene = Scene::parse(preset.text, name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn space(name: &str, values: &[&str]) -> DesignSpace {
+    let (scene, solver) = opened(name);
+    let all = scene.values();
+    let value = |name: &&str| {
+        all.iter()
+            .find(|value| value.name == *name)
+            .unwrap()
+            .clone()
+    };
+    let values = values.iter().map(value).collect();
+    DesignSpace::new(&scene, &solver, values)
+}
+
+fn figures(space: &DesignSpace, names: &[&str]) -> DesignFigures {
+    let catalogue = Catalogue::new(space.scene());
+    let figures = names
+        .iter()
+        .map(|name| CycleFigure::parse(name, &catalogue).unwrap());
+    DesignFigures::new(space, figures.collect(), None)
+}
+
+fn goals(space: &DesignSpace, texts: &[&str]) -> Vec<Goal> {
+    let catalogue = Catalogue::new(space.scene());
+    texts
+        .iter()
+        .map(|text| Goal::parse(text, &catalogue).unwrap())
+        .collect()
+}
+
+fn axes(texts: &[&str]) -> Vec<PlanAxis> {
+    texts.iter().map(|text| text.parse().unwrap()).collect()
+}
+
+/// The stroke of an offset slider-crank between its dead centres: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
+fn stroke(r: f64, l: f64, e: f64) -> f64 {
+    ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
+}
+
+/// Every design of a grid, in place and opened, has the stroke of the closed formula; what turns less than fully too.
+#[test]
+fn designs_have_the_stroke_of_the_closed_formula() {
+    let space = space(
+        "offset-slider-crank",
+        &["r2 length", "r3 length", "r4 through y"],
+    );
+    let mut found = figures(&space, &["r4.length.stroke"]);
+    let axes = axes(&["r2=60..140/5", "r3=200..340/5", "e=-40..40/3"]);
+    let plan = DesignPlan::grid(&axes, &space.given());
+    assert_eq!(plan.count(), 75);
+    let mut quick = 0;
+    for k in 0..plan.count() {
+        let numbers = plan.numbers(k);
+        let [r, l, e] = numbers[..] else { panic!() };
+        quick += usize::from(found.quickly(&numbers).is_some());
+        let value = found.of(&numbers).unwrap()[0].unwrap();
+        let known = stroke(r, l, e);
+        assert!(
+            (value - known).abs() < 1e-9 * known,
+            "{numbers:?}: {value} {known}"
+        );
+        let opened = found.of_design(&space.open(&numbers).unwrap())[0].unwrap();
+        assert!(
+            (opened - known).abs() < 1e-9 * known,
+            "{numbers:?}: {opened} {known}"
+        );
+    }
+    assert!(quick > 40, "only {quick} of 75 in place");
+}
+
+/// In place the figures are those of the scene that is opened with these numbers, of several mechanisms at random.
+#[test]
+fn designs_in_place_are_those_that_are_opened() {
+    for (name, names) in [
+        (
+            "four-bar",
+            vec!["C.x.stroke", "r4.angle.swing", "C.x@60", "transmission"],
+        ),
+        ("press", vec!["r6.angle.swing", "range"]),
+        ("hoecken", vec!["P.x.stroke", "P.y.least"]),
+        ("whitworth", vec!["r6.length.stroke", "r6.length.ratio"]),
+    ] {
+        let (scene, _) = opened(name);
+        let all: Vec<String> = scene.values().into_iter().map(|value| value.name).collect();
+        let values = all.iter().map(String::as_str);
+        let values: Vec<&str> = values
+            .filter(|name| name.ends_with(" length"))
+            .take(4)
+            .collect();
+        let space = space(name, &values);
+        let mut found = figures(&space, &names);
+        let given = space.given();
+        let around = |v: &f64| PlanAxis {
+            name: String::new(),
+            ends: Some([0.97 * v, 1.03 * v]),
+            count: None,
+        };
+        let axes: Vec<PlanAxis> = given.iter().map(around).collect();
+        let plan = DesignPlan::latin(&axes, &given, 40, 7);
+        let mut quick = 0;
+        for k in 0..plan.count() {
+            let numbers = plan.numbers(k);
+            let Some(one) = found.quickly(&numbers) else {
+                continue;
+            };
+            let other = found.of_design(&space.open(&numbers).unwrap());
+            for (one, other) in one.iter().zip(&other) {
+                let (one, other) = (one.unwrap(), other.unwrap());
+                assert!(
+                    (one - other).abs() <= 1e-9 * other.abs().max(1.0),
+                    "{name} {numbers:?}: {one} {other}"
+                );
+            }
+            quick += 1;
+        }
+        assert!(quick > 10, "{name}: only {quick} in place");
+    }
+}
+
+/// A design that does not assemble is none, and says why; it is never another assembly.
+#[test]
+fn a_design_that_does_not_close_says_why() {
+    let space = space("four-bar", &["r3 length"]);
+    let mut found = figures(&space, &["C.x@60"]);
+    let reason = found.of(&[20.0]).unwrap_err().reason();
+    assert!(
+        reason.contains("assemble") || reason.contains("close"),
+        "{reason}"
+    );
+}
+
+/// One length for one goal: the stroke of the in-line slider-crank is twice the crank's length.
+#[test]
+fn a_stroke_is_met_by_the_crank_that_it_takes() {
+    let space = space("slider-crank", &["r2 length"]);
+    let search = figures(&space, &["r4.length.stroke"]);
+    let goals = goals(&space, &["r4.length.stroke = 13"]);
+    let mut search = GoalSearch::new(search, goals, &axes(&["r2"]));
+    let outcome = search.run(4, 1, &mut |_| true);
+    assert_eq!(outcome.solutions.len(), 1, "{outcome:?}");
+    assert!(
+        (outcome.solutions[0].numbers[0] - 6.5).abs() < 1e-9,
+        "{outcome:?}"
+    );
+}
+
+/// Two goals at once, with a constraint: stroke and time ratio of an offset slider-crank by crank and offset. The
+/// dead centres lie where crank and rod are in line, cos = e / (l -+ r).
+#[test]
+fn stroke_and_time_ratio_are_met_together() {
+    let space = space("offset-slider-crank", &["r2 length", "r4 through y"]);
+    let names = [
+        "r4.length.stroke = 120",
+        "r4.length.ratio = 1.1",
+        "transmission >= 30",
+    ];
+    let goals = goals(&space, &names);
+    let search = figures(
+        &space,
+        &["r4.length.stroke", "r4.length.ratio", "transmission"],
+    );
+    let l = space
+        .scene()
+        .values()
+        .into_iter()
+        .find(|v| v.name == "r3 length")
+        .unwrap()
+        .number;
+    let mut search = GoalSearch::new(search, goals, &axes(&["r2", "e"]));
+    let outcome = search.run(16, 1, &mut |_| true);
+    // The offset to either side.
+    assert_eq!(outcome.solutions.len(), 2, "{outcome:?}");
+    for found in &outcome.solutions {
+        let [r, e] = found.numbers[..] else { panic!() };
+        assert!((stroke(r, l, e) - 120.0).abs() < 1e-6, "{r} {e}");
+        let between = ((e / (l + r)).asin() - (e / (l - r)).asin())
+            .abs()
+            .to_degrees();
+        let ratio = (180.0 + between) / (180.0 - between);
+        assert!((ratio - 1.1).abs() < 1e-8, "{r} {e} {ratio}");
+    }
+    let offsets: Vec<f64> = outcome
+        .solutions
+        .iter()
+        .map(|found| found.numbers[1])
+        .collect();
+    assert!((offsets[0] + offsets[1]).abs() < 1e-6, "{offsets:?}");
+}
+
+/// What cannot be met has a nearest design, and is said not to be met.
+#[test]
+fn where_nothing_meets_the_goal_the_nearest_is_told() {
+    let space = space("slider-crank", &["r2 length"]);
+    let goals = goals(&space, &["r4.length.stroke = 30"]);
+    let search = figures(&space, &["r4.length.stroke"]);
+    let mut search = GoalSearch::new(search, goals, &axes(&["r2=5..12"]));
+    let outcome = search.run(3, 1, &mut |_| true);
+    assert!(outcome.solutions.is_empty());
+    let nearest = outcome.nearest.unwrap();
+    assert!((nearest.numbers[0] - 12.0).abs() < 1e-6, "{nearest:?}");
+}
+
+/// An optimum that is known: the greatest stroke with the transmission angle kept. An in-line slider-crank has stroke 2 r and its transmission angle is least at 90 deg, cos = r / l.
+#[test]
+fn the_best_design_lies_on_its_constraint() {
+    let space = space("slider-crank", &["r2 length"]);
+    let figures = figures(&space, &["r4.length.stroke", "transmission"]);
+    let l = space
+        .scene()
+        .values()
+        .into_iter()
+        .find(|v| v.name == "r3 length")
+        .unwrap()
+        .number;
+    let constraints = goals(&space, &["transmission >= 60"]);
+    let order = |threads| OptimiseOrder {
+        greatest: true,
+        generations: 60,
+        seed: 4,
+        threads,
+    };
+    let axes = axes(&["r2=2..19"]);
+    let best = BestDesign::find(&figures, &constraints, &axes, order(2), &mut |_| true).unwrap();
+    assert!((best.numbers[0] - l / 2.0).abs() < 1e-4 * l, "{best:?}");
+    assert!((best.value - l).abs() < 2e-4 * l, "{best:?}");
+    let alone = BestDesign::find(&figures, &constraints, &axes, order(1), &mut |_| true).unwrap();
+    assert_eq!(best, alone);
+}
+
+#[test]
+fn a_grid_and_a_hypercube_have_their_places() {
+    let axes = axes(&["a=90..110/3", "b=0.1..0.3/3"]);
+    let plan = DesignPlan::grid(&axes, &[100.0, 0.2]);
+    let all: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
+    assert_eq!(all[0], [90.0, 0.1]);
+    assert_eq!(all[1], [90.0, 0.2]);
+    assert_eq!(all[8], [110.0, 0.3]);
+    let plan = DesignPlan::latin(&axes, &[100.0, 0.2], 10, 5);
+    let mut firsts: Vec<f64> = (0..10).map(|k| plan.numbers(k)[0]).collect();
+    firsts.sort_by(f64::total_cmp);
+    let known: Vec<f64> = (0..10).map(|k| 91.0 + 2.0 * f64::from(k)).collect();
+    assert_eq!(firsts, known);
+    for text in ["", "=1..2", "a=1", "a=1..x", "a=1..2/0", "a=1..2/x"] {
+        assert!(text.parse::<PlanAxis>().is_err(), "{text}");
+    }
+}
+
+/// A number that others follow from by formulas is no length alone: all of them change. A scene like itself enlarged by
+/// s has its stroke enlarged by s.
+#[test]
+fn what_follows_from_a_parameter_changes_with_it() {
+    let text = "unit = \"mm\"\n[parameters]\na = 10\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n\
+                speed = \"1 rad/s\"\n[links]\nr2 = { from = \"A\", to = \"B\", length = \"a\" }\n\
+                r3 = { from = \"B\", to = \"C\", length = \"4 * a\" }\n[slides]\n\
+                r4 = { point = \"C\", on = \"ground\", through = [0, 0], angle = 0 }\n[start]\nC = [40, 0]\n";
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let value = scene.value_named("a").unwrap();
+    let space = DesignSpace::new(&scene, &solver, vec![value]);
+    let mut found = figures(&space, &["r4.length.stroke", "transmission"]);
+    for a in [7.0, 10.0, 25.0] {
+        let figures = found.of(&[a]).unwrap();
+        let [stroke, angle] = [figures[0].unwrap(), figures[1].unwrap()];
+        assert!((stroke - 2.0 * a).abs() < 1e-9 * a, "{a}: {stroke}");
+        // The rod is furthest from the guide's normal where its sine is r / l.
+        let known = 0.25_f64.acos().to_degrees();
+        assert!((angle - known).abs() < 1e-9, "{angle} {known}");
+    }
+}
+
+/// Rows come in the order of the plan, and who takes them may have enough.
+#[test]
+fn rows_come_in_order_until_somebody_has_enough() {
+    let space = space("slider-crank", &["r2 length"]);
+    let figures = figures(&space, &["r4.length.stroke"]);
+    let plan = DesignPlan::grid(&axes(&["r2=5..10/501"]), &space.given());
+    let run = DesignRun {
+        figures: &figures,
+        plan: &plan,
+        designs: 7..501,
+        threads: 3,
+    };
+    let mut next = 7;
+    let whole = run.each(&mut |rows| {
+        for row in rows {
+            assert_eq!(row.numbers, plan.numbers(next));
+            let stroke = row.figure(0).unwrap();
+            assert!((stroke - 2.0 * row.numbers[0]).abs() < 1e-9, "{row:?}");
+            next += 1;
+        }
+        Ok::<(), ()>(())
+    });
+    assert_eq!((whole, next), (Ok(()), 501));
+    let mut taken = 0;
+    let enough = run.each(&mut |rows| {
+        taken += rows.len();
+        if taken > 100 { Err("enough") } else { Ok(()) }
+    });
+    assert_eq!(enough, Err("enough"));
+    assert!(taken < 200);
+}
+
+/// A goal of nought, and of a direction that is as near to 360 as to 0: with r3 level C stands at (350, 50 sqrt 3), and D
+/// 250 from there on the ground.
+#[test]
+fn a_direction_is_brought_to_nought_the_short_way() {
+    let space = space("four-bar", &["D x"]);
+    let known = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt();
+    for wish in ["r3.angle@60 = 0", "r3.angle@60 = 360", "r3.angle@60 = -360"] {
+        let goals = goals(&space, &[wish]);
+        let search = figures(&space, &["r3.angle@60"]);
+        let outcome = GoalSearch::new(search, goals, &axes(&["D.x"])).run(0, 1, &mut |_| true);
+        let found = outcome.solutions.first();
+        let off = found.map(|found| (found.numbers[0] - known).abs());
+        assert!(
+            off.is_some_and(|off| off < 1e-5),
+            "{wish}: {outcome:?} {known}"
+        );
+    }
+}
+
+/// What is given counts no more than any other place where it lies outside of the ends.
+#[test]
+fn nothing_is_found_outside_of_the_ends() {
+    let space = space("slider-crank", &["r2 length"]);
+    let goals = goals(&space, &["r4.length.stroke <= 24"]);
+    let search = figures(&space, &["r4.length.stroke"]);
+    let mut search = GoalSearch::new(search, goals, &axes(&["r2=11..12"]));
+    let outcome = search.run(3, 1, &mut |_| true);
+    assert!(!outcome.solutions.is_empty());
+    for found in &outcome.solutions {
+        assert!((11.0..=12.0).contains(&found.numbers[0]), "{outcome:?}");
+    }
+}

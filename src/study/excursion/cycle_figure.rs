@@ -1,0 +1,266 @@
+//! The names of what a figure does over the motion.
+//!
+//! Behind the name of a column stands what is asked of it: `C.x.stroke`, `swing.ratio`, `r4.angle.greatest.at`,
+//! `C.x@60`. Of the mechanism as a whole there are `range`, `transmission` and `condition`.
+
+use crate::nearest::nearest;
+use crate::quantity::{Catalogue, FigureSource, Quantity, Subject, demand, rate_unit};
+use crate::wording::words;
+use thiserror::Error;
+
+/// What is asked of a figure over the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum FigureProperty {
+    Stroke,
+    Least,
+    Greatest,
+    LeastAt,
+    GreatestAt,
+    Turns,
+    Ratio,
+    Dwell,
+    Fastest,
+    FastestAt,
+    Hardest,
+    HardestAt,
+    /// Its value at a coordinate of the driver.
+    At(f64),
+}
+
+/// Which extreme of the driver's range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum RangeEnd {
+    Width,
+    Low,
+    High,
+}
+
+/// What a figure of the cycle is of.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum CycleFigureSource {
+    Of(Quantity, FigureProperty),
+    Range(RangeEnd),
+    /// Of one group, named by what it places, or of the worst.
+    Transmission(Option<Subject>),
+    Condition(Option<Subject>),
+}
+
+/// A figure of the whole motion, or of one place of it, by its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CycleFigure {
+    name: String,
+    unit: String,
+    pub(super) source: CycleFigureSource,
+}
+
+/// A name that is that of no figure of the cycle.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{}", words().no_cycle_figure(name, &self.mend()))]
+pub struct UnknownCycleFigure {
+    /// What was written.
+    pub name: String,
+    /// The name that it is nearest to.
+    pub nearest: Option<String>,
+    /// What a column can be asked for, where it is the column that is known.
+    pub properties: bool,
+}
+
+const PROPERTIES: [(&str, FigureProperty); 13] = [
+    ("least.at", FigureProperty::LeastAt),
+    ("greatest.at", FigureProperty::GreatestAt),
+    ("fastest.at", FigureProperty::FastestAt),
+    ("hardest.at", FigureProperty::HardestAt),
+    ("stroke", FigureProperty::Stroke),
+    ("swing", FigureProperty::Stroke),
+    ("least", FigureProperty::Least),
+    ("greatest", FigureProperty::Greatest),
+    ("turns", FigureProperty::Turns),
+    ("ratio", FigureProperty::Ratio),
+    ("dwell", FigureProperty::Dwell),
+    ("fastest", FigureProperty::Fastest),
+    ("hardest", FigureProperty::Hardest),
+];
+
+const WHOLE: [&str; 5] = [
+    "range",
+    "range.low",
+    "range.high",
+    "transmission",
+    "condition",
+];
+
+impl CycleFigure {
+    /// The figure of this name: `C.x.stroke`, `transmission.C`, `range.low`, `C.x@60`.
+    ///
+    /// # Errors
+    /// A name that is none, with the nearest one.
+    pub fn parse(text: &str, catalogue: &Catalogue) -> Result<CycleFigure, UnknownCycleFigure> {
+        let name = text.trim();
+        let (source, unit) = of_whole(name, catalogue)
+            .or_else(|| at_place(name, catalogue))
+            .or_else(|| of_column(name, catalogue))
+            .ok_or_else(|| UnknownCycleFigure::of(name, catalogue))?;
+        Ok(CycleFigure {
+            name: name.to_owned(),
+            unit,
+            source,
+        })
+    }
+
+    /// As it was written.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether it is of what a formula makes of other figures.
+    pub(crate) fn is_derived(&self) -> bool {
+        let is_made = |of: &Quantity| matches!(of.source, FigureSource::Derived(_));
+        matches!(&self.source, CycleFigureSource::Of(of, _) if is_made(of))
+    }
+
+    /// The column that it is of, if it is of one.
+    pub(crate) fn column(&self) -> Option<&Quantity> {
+        match &self.source {
+            CycleFigureSource::Of(of, _) => Some(of),
+            _ => None,
+        }
+    }
+
+    /// Whether it is of what a solver finds from loads.
+    pub(crate) fn is_of_forces(&self) -> bool {
+        self.column().is_some_and(|of| demand([of]).0.forces)
+    }
+
+    /// Whether it is a direction, or a place in a turn: whole turns away it is the same.
+    pub(crate) fn is_round(&self) -> bool {
+        let CycleFigureSource::Of(of, property) = &self.source else {
+            return false;
+        };
+        match property {
+            FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest => {
+                of.is_direction()
+            }
+            FigureProperty::LeastAt
+            | FigureProperty::GreatestAt
+            | FigureProperty::FastestAt
+            | FigureProperty::HardestAt => self.unit == "deg",
+            _ => false,
+        }
+    }
+
+    /// Its unit; empty for a number.
+    #[must_use]
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+}
+
+impl FigureProperty {
+    fn unit(self, of: &Quantity, driver: &str) -> String {
+        match self {
+            FigureProperty::Stroke
+            | FigureProperty::Least
+            | FigureProperty::Greatest
+            | FigureProperty::At(_) => of.unit.clone(),
+            FigureProperty::LeastAt
+            | FigureProperty::GreatestAt
+            | FigureProperty::FastestAt
+            | FigureProperty::HardestAt
+            | FigureProperty::Dwell => driver.to_owned(),
+            FigureProperty::Turns | FigureProperty::Ratio => String::new(),
+            FigureProperty::Fastest => rate_unit(&of.unit),
+            FigureProperty::Hardest => rate_unit(&rate_unit(&of.unit)),
+        }
+    }
+}
+
+/// Of the mechanism as a whole.
+fn of_whole(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
+    let driver = catalogue.driver().unit.clone();
+    let group = |name: &str| {
+        let found = ["x", "angle"].map(|aspect| catalogue.find(&format!("{name}.{aspect}")));
+        found
+            .into_iter()
+            .flatten()
+            .find_map(|figure| figure.subject())
+    };
+    Some(match name {
+        "range" => (CycleFigureSource::Range(RangeEnd::Width), driver),
+        "range.low" => (CycleFigureSource::Range(RangeEnd::Low), driver),
+        "range.high" => (CycleFigureSource::Range(RangeEnd::High), driver),
+        "transmission" => (CycleFigureSource::Transmission(None), "deg".into()),
+        "condition" => (CycleFigureSource::Condition(None), String::new()),
+        _ => match name.split_once('.')? {
+            ("transmission", of) => (
+                CycleFigureSource::Transmission(Some(group(of)?)),
+                "deg".into(),
+            ),
+            ("condition", of) => (
+                CycleFigureSource::Condition(Some(group(of)?)),
+                String::new(),
+            ),
+            _ => return None,
+        },
+    })
+}
+
+/// A column at a coordinate of the driver.
+fn at_place(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
+    let (column, at) = name.rsplit_once('@')?;
+    let at = at.trim().parse::<f64>().ok().filter(|at| at.is_finite())?;
+    let of = catalogue.find(column.trim())?;
+    let unit = of.unit.clone();
+    Some((CycleFigureSource::Of(of, FigureProperty::At(at)), unit))
+}
+
+/// A column over the motion.
+fn of_column(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
+    let (column, property) = parted(name)?;
+    let of = catalogue.find(column)?;
+    let unit = property.unit(&of, &catalogue.driver().unit);
+    Some((CycleFigureSource::Of(of, property), unit))
+}
+
+/// The column and what is asked of it.
+fn parted(name: &str) -> Option<(&str, FigureProperty)> {
+    PROPERTIES.into_iter().find_map(|(word, property)| {
+        let column = name.strip_suffix(word)?.strip_suffix('.')?;
+        Some((column, property))
+    })
+}
+
+impl UnknownCycleFigure {
+    fn of(name: &str, catalogue: &Catalogue) -> UnknownCycleFigure {
+        let unlisted = catalogue.unlisted();
+        let columns = || catalogue.all().iter().chain(&unlisted);
+        let (before, behind) = name.rsplit_once('.').unwrap_or((name, ""));
+        let knows = |column: &str| catalogue.find(column).is_some();
+        let near = match parted(name) {
+            // What is asked is known, and of what is not.
+            Some((column, _)) => nearest(column, columns().map(|q| q.name.as_str()))
+                .map(|near| name.replacen(column, near, 1)),
+            None if knows(before) => {
+                let words = PROPERTIES.iter().map(|(word, _)| *word);
+                nearest(behind, words).map(|word| format!("{before}.{word}"))
+            }
+            None => nearest(name, WHOLE).map(str::to_owned),
+        };
+        UnknownCycleFigure {
+            name: name.to_owned(),
+            properties: near.is_none() && (knows(name) || knows(before)),
+            nearest: near,
+        }
+    }
+
+    fn mend(&self) -> String {
+        match &self.nearest {
+            Some(near) => words().or_meant(&words().did_you_mean(near)),
+            None if self.properties => {
+                let properties = PROPERTIES.map(|(word, _)| word).join(", ");
+                words().column_can_be_asked(&properties)
+            }
+            None => String::new(),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Figures of the cycle of a mechanism, and of others of its kind.
+
+use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
+use super::{CycleFigure, Excursion, ExcursionWish, NoFigure};
+use crate::quantity::{Quantity, Subject, demand};
+use crate::solver::{Condition, GroupId, Range, Solver};
+
+/// The best transmission angle, in degrees.
+const BEST: f64 = 90.0;
+
+/// Figures of the cycle that are asked for together: of a mechanism, or of many with the same parts. What they
+/// need is looked at once.
+#[derive(Clone, Debug)]
+pub struct CycleFigures {
+    figures: Vec<CycleFigure>,
+    /// The columns that are followed, each once.
+    columns: Vec<Quantity>,
+    wish: ExcursionWish,
+    transmission: bool,
+    condition: bool,
+}
+
+impl CycleFigures {
+    /// Of figures in their order; `tolerance` is that of dwells in the figure's own unit, a hundredth of the stroke
+    /// if left out.
+    #[must_use]
+    pub fn new(figures: Vec<CycleFigure>, tolerance: Option<f64>) -> CycleFigures {
+        let mut all = CycleFigures {
+            columns: Vec::new(),
+            wish: ExcursionWish {
+                tolerance,
+                ..ExcursionWish::default()
+            },
+            transmission: false,
+            condition: false,
+            figures: Vec::new(),
+        };
+        for figure in &figures {
+            all.ask(figure);
+        }
+        all.figures = figures;
+        all
+    }
+
+    fn ask(&mut self, figure: &CycleFigure) {
+        match &figure.source {
+            CycleFigureSource::Of(_, FigureProperty::At(_)) | CycleFigureSource::Range(_) => {}
+            CycleFigureSource::Of(column, property) => {
+                if !self.columns.contains(column) {
+                    self.columns.push(column.clone());
+                }
+                self.wish.rates |= matches!(
+                    property,
+                    FigureProperty::Fastest
+                        | FigureProperty::FastestAt
+                        | FigureProperty::Hardest
+                        | FigureProperty::HardestAt
+                );
+                self.wish.dwells |= matches!(property, FigureProperty::Dwell);
+            }
+            CycleFigureSource::Transmission(_) => self.transmission = true,
+            CycleFigureSource::Condition(_) => self.condition = true,
+        }
+    }
+
+    /// The same with these figures.
+    pub(crate) fn again(&self, figures: Vec<CycleFigure>) -> CycleFigures {
+        CycleFigures::new(figures, self.wish.tolerance)
+    }
+
+    /// The figures, in their order.
+    #[must_use]
+    pub fn figures(&self) -> &[CycleFigure] {
+        &self.figures
+    }
+
+    /// Their values for a mechanism, each or the reason why there is none.
+    #[must_use]
+    pub fn of(&self, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
+        let excursions = Excursion::of_all(solver, &self.columns, self.wish);
+        let transmission = match self.transmission {
+            true => solver.transmission(),
+            false => Vec::new(),
+        };
+        let transmission: Vec<(GroupId, f64)> = transmission
+            .iter()
+            .map(|found| (found.group, BEST - found.deviation()))
+            .collect();
+        let condition = match self.condition {
+            true => solver.conditioning(),
+            false => Vec::new(),
+        };
+        let condition: Vec<(GroupId, f64)> = condition
+            .iter()
+            .map(|found| (found.group, found.least))
+            .collect();
+        let value = |figure: &CycleFigure| match &figure.source {
+            CycleFigureSource::Of(column, FigureProperty::At(at)) => at_place(solver, column, *at),
+            CycleFigureSource::Of(column, property) => {
+                let place = self.columns.iter().position(|other| other == column);
+                let found = place.and_then(|i| excursions.get(i));
+                found.map_or(Err(NoFigure::Stands), |excursion| {
+                    property.of(excursion.as_ref().map_err(|&why| why)?)
+                })
+            }
+            CycleFigureSource::Range(end) => end.of(solver.motion().range),
+            CycleFigureSource::Transmission(group) => {
+                worst(solver, &transmission, *group).ok_or(NoFigure::NoDyad)
+            }
+            CycleFigureSource::Condition(group) => {
+                worst(solver, &condition, *group).ok_or(NoFigure::NoCoupledGroup)
+            }
+        };
+        self.figures.iter().map(value).collect()
+    }
+}
+
+impl FigureProperty {
+    fn of(self, excursion: &Excursion) -> Result<f64, NoFigure> {
+        let comes_back = |value: f64| excursion.stroke().map(|_| value);
+        match self {
+            FigureProperty::Stroke => excursion.stroke(),
+            FigureProperty::Least => comes_back(excursion.least.value),
+            FigureProperty::Greatest => comes_back(excursion.greatest.value),
+            FigureProperty::LeastAt => comes_back(excursion.least.at),
+            FigureProperty::GreatestAt => comes_back(excursion.greatest.at),
+            FigureProperty::Turns => Ok(excursion.turnings.len() as f64),
+            FigureProperty::Ratio => excursion.ratio.map(|ratio| ratio.value),
+            FigureProperty::Dwell => {
+                excursion.stroke()?;
+                let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
+                let ways = dwells.map(|dwell| dwell.way);
+                ways.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
+            }
+            FigureProperty::Fastest => excursion.fastest.map(|place| place.value),
+            FigureProperty::FastestAt => excursion.fastest.map(|place| place.at),
+            FigureProperty::Hardest => excursion.hardest.map(|place| place.value),
+            FigureProperty::HardestAt => excursion.hardest.map(|place| place.at),
+            FigureProperty::At(at) => Err(NoFigure::OutOfReach(at)),
+        }
+    }
+}
+
+impl RangeEnd {
+    fn of(self, range: Range) -> Result<f64, NoFigure> {
+        match (self, range) {
+            (RangeEnd::Width, _) => Ok(range.ends().1 - range.ends().0),
+            (RangeEnd::Low, Range::Limited { low, .. }) => Ok(low),
+            (RangeEnd::High, Range::Limited { high, .. }) => Ok(high),
+            (RangeEnd::Low | RangeEnd::High, Range::Full { .. }) => Err(NoFigure::NoLimit),
+        }
+    }
+}
+
+/// A column at a coordinate.
+fn at_place(solver: &Solver, column: &Quantity, at: f64) -> Result<f64, NoFigure> {
+    let (wanted, order) = demand([column]);
+    let solver = solver.only(&wanted);
+    let mut state = solver.state();
+    // As any place that is asked for alone, it may be meant a turn away.
+    let meant = solver
+        .motion()
+        .range
+        .meant(at, solver.mechanism().driver().turns());
+    match solver.solve(meant.unwrap_or(at), order, &mut state) {
+        Condition::NoAssembly => Err(NoFigure::OutOfReach(at)),
+        Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
+            column.value(&state).ok_or(NoFigure::Gap(at))
+        }
+    }
+}
+
+/// The least value of all groups, or of the one that is named by what it places.
+fn worst(solver: &Solver, found: &[(GroupId, f64)], named: Option<Subject>) -> Option<f64> {
+    let is_meant = |id: GroupId| {
+        let Some(group) = solver.plan().group(id) else {
+            return false;
+        };
+        match named {
+            None => true,
+            Some(Subject::Point(point)) => group.point == Some(point),
+            Some(Subject::Link(link)) => group.links.contains(&link),
+            Some(_) => false,
+        }
+    };
+    let values = found.iter().filter(|(group, _)| is_meant(*group));
+    values.map(|(_, value)| *value).min_by(f64::total_cmp)
+}

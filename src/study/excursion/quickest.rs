@@ -1,0 +1,199 @@
+//! Where a rate is largest in size.
+
+use super::sampler::{MotionSampler, SampledFigure, SlopeSource};
+use super::{FigurePlace, NoFigure};
+use crate::Driver;
+use crate::numeric::{Unsettled, lowest, root};
+use crate::solver::Range;
+
+/// Peaks among the samples that come so near to the highest are looked at closely.
+const CLOSE: f64 = 0.95;
+/// So near to each other, as a part of what is between two samples, two ways to find a place mean the same.
+const NEAR: f64 = 1e-4;
+
+/// Halvings of the step between two samples, down to which a peak beside a near miss is looked for.
+const NARROWEST: i32 = 34;
+
+/// A rate as a sum of both slopes.
+#[derive(Clone, Copy)]
+struct RateSum {
+    first: f64,
+    second: f64,
+}
+
+impl RateSum {
+    fn of(self, first: f64, second: f64) -> f64 {
+        // What is not asked for may not exist.
+        let of = |factor: f64, slope: f64| if factor == 0.0 { 0.0 } else { factor * slope };
+        of(self.first, first) + of(self.second, second)
+    }
+
+    /// How many slopes it takes.
+    fn degree(self) -> usize {
+        if self.second == 0.0 { 1 } else { 2 }
+    }
+}
+
+impl MotionSampler {
+    /// The largest rate of a column: f' w, where w is the driver's speed.
+    pub(super) fn fastest(
+        &mut self,
+        column: usize,
+        sampled: &SampledFigure,
+        is_level: bool,
+    ) -> Result<FigurePlace, NoFigure> {
+        let Driver {
+            speed,
+            acceleration,
+            ..
+        } = *self.driver();
+        let is_unsteady = self.source() == SlopeSource::Steady && acceleration != 0.0;
+        if is_unsteady {
+            return Err(NoFigure::NoRate);
+        }
+        let rate = RateSum {
+            first: speed * self.unit_of_slope(column),
+            second: 0.0,
+        };
+        self.largest(column, sampled, rate, is_level)
+    }
+
+    /// The largest rate of the rate: f'' w^2 + f' a.
+    pub(super) fn hardest(
+        &mut self,
+        column: usize,
+        sampled: &SampledFigure,
+        is_level: bool,
+    ) -> Result<FigurePlace, NoFigure> {
+        let Driver {
+            speed,
+            acceleration,
+            ..
+        } = *self.driver();
+        let unit = self.unit_of_slope(column);
+        let per_speed = self.coordinate_of_speed();
+        let rate = RateSum {
+            first: acceleration * unit,
+            second: speed * speed * unit * per_speed,
+        };
+        match self.source() {
+            SlopeSource::Geometry => self.largest(column, sampled, rate, is_level),
+            SlopeSource::Steady | SlopeSource::Nothing => Err(NoFigure::NoRate),
+        }
+    }
+
+    fn largest(
+        &mut self,
+        column: usize,
+        sampled: &SampledFigure,
+        rate: RateSum,
+        is_level: bool,
+    ) -> Result<FigurePlace, NoFigure> {
+        if self.driver().speed == 0.0 {
+            return Err(NoFigure::DriverStands);
+        }
+        if sampled.by_degree.len() <= rate.degree() {
+            return Err(NoFigure::NoRate);
+        }
+        let last = sampled.at.len() - 1;
+        let second = |k: usize| sampled.by_degree.get(2).map_or(0.0, |slopes| slopes[k]);
+        let sizes = (0..=last).map(|k| rate.of(sampled.by_degree[1][k], second(k)).abs());
+        let sizes: Vec<f64> = sizes.collect();
+        if let Some(k) = [0, last].into_iter().find(|&k| !sizes[k].is_finite()) {
+            return Err(NoFigure::Unbounded(sampled.at[k]));
+        }
+        // In between a formula may turn over just there.
+        let sizes: Vec<f64> = sizes
+            .iter()
+            .map(|size| if size.is_finite() { *size } else { 0.0 })
+            .collect();
+        let highest = sizes.iter().fold(0.0_f64, |most, &size| most.max(size));
+        let first = (sampled.at[0], sizes[0]);
+        if is_level || highest == 0.0 {
+            return Ok(place((first.0, 0.0)));
+        }
+        let goes_round = matches!(self.range(), Range::Full { .. });
+        let mut best = first;
+        for k in (0..=last).filter(|&k| sizes[k] >= CLOSE * highest) {
+            let lower = |other: Option<usize>| other.is_none_or(|i| sizes[i] <= sizes[k]);
+            let is_peak = lower(k.checked_sub(1)) && lower((k < last).then_some(k + 1));
+            if !is_peak {
+                continue;
+            }
+            let step = sampled.at[last] - sampled.at[last - 1];
+            let behind = match k.checked_sub(1) {
+                Some(k) => sampled.at[k],
+                None if goes_round => sampled.at[0] - step,
+                None => sampled.at[0],
+            };
+            let ahead = sampled.at.get(k + 1).copied().unwrap_or(sampled.at[last]);
+            let f = |at| {
+                let slope = self.degree(column, 1, at)?;
+                let second = match rate.degree() {
+                    1 => 0.0,
+                    _ => self.degree(column, 2, at)?,
+                };
+                Some(-rate.of(slope, second).abs())
+            };
+            let from = (sampled.at[k], -sizes[k]);
+            let found = lowest(f, [behind, ahead], from).unwrap_or_else(Unsettled::best);
+            let found = match rate.degree() {
+                1 => self.settled(column, [behind, ahead], found),
+                _ => found,
+            };
+            if -found.1 > best.1 {
+                best = (found.0, -found.1);
+            }
+        }
+        for at in self.near_misses() {
+            let found = self.beside_a_miss(column, at, sampled.at[1] - sampled.at[0], rate);
+            best = if found.1 > best.1 { found } else { best };
+        }
+        Ok(place(best))
+    }
+
+    /// The largest rate around a near miss: however narrow its peaks are, they are looked for at every size.
+    fn beside_a_miss(&mut self, column: usize, at: f64, step: f64, rate: RateSum) -> (f64, f64) {
+        let mut f = |at: f64| {
+            let slope = self.degree(column, 1, at)?;
+            let second = match rate.degree() {
+                1 => 0.0,
+                _ => self.degree(column, 2, at)?,
+            };
+            Some(-rate.of(slope, second).abs())
+        };
+        let mut best = (at, -f(at).unwrap_or(0.0));
+        for side in [-1.0, 1.0] {
+            for k in 0..NARROWEST {
+                let off = |k: i32| at + side * step * f64::from(-k).exp2();
+                let Some(here) = f(off(k)).filter(|here| -here > best.1) else {
+                    continue;
+                };
+                let (one, other) = (off(k - 1), off(k + 1));
+                let ends = [one.min(other), one.max(other)];
+                let found = lowest(&mut f, ends, (off(k), here)).unwrap_or_else(Unsettled::best);
+                best = (found.0, -found.1);
+            }
+        }
+        best
+    }
+}
+
+impl MotionSampler {
+    /// The largest slope to the last digits of its place: where the slope of it is 0, if that is known.
+    fn settled(&mut self, column: usize, [low, high]: [f64; 2], found: (f64, f64)) -> (f64, f64) {
+        let ends = [low, high].map(|at| Some((at, self.degree(column, 2, at)?)));
+        let [Some(a), Some(b)] = ends else {
+            return found;
+        };
+        let finest = f64::EPSILON * (high - low);
+        let level = root(a, b, finest, |at| self.degree(column, 2, at)).ok();
+        // Between the same places another one may be level, too.
+        let is_near = |at: &f64| (at - found.0).abs() <= NEAR * (high - low);
+        level.filter(is_near).map_or(found, |at| (at, found.1))
+    }
+}
+
+fn place((at, value): (f64, f64)) -> FigurePlace {
+    FigurePlace { at, value }
+}

@@ -1,0 +1,387 @@
+//! Figures and their slopes by the driver's coordinate.
+
+use super::NoFigure;
+use crate::angle::{TURN, radians};
+use crate::quantity::{Quantity, demand};
+use crate::solver::{Condition, Order, Range, Solver, Workspace};
+use crate::{Driver, Input, LANES, Lanes, Mechanism};
+
+/// Places in a turn, or in a limited range.
+const PLACES: usize = 360;
+/// Places of a motion that repeats after many turns, at the most.
+const MOST_PLACES: usize = 36_000;
+/// A limit may be a dead point, which has no rates; they are looked at from this far inside, as a part of the range.
+const INSIDE: f64 = 1e-9;
+
+/// At which speed of the driver rates are slopes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SlopeSource {
+    /// Of a position: at a speed of 1.
+    Geometry,
+    /// Of a velocity: at the scene's speed, kept.
+    Steady,
+    /// Of all else no slope is known.
+    Nothing,
+}
+
+impl SlopeSource {
+    pub(super) const ALL: [SlopeSource; 3] = [
+        SlopeSource::Geometry,
+        SlopeSource::Steady,
+        SlopeSource::Nothing,
+    ];
+
+    pub(super) fn of(solver: &Solver, figure: &Quantity) -> SlopeSource {
+        match figure.order() {
+            Order::Position => SlopeSource::Geometry,
+            Order::Velocity if solver.mechanism().driver().speed != 0.0 => SlopeSource::Steady,
+            Order::Velocity | Order::Acceleration | Order::Force => SlopeSource::Nothing,
+        }
+    }
+}
+
+/// A figure, its slope and the slope of that in one place; NaN for what does not exist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FigureSample {
+    pub(super) at: f64,
+    pub(super) value: f64,
+    pub(super) slope: f64,
+}
+
+/// A figure along the motion, and its slopes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SampledFigure {
+    pub(super) at: Vec<f64>,
+    /// By degree: the figure, its slope, the slope of that; as many as are known. NaN for what does not exist.
+    pub(super) by_degree: Vec<Vec<f64>>,
+}
+
+/// A figure and those that are its rates.
+struct SlopedFigure {
+    by_degree: Vec<Quantity>,
+    /// What each is multiplied by for the slope of the figure by the coordinate.
+    factors: [f64; 3],
+}
+
+/// Solves for figures, alone or in lanes.
+pub(super) struct MotionSampler {
+    solver: Solver,
+    order: Order,
+    columns: Vec<SlopedFigure>,
+    state: Workspace,
+    lanes: Workspace<Lanes>,
+    source: SlopeSource,
+    /// As the scene has it.
+    driver: Driver,
+    reach: f64,
+}
+
+impl MotionSampler {
+    pub(super) fn new<'q>(
+        solver: &Solver,
+        source: SlopeSource,
+        figures: impl Iterator<Item = &'q Quantity>,
+        degree: usize,
+    ) -> MotionSampler {
+        let mechanism = solver.mechanism();
+        let driver = mechanism.driver();
+        let turns = matches!(driver.input, Input::Turn(_));
+        let speed = match source {
+            SlopeSource::Geometry => 1.0,
+            SlopeSource::Steady | SlopeSource::Nothing => driver.speed,
+        };
+        let pace = if turns { speed.to_degrees() } else { speed };
+        let highest = match source {
+            SlopeSource::Geometry => degree,
+            SlopeSource::Steady => degree.min(1),
+            SlopeSource::Nothing => 0,
+        };
+        let columns = figures.map(|figure| SlopedFigure::new(figure, highest, pace));
+        let columns: Vec<SlopedFigure> = columns.collect();
+        let (wanted, order) = demand(columns.iter().flat_map(|column| &column.by_degree));
+        let only = solver.only(&wanted);
+        let solver = match source {
+            SlopeSource::Geometry | SlopeSource::Steady => only.at_speed(speed, 0.0),
+            SlopeSource::Nothing => only,
+        };
+        MotionSampler {
+            order,
+            columns,
+            state: solver.state(),
+            lanes: solver.lanes(),
+            source,
+            driver: *driver,
+            reach: reach(mechanism),
+            solver,
+        }
+    }
+
+    pub(super) fn range(&self) -> Range {
+        self.solver.motion().range
+    }
+
+    /// The driver as the scene has it.
+    pub(super) fn driver(&self) -> &Driver {
+        &self.driver
+    }
+
+    /// How long the driver takes for a way, in s; `None` where it stands still or does not keep its speed.
+    pub(super) fn seconds(&self, way: f64) -> Option<f64> {
+        let driver = &self.driver;
+        let way = match driver.input {
+            Input::Turn(_) => radians(way),
+            Input::Push(_) => way,
+        };
+        let seconds = (way / driver.speed).abs();
+        (driver.acceleration == 0.0 && seconds.is_finite()).then_some(seconds)
+    }
+
+    /// Where the motion comes close to a change point or a dead point, and passes by.
+    pub(super) fn near_misses(&self) -> Vec<f64> {
+        let misses = self.solver.motion().near_misses.iter();
+        misses.map(|miss| miss.at).collect()
+    }
+
+    pub(super) fn source(&self) -> SlopeSource {
+        self.source
+    }
+
+    pub(super) fn is_direction(&self, column: usize) -> bool {
+        self.columns[column].by_degree[0].is_direction()
+    }
+
+    /// The size of what a figure comes from, by which its rounding is judged.
+    pub(super) fn size(&self, column: usize) -> f64 {
+        let figure = &self.columns[column].by_degree[0];
+        let size = match figure.unit.as_str() {
+            "deg" => TURN,
+            unit if unit.starts_with("rad") => 1.0,
+            _ => self.reach,
+        };
+        let speed = self.driver.speed.abs();
+        match figure.order() {
+            Order::Position => size,
+            Order::Velocity => size * speed,
+            Order::Acceleration => size * speed * speed,
+            Order::Force => 0.0,
+        }
+    }
+
+    /// What a slope by the coordinate is multiplied by for the rate at a speed of 1.
+    pub(super) fn unit_of_slope(&self, column: usize) -> f64 {
+        let factor = self.columns[column].factors[1];
+        let speed = match self.source {
+            SlopeSource::Geometry => 1.0,
+            SlopeSource::Steady | SlopeSource::Nothing => self.driver.speed,
+        };
+        1.0 / (factor * speed)
+    }
+
+    /// The coordinate that the driver goes in 1 s at a speed of 1.
+    pub(super) fn coordinate_of_speed(&self) -> f64 {
+        match self.driver.input {
+            Input::Turn(_) => 1_f64.to_degrees(),
+            Input::Push(_) => 1.0,
+        }
+    }
+
+    /// Whether slopes of a column are known.
+    pub(super) fn has_slope(&self, column: usize) -> bool {
+        self.columns[column].by_degree.len() > 1
+    }
+
+    /// What a figure is, without its slopes.
+    pub(super) fn value(&mut self, column: usize, at: f64) -> Option<f64> {
+        self.degree(column, 0, at)
+    }
+
+    /// A figure (0) or one of its slopes by the coordinate.
+    pub(super) fn degree(&mut self, column: usize, degree: usize, at: f64) -> Option<f64> {
+        let figure = self.columns[column].by_degree.get(degree)?;
+        let order = figure.order();
+        let condition = self.solver.solve(at, order, &mut self.state);
+        let exists = condition != Condition::NoAssembly;
+        let value = exists.then(|| figure.value(&self.state))??;
+        Some(value * self.columns[column].factors[degree])
+    }
+
+    /// A figure with its slope; NaN for what does not exist. A direction is counted from another one.
+    pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
+        let value = self.value(column, at).unwrap_or(f64::NAN);
+        let value = match self.is_direction(column) {
+            true => near(value, beside),
+            false => value,
+        };
+        let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
+        FigureSample { at, value, slope }
+    }
+
+    /// Every column along the whole motion.
+    pub(super) fn along_motion(&mut self) -> Vec<SampledFigure> {
+        let places = places(self.range());
+        let columns = self.columns.iter();
+        let mut sampled: Vec<SampledFigure> = columns
+            .map(|column| SampledFigure {
+                at: places.clone(),
+                by_degree: vec![Vec::with_capacity(places.len() + LANES); column.by_degree.len()],
+            })
+            .collect();
+        for block in places.chunks(LANES) {
+            if !self.block_in_lanes(block, &mut sampled) {
+                block.iter().for_each(|&at| self.read(at, &mut sampled));
+            }
+        }
+        for (column, sampled) in self.columns.iter().zip(&mut sampled) {
+            if column.by_degree[0].is_direction() {
+                sampled.unwrap_turns();
+            }
+        }
+        sampled
+    }
+
+    /// One place, for all columns.
+    fn read(&mut self, at: f64, to: &mut [SampledFigure]) {
+        let condition = self.solver.solve(at, self.order, &mut self.state);
+        for (column, to) in self.columns.iter().zip(to) {
+            let figures = column.by_degree.iter().zip(column.factors);
+            for ((figure, factor), to) in figures.zip(&mut to.by_degree) {
+                let exists = condition != Condition::NoAssembly;
+                let value = exists.then(|| figure.value(&self.state)).flatten();
+                to.push(value.map_or(f64::NAN, |value| value * factor));
+            }
+        }
+    }
+
+    /// Several places at once; whether that could be done.
+    fn block_in_lanes(&mut self, block: &[f64], to: &mut [SampledFigure]) -> bool {
+        let Some(&last) = block.last() else {
+            return true;
+        };
+        let mut at = [last; LANES];
+        at[..block.len()].copy_from_slice(block);
+        if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
+            return false;
+        }
+        // A formula that turns over between the lanes has no value in all of them at once.
+        let figures = self.columns.iter().flat_map(|column| &column.by_degree);
+        let read: Option<Vec<_>> = figures.map(|figure| figure.value(&self.lanes)).collect();
+        let Some(read) = read else {
+            return false;
+        };
+        let mut read = read.into_iter();
+        for (column, to) in self.columns.iter().zip(to) {
+            let figures = column.factors.into_iter().zip(&mut to.by_degree);
+            for ((factor, to), lanes) in figures.zip(read.by_ref()) {
+                to.extend(lanes.0[..block.len()].iter().map(|value| value * factor));
+            }
+        }
+        true
+    }
+}
+
+impl SlopedFigure {
+    /// `pace` is the driver's speed in units of its coordinate, at which the rates are read.
+    fn new(figure: &Quantity, highest: usize, pace: f64) -> SlopedFigure {
+        let mut by_degree = vec![figure.clone()];
+        while by_degree.len() <= highest {
+            let Some(rate) = by_degree.last().and_then(Quantity::rate) else {
+                break;
+            };
+            by_degree.push(rate);
+        }
+        // Rates of degrees are in radians.
+        let unit = if figure.unit == "deg" {
+            1_f64.to_degrees()
+        } else {
+            1.0
+        };
+        SlopedFigure {
+            by_degree,
+            factors: [1.0, unit / pace, unit / (pace * pace)],
+        }
+    }
+}
+
+impl SampledFigure {
+    /// The last sample that stands for a place of its own: round a period the very last repeats the first.
+    pub(super) fn sample(&self, k: usize) -> FigureSample {
+        let slope = self.by_degree.get(1).map_or(f64::NAN, |slopes| slopes[k]);
+        FigureSample {
+            at: self.at[k],
+            value: self.by_degree[0][k],
+            slope,
+        }
+    }
+
+    /// Counts a direction on, without a jump where it passes 360 degrees.
+    fn unwrap_turns(&mut self) {
+        for k in 1..self.at.len() {
+            let before = self.sample(k - 1);
+            // The lesser slope: at a dead point the other one has no bound.
+            let slope = lesser(before.slope, self.sample(k).slope);
+            let way = slope * (self.at[k] - before.at);
+            let expected = before.value + if way.is_finite() { way } else { 0.0 };
+            let value = &mut self.by_degree[0][k];
+            *value = near(*value, expected);
+        }
+    }
+
+    /// How often it has turned round when the motion repeats.
+    pub(super) fn revolutions(&self, range: Range) -> f64 {
+        let values = &self.by_degree[0];
+        match (range, values.first(), values.last()) {
+            (Range::Full { .. }, Some(first), Some(last)) => ((last - first) / TURN).round() + 0.0,
+            _ => 0.0,
+        }
+    }
+
+    /// Where it has no value, if anywhere.
+    pub(super) fn gap(&self) -> Option<NoFigure> {
+        let values = &self.by_degree[0];
+        let missing = values.iter().position(|value| !value.is_finite())?;
+        Some(NoFigure::Gap(self.at[missing]))
+    }
+}
+
+/// The one that is smaller in size.
+fn lesser(a: f64, b: f64) -> f64 {
+    if a.abs() < b.abs() { a } else { b }
+}
+
+/// A direction within half a turn of another one.
+pub(super) fn near(direction: f64, other: f64) -> f64 {
+    direction - TURN * ((direction - other) / TURN).round()
+}
+
+/// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns; the last place
+/// of a period is the first one of the next.
+fn places(range: Range) -> Vec<f64> {
+    match range {
+        Range::Full { period } => {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a number of turns, and not too many"
+            )]
+            let count = (PLACES * (period / TURN).round() as usize).clamp(PLACES, MOST_PLACES);
+            let place = |k: usize| period * ((k as f64 + 0.5) / count as f64);
+            (0..=count).map(place).collect()
+        }
+        Range::Limited { low, high } => {
+            let inside = INSIDE * (high - low);
+            let place = |k: usize| low + (high - low) * ((k as f64 + 0.5) / PLACES as f64);
+            let between = (0..PLACES).map(place);
+            let first = [low, low + inside].into_iter();
+            first.chain(between).chain([high - inside, high]).collect()
+        }
+    }
+}
+
+/// The longest length of a link, or between its points; 1 where there is none.
+fn reach(mechanism: &Mechanism) -> f64 {
+    let members = mechanism.links().iter().flat_map(|link| &link.members);
+    let longest = members
+        .map(|member| member.local.norm())
+        .fold(0.0, f64::max);
+    if longest > 0.0 { longest } else { 1.0 }
+}

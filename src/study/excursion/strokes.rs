@@ -1,0 +1,259 @@
+//! From the places where a figure turns: how long it goes each way, and where it stays.
+
+use super::sampler::MotionSampler;
+use super::{Excursion, FigurePlace, NoFigure, TurningPlace};
+use crate::numeric::root;
+use crate::quantity::Clock;
+use crate::solver::Range;
+
+/// Turning places that differ by less than this part of the stroke are as far out as each other.
+const SAME: f64 = 1e-9;
+
+/// How much longer one way between the extremes takes than the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeRatio {
+    /// Slow by quick: at least 1.
+    pub value: f64,
+    /// The driver's way while the figure goes slowly and quickly, in degrees or in the scene's length unit; of a
+    /// driver that does not keep its speed the times in s.
+    pub ways: [f64; 2],
+    /// Whether these are times.
+    pub are_times: bool,
+    /// Whether the slow way is that from the least to the greatest value, as the driver goes.
+    pub rises_slowly: bool,
+}
+
+/// A stretch on which a figure stays within a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DwellStretch {
+    /// The turning place that it is about, at one edge of the tolerance.
+    pub about: TurningPlace,
+    /// From which coordinate of the driver,
+    pub from: f64,
+    /// to which.
+    pub to: f64,
+    /// The way of the driver between; at a limit, where it turns, there and back.
+    pub way: f64,
+    /// The same in s; `None` where the driver stands still or does not keep its speed.
+    pub seconds: Option<f64>,
+}
+
+/// Which extreme a turning place is.
+#[derive(Clone, Copy, PartialEq)]
+enum ExtremeEnd {
+    Least,
+    Greatest,
+}
+
+impl Excursion {
+    /// The ways from extreme to extreme: where one is reached several times, all of them together.
+    pub(super) fn time_ratio(&self, sampler: &MotionSampler) -> Result<TimeRatio, NoFigure> {
+        let Range::Full { period } = sampler.range() else {
+            return Err(NoFigure::ThereAndBack);
+        };
+        if self.revolutions != 0.0 {
+            return Err(NoFigure::TurnsRound);
+        }
+        let extremes = self.extremes();
+        let Some(&(first, _)) = extremes.first() else {
+            return Err(NoFigure::NeverTurns);
+        };
+        let driver = sampler.driver();
+        let forwards = driver.speed >= 0.0;
+        let clock = match driver.acceleration != 0.0 {
+            true => Clock::new(driver),
+            false => None,
+        };
+        // In the driver's order from where the scene opens, once round.
+        let ahead = |at: f64| match forwards {
+            true => driver.start + (at - driver.start).rem_euclid(period),
+            false => driver.start - (driver.start - at).rem_euclid(period),
+        };
+        let mut round: Vec<(f64, ExtremeEnd)> = Vec::new();
+        round.extend(extremes.iter().map(|&(at, end)| (ahead(at), end)));
+        round.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let turn = if forwards { period } else { -period };
+        if !forwards {
+            round.reverse();
+        }
+        let begin = round.first().map_or((first, ExtremeEnd::Least), |&b| b);
+        round.push((begin.0 + turn, begin.1));
+        let moment = |at: f64| match &clock {
+            Some(clock) => clock.time(at).ok_or(NoFigure::DriverTurnsBack),
+            None => Ok((at - begin.0).abs()),
+        };
+        let (mut rising, mut falling) = (0.0, 0.0);
+        for pair in round.windows(2) {
+            let way = moment(pair[1].0)? - moment(pair[0].0)?;
+            *(match pair[0].1 {
+                ExtremeEnd::Least => &mut rising,
+                ExtremeEnd::Greatest => &mut falling,
+            }) += way;
+        }
+        let ways = [rising.max(falling), rising.min(falling)];
+        let value = ways[0] / ways[1];
+        // Without a way back there is nothing to compare.
+        match value.is_finite() {
+            true => Ok(TimeRatio {
+                value,
+                ways,
+                are_times: clock.is_some(),
+                rises_slowly: rising >= falling,
+            }),
+            false => Err(NoFigure::NeverTurns),
+        }
+    }
+
+    /// Where it is at its least and at its greatest value, by coordinate.
+    fn extremes(&self) -> Vec<(f64, ExtremeEnd)> {
+        let near = SAME * (self.greatest.value - self.least.value);
+        let end = |turning: &TurningPlace| {
+            let FigurePlace { at, value } = turning.place;
+            let ends = [
+                (self.least.value, ExtremeEnd::Least),
+                (self.greatest.value, ExtremeEnd::Greatest),
+            ];
+            let mut ends = ends.into_iter();
+            let is_at = ends.find(|(extreme, _)| (value - extreme).abs() <= near);
+            is_at.map(|(_, end)| (at, end))
+        };
+        self.turnings.iter().filter_map(end).collect()
+    }
+
+    /// Every stretch on which it stays within a tolerance of a turning place, on the side on which it turns; a
+    /// stretch within a longer one is not told.
+    pub(super) fn dwelling(
+        &self,
+        sampler: &mut MotionSampler,
+        column: usize,
+        tolerance: f64,
+    ) -> Vec<DwellStretch> {
+        let count = self.turnings.len();
+        let mut found: Vec<DwellStretch> = Vec::new();
+        for about in 0..count {
+            if let Some(stretch) = self.dwell_about(about, sampler, column, tolerance) {
+                found.push(stretch);
+            }
+        }
+        let is_within = |a: &DwellStretch, b: &DwellStretch| {
+            let span = |d: &DwellStretch| (d.from, d.to);
+            let ((low, high), (from, to)) = (span(a), span(b));
+            let shift = match sampler.range() {
+                Range::Full { period } => period * ((low - from) / period).floor(),
+                Range::Limited { .. } => 0.0,
+            };
+            from + shift <= low && high <= to + shift && to - from > high - low
+        };
+        let all = found.clone();
+        found.retain(|stretch| !all.iter().any(|other| is_within(stretch, other)));
+        found
+    }
+
+    fn dwell_about(
+        &self,
+        about: usize,
+        sampler: &mut MotionSampler,
+        column: usize,
+        tolerance: f64,
+    ) -> Option<DwellStretch> {
+        let turning = self.turnings[about];
+        let [low, high] = [false, true]
+            .map(|forwards| self.stays_until(about, forwards, sampler, column, tolerance));
+        let (low, high) = (low?, high?);
+        let (mut way, mut from, to) = (low + high, turning.place.at - low, turning.place.at + high);
+        match sampler.range() {
+            Range::Full { period } => {
+                way = way.min(period);
+                from = from.max(to - period);
+            }
+            // At a limit the driver turns and comes by once more.
+            Range::Limited { low, high } => {
+                if from <= low || to >= high {
+                    way *= 2.0;
+                }
+            }
+        }
+        Some(DwellStretch {
+            about: turning,
+            from,
+            to,
+            way,
+            seconds: sampler.seconds(way),
+        })
+    }
+
+    /// How far on, from a turning place, the figure stays between it and the other edge of the tolerance.
+    fn stays_until(
+        &self,
+        about: usize,
+        forwards: bool,
+        sampler: &mut MotionSampler,
+        column: usize,
+        tolerance: f64,
+    ) -> Option<f64> {
+        let count = self.turnings.len();
+        let turning = self.turnings[about];
+        let edge = match turning.is_peak {
+            true => turning.place.value - tolerance,
+            false => turning.place.value + tolerance,
+        };
+        let edges = [turning.place.value.min(edge), turning.place.value.max(edge)];
+        let mut here = turning.place;
+        for hop in 1..=count {
+            let next = self.hop(about, hop, forwards, sampler.range());
+            let Some(next) = next else {
+                return Some((here.at - turning.place.at).abs());
+            };
+            if !(edges[0]..=edges[1]).contains(&next.value) {
+                let edge = if next.value < edges[0] {
+                    edges[0]
+                } else {
+                    edges[1]
+                };
+                let at = crossing([here, next], edge, sampler, column)?;
+                return Some((at - turning.place.at).abs());
+            }
+            here = next;
+        }
+        Some((here.at - turning.place.at).abs())
+    }
+
+    /// The turning place so many on from one, round and round where the motion repeats.
+    fn hop(&self, about: usize, hop: usize, forwards: bool, range: Range) -> Option<FigurePlace> {
+        let count = self.turnings.len();
+        let (index, rounds) = match forwards {
+            true => ((about + hop) % count, ((about + hop) / count) as f64),
+            false => {
+                let back = (count + about - hop % count) % count;
+                let rounds = if back + hop > about { 1.0 } else { 0.0 };
+                (back, -rounds)
+            }
+        };
+        let place = self.turnings[index].place;
+        match range {
+            Range::Full { period } => Some(FigurePlace {
+                at: place.at + period * rounds,
+                ..place
+            }),
+            Range::Limited { .. } => (rounds == 0.0).then_some(place),
+        }
+    }
+}
+
+/// Where a figure passes a value between two neighbouring turning places.
+fn crossing(
+    [a, b]: [FigurePlace; 2],
+    value: f64,
+    sampler: &mut MotionSampler,
+    column: usize,
+) -> Option<f64> {
+    let beside = 0.5 * (a.value + b.value);
+    let off = |at| Some(sampler.sample(column, at, beside).value - value);
+    root(
+        (a.at, a.value - value),
+        (b.at, b.value - value),
+        f64::EPSILON * (b.at - a.at).abs(),
+        off,
+    )
+    .ok()
+}

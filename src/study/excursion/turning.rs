@@ -1,0 +1,256 @@
+//! Where a figure turns.
+
+use super::sampler::{FigureSample, MotionSampler, SampledFigure};
+use super::{FigurePlace, NoFigure, TurningPlace};
+use crate::numeric::{Unsettled, lowest, root, turns};
+use crate::solver::Range;
+
+/// A turn that is undone within this part of the stroke is rounding; where only values are known, within so much.
+const UNDONE: f64 = 1e-9;
+const UNDONE_BY_VALUES: f64 = 1e-6;
+/// As a part of a stretch, how far beside a place without a slope one is looked for.
+const ASIDE: f64 = 1e-6;
+/// Halvings by which a jump of a slope is found.
+const BISECTIONS: u32 = 60;
+/// Halvings of a stretch between two samples.
+const HALVINGS: u32 = 10;
+/// Slopes at both ends in parts of the mean slope: where they come to no more than this, the cubic goes one way
+/// (the sum may be 4 where they are alike; Fritsch and Carlson 1980), and the slope half-way is 3/4 of the mean.
+const ONE_WAY: f64 = 3.0;
+
+/// The turning places of a figure, and its extremes.
+pub(super) struct Turnings {
+    /// By coordinate, over one period or with both ends of the range.
+    pub(super) places: Vec<TurningPlace>,
+    pub(super) least: FigurePlace,
+    pub(super) greatest: FigurePlace,
+}
+
+impl Turnings {
+    pub(super) fn find(
+        sampler: &mut MotionSampler,
+        column: usize,
+        sampled: &SampledFigure,
+    ) -> Result<Turnings, NoFigure> {
+        if let Some(gap) = sampled.gap() {
+            return Err(gap);
+        }
+        let candidates = match sampler.has_slope(column) {
+            true => by_slope(sampler, column, sampled),
+            false => by_values(sampler, column, sampled),
+        };
+        let samples = (0..sampled.at.len()).map(|k| sampled.sample(k).place());
+        let seen: Vec<FigurePlace> = samples.chain(candidates.iter().copied()).collect();
+        let by_value = |a: &&FigurePlace, b: &&FigurePlace| a.value.total_cmp(&b.value);
+        let (least, greatest) = (seen.iter().min_by(by_value), seen.iter().max_by(by_value));
+        let (Some(&least), Some(&greatest)) = (least, greatest) else {
+            return Err(NoFigure::Stands);
+        };
+        let undone = match sampler.has_slope(column) {
+            true => UNDONE,
+            false => UNDONE_BY_VALUES,
+        };
+        let finest = undone * (greatest.value - least.value);
+        let goes_round = sampled.revolutions(sampler.range()) == 0.0;
+        Ok(Turnings {
+            places: match sampler.range() {
+                Range::Full { .. } if goes_round => around(&candidates, finest),
+                Range::Full { .. } => candidates.windows(3).filter_map(middle).collect(),
+                Range::Limited { .. } => between_ends(sampled, &candidates, finest),
+            },
+            least,
+            greatest,
+        })
+    }
+}
+
+impl FigureSample {
+    fn place(self) -> FigurePlace {
+        FigurePlace {
+            at: self.at,
+            value: self.value,
+        }
+    }
+}
+
+/// Turns where the slope changes its sign.
+fn by_slope(
+    sampler: &mut MotionSampler,
+    column: usize,
+    sampled: &SampledFigure,
+) -> Vec<FigurePlace> {
+    let mut found = Vec::new();
+    let noise = f64::EPSILON * sampler.size(column);
+    for k in 1..sampled.at.len() {
+        let ends = [sampled.sample(k - 1), sampled.sample(k)];
+        look_between(sampler, column, ends, noise, HALVINGS, &mut found);
+    }
+    found
+}
+
+/// The turns between two samples.
+fn look_between(
+    sampler: &mut MotionSampler,
+    column: usize,
+    [mut a, mut b]: [FigureSample; 2],
+    noise: f64,
+    halvings: u32,
+    found: &mut Vec<FigurePlace>,
+) {
+    // Just where a formula turns over, or a rate grows beyond all bounds, there is no slope: a little aside there is.
+    let aside = ASIDE * (b.at - a.at);
+    for (end, by) in [(&mut a, aside), (&mut b, -aside)] {
+        if !end.slope.is_finite() {
+            found.push(end.place());
+            *end = sampler.sample(column, end.at + by, end.value);
+        }
+    }
+    if !a.slope.is_finite() || !b.slope.is_finite() {
+        return;
+    }
+    if (a.slope < 0.0) != (b.slope < 0.0) {
+        let finest = f64::EPSILON * (b.at - a.at);
+        let slope = |at| sampler.degree(column, 1, at);
+        let level = root((a.at, a.slope), (b.at, b.slope), finest, slope).ok();
+        // Where a formula turns over the slope jumps to the other side.
+        let at = level.unwrap_or_else(|| jump(sampler, column, [a, b]));
+        let value = sampler.sample(column, at, a.value).value;
+        found.extend(value.is_finite().then_some(FigurePlace { at, value }));
+        return;
+    }
+    if halvings == 0 || goes_one_way([a, b], noise) {
+        return;
+    }
+    let middle = sampler.sample(column, 0.5 * (a.at + b.at), a.value);
+    look_between(sampler, column, [a, middle], noise, halvings - 1, found);
+    look_between(sampler, column, [middle, b], noise, halvings - 1, found);
+}
+
+/// Where a slope goes from one side to the other without being nought, to the last digits.
+fn jump(sampler: &mut MotionSampler, column: usize, [a, b]: [FigureSample; 2]) -> f64 {
+    let (mut low, mut high) = (a.at, b.at);
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        match sampler.degree(column, 1, middle) {
+            Some(slope) if (slope < 0.0) == (a.slope < 0.0) => low = middle,
+            Some(_) => high = middle,
+            None => return middle,
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Whether the cubic through two samples goes one way, with a margin.
+fn goes_one_way([a, b]: [FigureSample; 2], noise: f64) -> bool {
+    let way = b.at - a.at;
+    let change = b.value - a.value;
+    let slopes = (a.slope + b.slope) * way;
+    // Both are as small as rounding.
+    let is_level = change.abs() + slopes.abs() <= 16.0 * noise;
+    is_level || (change * slopes > 0.0 && slopes / change <= ONE_WAY)
+}
+
+/// Turns of what has values alone.
+fn by_values(
+    sampler: &mut MotionSampler,
+    column: usize,
+    sampled: &SampledFigure,
+) -> Vec<FigurePlace> {
+    let (at, values) = (&sampled.at, &sampled.by_degree[0]);
+    let last = at.len() - 1;
+    let size = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let goes_round = matches!(sampler.range(), Range::Full { .. })
+        && (values[last] - values[0]).abs() <= UNDONE_BY_VALUES * size;
+    let all = turns(values, UNDONE_BY_VALUES * size, goes_round);
+    let inner = all.into_iter().filter(|turn| !turn.is_end);
+    let mut found: Vec<FigurePlace> = inner
+        .map(|turn| {
+            let k = turn.sample;
+            // Round the seam one sample stands before the first.
+            let before = match k {
+                0 => at[0] - (at[1] - at[0]),
+                _ => at[k - 1],
+            };
+            let behind = at.get(k + 1).copied().unwrap_or(at[last]);
+            let sense = if turn.is_peak { -1.0 } else { 1.0 };
+            let beside = values[k];
+            let f = |at| Some(sense * sampler.sample(column, at, beside).value);
+            let first = (at[k], sense * values[k]);
+            let found = lowest(f, [before, behind], first).unwrap_or_else(Unsettled::best);
+            FigurePlace {
+                at: found.0,
+                value: sense * found.1,
+            }
+        })
+        .collect();
+    found.sort_by(|a, b| a.at.total_cmp(&b.at));
+    found
+}
+
+/// Of the candidates of one period those that are turns.
+fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
+    let Some(first) = candidates.first() else {
+        return Vec::new();
+    };
+    let round = candidates.iter().chain([first]);
+    let values: Vec<f64> = round.map(|place| place.value).collect();
+    let mut found: Vec<TurningPlace> = turns(&values, finest, true)
+        .into_iter()
+        .map(|turn| TurningPlace {
+            is_peak: turn.is_peak,
+            place: candidates[turn.sample],
+            is_limit: false,
+        })
+        .collect();
+    found.sort_by(|a, b| a.place.at.total_cmp(&b.place.at));
+    found
+}
+
+/// A turn between two others, of what never comes back.
+fn middle(three: &[FigurePlace]) -> Option<TurningPlace> {
+    let [before, place, behind] = *three else {
+        return None;
+    };
+    let (rise, fall) = (place.value - before.value, place.value - behind.value);
+    (rise * fall > 0.0).then_some(TurningPlace {
+        is_peak: rise > 0.0,
+        place,
+        is_limit: false,
+    })
+}
+
+/// Of the candidates of a range those that are turns, and both ends, where the driver turns.
+fn between_ends(
+    sampled: &SampledFigure,
+    candidates: &[FigurePlace],
+    finest: f64,
+) -> Vec<TurningPlace> {
+    let last = sampled.at.len() - 1;
+    let [low, high] = [0, last].map(|k| sampled.sample(k).place());
+    let inner = candidates.iter().copied();
+    let all: Vec<FigurePlace> = [low].into_iter().chain(inner).chain([high]).collect();
+    let values: Vec<f64> = all.iter().map(|place| place.value).collect();
+    let kept = turns(&values, finest, false);
+    let kept = kept.into_iter().filter(|turn| {
+        let sample = turn.sample;
+        0 < sample && sample < all.len() - 1
+    });
+    let kept: Vec<TurningPlace> = kept
+        .map(|turn| TurningPlace {
+            is_peak: turn.is_peak,
+            place: all[turn.sample],
+            is_limit: false,
+        })
+        .collect();
+    let next_to = |place: FigurePlace, other: Option<&TurningPlace>, end: FigurePlace| {
+        let other = other.map_or(end.value, |turn| turn.place.value);
+        TurningPlace {
+            is_peak: place.value > other,
+            place,
+            is_limit: true,
+        }
+    };
+    let first = next_to(low, kept.first(), high);
+    let end = next_to(high, kept.last(), low);
+    [first].into_iter().chain(kept).chain([end]).collect()
+}

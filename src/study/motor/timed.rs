@@ -1,0 +1,337 @@
+//! What the driver must do over one period of its motion over time.
+//!
+//! The period is cut where two steps of the motion meet, and then in halves until sums of Chebyshev polynomials of
+//! time stand for what was solved there; all figures are read from the sums.
+
+use crate::DriverMoment;
+use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
+use crate::quantity::{Clock, Hidden};
+use crate::scene::Motor;
+use crate::solver::{Order, Solver, Workspace};
+
+use super::{MotorDemand, MotorFit};
+
+/// A value, when it is, and where the driver is then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedPeak {
+    /// The value.
+    pub value: f64,
+    /// In s from where the scene opens.
+    pub time: f64,
+    /// In degrees or in the scene's length unit.
+    pub at: f64,
+}
+
+/// What the driver must do over one period of its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimedDuty {
+    /// In s.
+    pub period: f64,
+    /// The largest torque and the least, in N m or N, positive along the driver's coordinate.
+    pub torque: [TimedPeak; 2],
+    /// The largest power and the least, in W.
+    pub power: [TimedPeak; 2],
+    /// The greatest speed and the least, in rad/s or the scene's unit per s.
+    pub speed: [TimedPeak; 2],
+    /// The mean of the torque over time.
+    pub mean: f64,
+    /// The root of its mean square.
+    pub rms: f64,
+    /// The work of the driver in J where its power is positive, and what comes back where it is negative.
+    pub energy: [f64; 2],
+    /// What the means can be off by, as a part of the largest.
+    pub error: f64,
+}
+
+/// Why there is nothing to tell of a period.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoTimedDuty {
+    /// Nothing acts on the mechanism.
+    NothingActs,
+    /// Forces are withheld at this place.
+    Withheld(Hidden),
+    /// There is no torque: the mechanism cannot be there, or stands at a dead point.
+    NoTorque(DriverMoment),
+}
+
+const TORQUE: usize = 0;
+const POWER: usize = 1;
+const SPEED: usize = 2;
+const CHANNELS: usize = 3;
+/// Pieces of each step of the motion at the beginning.
+const PARTS: u32 = 4;
+const MOST_HALVINGS: u32 = 26;
+const MOST_PIECES: usize = 4000;
+/// A sum whose last terms are less than this part of the largest stands for its function.
+const FINE: f64 = 1e-12;
+/// Means that may be off by more are not believed.
+const CONVERGED: f64 = 1e-9;
+
+/// A part of the period on which everything is smooth.
+struct TimedPiece {
+    from: f64,
+    to: f64,
+    sums: [ChebyshevSum; CHANNELS],
+}
+
+impl TimedPiece {
+    fn time(&self, t: f64) -> f64 {
+        self.from + 0.5 * (self.to - self.from) * (1.0 + t)
+    }
+}
+
+/// Solves at moments of the motion.
+struct MomentSource<'a> {
+    clock: &'a Clock,
+    solver: &'a Solver,
+    state: Workspace,
+    basis: Basis,
+}
+
+impl MomentSource<'_> {
+    fn channels(&mut self, time: f64) -> Result<[f64; CHANNELS], NoTimedDuty> {
+        let moment = self.clock.moment(time, self.solver.motion().range);
+        self.solver.drive(&mut self.state, &moment);
+        let _ = self.solver.solve(moment.at, Order::Force, &mut self.state);
+        if let Some(hidden) = Hidden::of_forces(&self.state) {
+            return Err(NoTimedDuty::Withheld(hidden));
+        }
+        let found = self.state.drive().zip(self.state.power());
+        let found = found.filter(|(torque, power)| torque.is_finite() && power.is_finite());
+        let (torque, power) = found.ok_or(NoTimedDuty::NoTorque(moment))?;
+        Ok([torque, power, self.state.driver_speed()])
+    }
+
+    fn piece(&mut self, from: f64, to: f64) -> Result<TimedPiece, NoTimedDuty> {
+        let mut values = [[0.0; TERMS]; CHANNELS];
+        for j in 0..TERMS {
+            let time = from + 0.5 * (to - from) * (1.0 + self.basis.places[j]);
+            for (values, value) in values.iter_mut().zip(self.channels(time)?) {
+                values[j] = value;
+            }
+        }
+        let sums = values.map(|values| self.basis.through(&values));
+        Ok(TimedPiece { from, to, sums })
+    }
+
+    /// The period in smooth pieces, and what is known of their error.
+    fn pieces(&mut self) -> Result<(Vec<TimedPiece>, f64), NoTimedDuty> {
+        let mut waiting = Vec::new();
+        let mut from = 0.0;
+        for to in self.clock.joints() {
+            let end = |k: u32| from + (to - from) * f64::from(k) / f64::from(PARTS);
+            waiting.extend((0..PARTS).map(|k| (end(k), end(k + 1), 0)));
+            from = to;
+        }
+        let period = from;
+        waiting.reverse();
+        let (mut pieces, mut sizes, mut error) = (Vec::new(), [0.0_f64; CHANNELS], 0.0);
+        while let Some((from, to, halvings)) = waiting.pop() {
+            let piece = self.piece(from, to)?;
+            let mut worst = 0.0_f64;
+            for (size, sum) in sizes.iter_mut().zip(&piece.sums) {
+                *size = size.max(sum.size());
+                if *size > 0.0 {
+                    worst = worst.max(sum.tail() / *size);
+                }
+            }
+            let middle = 0.5 * (from + to);
+            let is_spent = halvings >= MOST_HALVINGS || pieces.len() + waiting.len() > MOST_PIECES;
+            if worst <= FINE || is_spent || !(from < middle && middle < to) {
+                error += worst * (to - from) / period;
+                pieces.push(piece);
+            } else {
+                waiting.push((middle, to, halvings + 1));
+                waiting.push((from, middle, halvings + 1));
+            }
+        }
+        Ok((pieces, error))
+    }
+}
+
+impl TimedDuty {
+    /// Goes through the period of a motion over time.
+    ///
+    /// # Errors
+    /// Where nothing acts, and where there is no torque.
+    pub fn new(clock: &Clock, solver: &Solver) -> Result<TimedDuty, NoTimedDuty> {
+        if !solver.has_forces() {
+            return Err(NoTimedDuty::NothingActs);
+        }
+        let mut source = MomentSource {
+            clock,
+            solver,
+            state: solver.state(),
+            basis: Basis::new(),
+        };
+        let (pieces, error) = source.pieces()?;
+        let period = pieces.last().map_or(0.0, |piece| piece.to);
+        let peaks = |channel| peaks(&pieces, channel, clock, solver);
+        let means = means(&pieces, period);
+        Ok(TimedDuty {
+            period,
+            torque: peaks(TORQUE),
+            power: peaks(POWER),
+            speed: peaks(SPEED),
+            mean: means[0],
+            rms: means[1].max(0.0).sqrt(),
+            energy: energy(&pieces),
+            error,
+        })
+    }
+
+    /// Whether the means can be believed.
+    #[must_use]
+    pub fn has_converged(&self) -> bool {
+        self.error <= CONVERGED
+    }
+
+    /// The work of a period in J, by its length in s: in W.
+    #[must_use]
+    pub fn mean_power(&self) -> f64 {
+        (self.energy[0] - self.energy[1]) / self.period
+    }
+
+    /// A motor on the driver's shaft against the period; the unit of its speed is that of the driver's.
+    #[must_use]
+    pub fn fit(&self, motor: &Motor) -> MotorFit {
+        let largest = |peaks: [TimedPeak; 2]| peaks[0].value.abs().max(peaks[1].value.abs());
+        let both = |asked, has: Option<f64>| has.map(|has| MotorDemand { asked, has });
+        MotorFit {
+            rated: both(self.rms, motor.rated),
+            peak: both(largest(self.torque), motor.peak),
+            speed: both(largest(self.speed), motor.speed),
+            geared: None,
+            is_unbounded: false,
+        }
+    }
+}
+
+/// The largest value of a channel and the least.
+fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) -> [TimedPeak; 2] {
+    let none = [f64::NEG_INFINITY, f64::INFINITY];
+    let mut peaks = none.map(|value| (value, 0.0));
+    for piece in pieces {
+        let sum = &piece.sums[channel];
+        for &t in sum.turns().iter().chain(&[-1.0, 1.0]) {
+            let value = sum.at(t);
+            // What rounding tells apart is as large as what came first.
+            let beyond = 1e-12 * sum.size();
+            if value > peaks[0].0 + beyond {
+                peaks[0] = (value, piece.time(t));
+            }
+            if value < peaks[1].0 - beyond {
+                peaks[1] = (value, piece.time(t));
+            }
+        }
+    }
+    peaks.map(|(value, time)| TimedPeak {
+        value,
+        time,
+        at: clock.moment(time, solver.motion().range).at,
+    })
+}
+
+/// The means of the torque and of its square.
+fn means(pieces: &[TimedPiece], period: f64) -> [f64; 2] {
+    let mut means = [0.0; 2];
+    for piece in pieces {
+        let (sum, share) = (&piece.sums[TORQUE], 0.5 * (piece.to - piece.from) / period);
+        means[0] += share * sum.integral().at(1.0);
+        means[1] += share * sum.product(sum);
+    }
+    means
+}
+
+/// The integral of the power where it is positive, and less that where it is negative.
+fn energy(pieces: &[TimedPiece]) -> [f64; 2] {
+    let mut energy = [0.0; 2];
+    for piece in pieces {
+        let sum = &piece.sums[POWER];
+        let (zeros, integral) = (sum.zeros(&sum.turns()), sum.integral());
+        let mut before = 0.0;
+        for &t in zeros.iter().chain(&[1.0]) {
+            let here = integral.at(t);
+            let gain = (here - before) * 0.5 * (piece.to - piece.from);
+            energy[usize::from(gain < 0.0)] += gain.abs();
+            before = here;
+        }
+    }
+    energy
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use std::f64::consts::PI;
+
+    fn duty(driver: &str, rest: &str) -> TimedDuty {
+        let text = format!("unit = \"m\"\n[ground]\nA = [0, 0]\n[driver]\n{driver}\n{rest}");
+        let scene = Scene::parse(&text, "timed").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        TimedDuty::new(&Clock::of(&scene).unwrap(), &solver).unwrap()
+    }
+
+    fn near(found: f64, exact: f64) {
+        let most = 1e-9 * exact.abs().max(1.0);
+        assert!((found - exact).abs() < most, "{found} for {exact}");
+    }
+
+    /// A wheel of inertia J indexed by h = 90 deg in T = 0.5 s by a cycloid, back harmonically in 0.25 s: the torque
+    /// is J times the acceleration. Its peaks are 2 pi h / T^2 J and pi^2 h / (2 T'^2) J; of the squares of a sine
+    /// and a cosine the means over their times are halves of those of the peaks. The speed's peak is 2 h / T, and
+    /// the work to it J w^2 / 2, given back again.
+    #[test]
+    fn a_wheel_that_is_indexed_takes_what_its_inertia_asks() {
+        let found = duty(
+            "link = \"r2\"\nangle = 0\nmotion = [{ law = \"cycloidal\", to = 90, time = 0.5 }, \
+             { dwell = 0.25 }, { law = \"harmonic\", to = 0, time = 0.25 }]",
+            "[links]\nr2 = { from = \"A\", to = \"B\", length = 1, com = [0, 0], mass = 1, inertia = 3 }",
+        );
+        let (h, inertia) = (0.5 * PI, 3.0);
+        let forth = inertia * 2.0 * PI * h / 0.25;
+        let back = inertia * PI * PI * h / (2.0 * 0.0625);
+        near(found.period, 1.0);
+        near(found.torque[0].value, back);
+        near(found.torque[1].value, -back);
+        near(found.torque[0].time, 1.0);
+        near(found.torque[1].time, 0.75);
+        near(found.mean, 0.0);
+        near(
+            found.rms,
+            (0.5 * (0.5 * forth * forth + 0.25 * back * back)).sqrt(),
+        );
+        let (fast, fast_back) = (2.0 * h / 0.5, PI * h / (2.0 * 0.25));
+        near(found.speed[0].value, fast);
+        near(found.speed[1].value, -fast_back);
+        near(found.speed[0].time, 0.25);
+        near(found.speed[0].at, 45.0);
+        let work = 0.5 * inertia * (fast * fast + fast_back * fast_back);
+        near(found.energy[0], work);
+        near(found.energy[1], work);
+        near(found.mean_power(), 0.0);
+        assert!(found.has_converged(), "{}", found.error);
+    }
+
+    /// A torque of 6 N m against a link that is turned by 360 deg in 2 s: 6 N m all along, and 6 pi W.
+    #[test]
+    fn against_a_constant_load_power_is_torque_by_speed() {
+        let found = duty(
+            "link = \"r2\"\nangle = 0\nmotion = [{ law = \"constant\", to = 360, time = 2 }]",
+            "[links]\nr2 = { from = \"A\", to = \"B\", length = 1 }\n[[loads]]\nlink = \"r2\"\ntorque = -6",
+        );
+        near(found.rms, 6.0);
+        near(found.mean, 6.0);
+        near(found.power[1].value, 6.0 * PI);
+        near(found.mean_power(), 6.0 * PI);
+        near(found.energy[0], 12.0 * PI);
+        let fit = found.fit(&Motor {
+            rated: Some(5.0),
+            speed: Some(4.0),
+            ..Motor::default()
+        });
+        assert_eq!(fit.rated.map(|r| r.is_enough()), Some(false));
+        assert_eq!(fit.speed.map(|s| s.is_enough()), Some(true));
+    }
+}

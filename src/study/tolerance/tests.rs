@@ -1,0 +1,422 @@
+//! Tolerances against published figures and closed formulas, written out here.
+
+use super::*;
+use crate::Length;
+use crate::quantity::Catalogue;
+
+/// A four-bar of Denavit's proportions: ground 3.5, crank 1, coupler 3, rocker 2.
+const FOUR_BAR: &str = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [3.5, 0]
+[driver]
+link = "crank"
+angle = 60
+speed = "1 rad/s"
+[links]
+crank = { from = "A", to = "B", length = 1 }
+coupler = { from = "B", to = "C", length = 3 }
+rocker = { from = "D", to = "C", length = 2 }
+[start]
+C = [3, 2]
+"#;
+
+/// In line at 0 deg: C stands at crank + rod.
+const SLIDER_CRANK: &str = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+[driver]
+link = "crank"
+angle = 40
+speed = "1 rad/s"
+[links]
+crank = { from = "A", to = "B", length = 50 }
+rod = { from = "B", to = "C", length = 150 }
+[slides]
+ram = { point = "C", on = "ground", through = "A", angle = 0 }
+[start]
+C = [190, 0]
+"#;
+
+fn opened(text: &str) -> (Scene, Solver) {
+    let scene = Scene::parse(text, "tolerance.toml").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn figures(scene: &Scene, names: &[&str]) -> Vec<Quantity> {
+    let catalogue = Catalogue::new(scene);
+    let named = names
+        .iter()
+        .map(|name| catalogue.find(name).unwrap().clone());
+    named.collect()
+}
+
+fn links(scene: &Scene, by: f64) -> Tolerances {
+    let lengths = scene
+        .mechanism
+        .link_ids()
+        .map(|link| (Length::Link(link), by));
+    Tolerances {
+        lengths: lengths.collect(),
+        clearances: Vec::new(),
+    }
+}
+
+/// The shift of the pin between coupler and rocker per unit of length, each length 1 % longer, in the mean over the
+/// crank angles 0.1, 0.2 ... 6.3 rad: 0.742633, 1.105773 and 1.105910 for crank, coupler and rocker are published.
+#[test]
+fn the_published_shift_of_a_four_bars_pin() {
+    let (scene, solver) = opened(FOUR_BAR);
+    let pin = scene
+        .mechanism
+        .point_ids()
+        .find(|&p| scene.point_name(p) == Some("C"))
+        .unwrap();
+    let demand = crate::solver::Demand {
+        points: vec![pin],
+        ..Default::default()
+    };
+    let lengths: Vec<_> = scene.mechanism.link_ids().map(Length::Link).collect();
+    let mut varied = solver.varied(&lengths, &demand).unwrap();
+    let known = [0.742_633, 1.105_773, 1.105_910];
+    for ((i, length), known) in [1.0, 3.0, 2.0].into_iter().enumerate().zip(known) {
+        let mut sum = 0.0;
+        for k in 1..=63 {
+            let at = (0.1 * f64::from(k)).to_degrees();
+            let mut place = |by: f64| {
+                let mut all = vec![0.0; 3];
+                all[i] = by;
+                varied.change(&all);
+                let _ = varied.solve(at, Order::Position);
+                varied.state().position(pin).unwrap()
+            };
+            let by = 0.01 * length;
+            sum += (place(by) - place(0.0)).norm() / by;
+        }
+        let mean = sum / 63.0;
+        assert!((mean - known).abs() < 5e-7, "{i}: {mean} {known}");
+    }
+}
+
+/// At a dead centre in line 0.1 on crank and rod is 0.2 at worst and 0.1414 by the root of the sum of squares.
+#[test]
+fn at_a_dead_centre_in_line_both_lengths_add_up() {
+    let (scene, solver) = opened(SLIDER_CRANK);
+    let ask = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let found = study.at(0.0).remove(0).unwrap();
+    assert_eq!(found.nominal, 200.0);
+    assert_eq!(found.worst.kind, WorstKind::Corners);
+    assert!((found.worst.high - 200.2).abs() < 1e-12, "{found:?}");
+    assert!((found.worst.low - 199.8).abs() < 1e-12, "{found:?}");
+    let square = found.root_sum_square.unwrap();
+    assert!((square - 0.1 * 2.0_f64.sqrt()).abs() < 1e-12, "{square}");
+    let shares: Vec<f64> = found.contributions.iter().map(|c| c.share).collect();
+    assert!(
+        shares.iter().all(|share| (share - 0.5).abs() < 1e-12),
+        "{shares:?}"
+    );
+}
+
+/// Away from it the worst is found by the closed formula at the four corners: x = r cos t + sqrt(l^2 - r^2 sin^2 t).
+#[test]
+fn the_worst_is_that_of_the_corners() {
+    let (scene, solver) = opened(SLIDER_CRANK);
+    let ask = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.5), &ask).unwrap();
+    for at in [10.0_f64, 70.0, 100.0, 179.0, 251.0] {
+        let (sin, cos) = at.to_radians().sin_cos();
+        let x = |r: f64, l: f64| r * cos + (l * l - r * r * sin * sin).sqrt();
+        let corners = [-0.5, 0.5].map(|r| [-0.5, 0.5].map(|l| x(50.0 + r, 150.0 + l)));
+        let all = corners.as_flattened();
+        let [low, high] = [f64::min, f64::max].map(|f| all.iter().copied().reduce(f).unwrap());
+        let found = study.at(at).remove(0).unwrap().worst;
+        assert!(
+            (found.low - low).abs() < 1e-12 && (found.high - high).abs() < 1e-12,
+            "{at}"
+        );
+        assert!(!found.fails);
+    }
+}
+
+/// An even spread of crank and rod at the dead centre in line: the sum of two even numbers has the variance
+/// 2 t^2 / 3, normal ones 2 t^2 / 9. The same seed gives the same machines, another one others.
+#[test]
+fn samples_have_the_spread_that_they_must_have() {
+    let (scene, solver) = opened(SLIDER_CRANK);
+    let ask = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    for (distribution, part) in [
+        (Distribution::Even, 2.0 / 3.0),
+        (Distribution::Normal, 2.0 / 9.0),
+    ] {
+        let order = |seed| SampleOrder {
+            count: 50_000,
+            seed,
+            distribution,
+        };
+        let found = study.sampled(0.0, order(1));
+        assert_eq!(found, study.sampled(0.0, order(1)));
+        assert_ne!(found, study.sampled(0.0, order(2)));
+        assert_eq!(found.open, 0.0);
+        let known = 0.1 * f64::sqrt(part);
+        let figure = found.figures[0].unwrap();
+        assert!((figure.deviation / known - 1.0).abs() < 0.02, "{figure:?}");
+        assert!((figure.median - 200.0).abs() < 0.002, "{figure:?}");
+        assert!((figure.high - 200.0) < 0.2001 || distribution == Distribution::Normal);
+    }
+}
+
+/// A pin of clearance c in the rod's end: at the dead centre in line it reaches c further, and is as much as a length.
+#[test]
+fn a_pin_in_its_hole_is_off_in_any_direction() {
+    let (scene, solver) = opened(SLIDER_CRANK);
+    let ask = figures(&scene, &["ram.length"]);
+    let rod = scene.mechanism.link_ids().nth(1).unwrap();
+    let pin = scene
+        .mechanism
+        .point_ids()
+        .find(|&p| scene.point_name(p) == Some("C"))
+        .unwrap();
+    let tolerances = Tolerances {
+        lengths: Vec::new(),
+        clearances: vec![(rod, pin, 0.03)],
+    };
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let found = study.at(0.0).remove(0).unwrap();
+    assert!(
+        (found.root_sum_square.unwrap() - 0.03).abs() < 1e-12,
+        "{found:?}"
+    );
+    assert!(found.worst.high >= 200.03 - 1e-12, "{found:?}");
+    assert_eq!(found.contributions[0].of, ToleranceOf::Pin(rod, pin));
+}
+
+/// Where a rod is too short at some corners, that is said, and samples count it.
+#[test]
+fn lengths_that_do_not_close_are_told() {
+    let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.05"));
+    let ask = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let found = study.at(90.0).remove(0).unwrap();
+    assert!(found.worst.fails, "{found:?}");
+    let order = SampleOrder {
+        count: 10_000,
+        seed: 1,
+        distribution: Distribution::Even,
+    };
+    // rod - crank < 0 in r x r: with u, v even in [-0.1, 0.1], P(v - u > 0.05) = (0.15)^2 / 2 / 0.04.
+    let open = study.sampled(90.0, order).open;
+    assert!((open - 0.28125).abs() < 0.02, "{open}");
+}
+
+/// An enclosure holds every corner, and every sample.
+#[test]
+fn balls_hold_all_machines() {
+    let preset = crate::scene::presets::find("press").unwrap();
+    let (scene, solver) = opened(preset.text);
+    let ask: Vec<_> = Catalogue::new(&scene)
+        .figures()
+        .into_iter()
+        .filter(|f| f.order() == Order::Position)
+        .collect();
+    let lengths: Vec<_> = scene
+        .mechanism
+        .lengths()
+        .into_iter()
+        .map(|l| (l, 0.05))
+        .collect();
+    let tolerances = Tolerances {
+        lengths,
+        clearances: Vec::new(),
+    };
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let mut held = 0;
+    for at in [13.0, 77.0, 200.0, 301.0] {
+        let nominal = study.nominal(at);
+        let all = study.varied.enclose(&study.off.limits, at, Order::Position);
+        let slopes = study.slopes_at(at).unwrap();
+        let acting: Vec<usize> = (0..study.off.lengths).collect();
+        for i in 0..ask.len() {
+            let Some(value) = nominal[i] else { continue };
+            let Some(ball) = all.as_ref().and_then(|all| study.enclosed(i, value, all)) else {
+                continue;
+            };
+            let worst = study
+                .pointed(i, at, value, slopes.of(i).unwrap(), &acting)
+                .unwrap();
+            assert!(
+                ball.low <= worst.low && worst.high <= ball.high,
+                "{} at {at}",
+                ask[i].name
+            );
+            held += 1;
+        }
+    }
+    assert!(held > 40, "{held}");
+}
+
+/// The offsets of a plot are those of the closed formula where they are worked out, and between them go straight.
+#[test]
+fn a_band_has_the_offsets_of_the_formula() {
+    let (scene, solver) = opened(SLIDER_CRANK);
+    let ask = figures(&scene, &["ram.length"]);
+    let by = 0.5;
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, by), &ask).unwrap();
+    let places: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
+    let band = study.band(&places, BandKind::RootSumSquare).remove(0);
+    assert_eq!(band.len(), places.len());
+    for (k, (at, offsets)) in places.iter().zip(band).enumerate() {
+        let (sin, cos) = at.to_radians().sin_cos();
+        let root = (150.0_f64.powi(2) - (50.0 * sin).powi(2)).sqrt();
+        let slopes = [cos - 50.0 * sin * sin / root, 150.0 / root];
+        let expected = by * slopes[0].hypot(slopes[1]);
+        let allowed = if k % 10 == 0 { 1e-12 } else { 1e-3 };
+        let [below, above] = offsets.unwrap();
+        assert!(
+            (above - expected).abs() < allowed,
+            "{at}: {above} {expected}"
+        );
+        assert_eq!(below, -above);
+    }
+}
+
+/// Pins of crank, rod and slide at the dead centre in line: each moves the ram by its clearance at the most.
+#[test]
+fn loose_pins_add_up_in_line() {
+    let (scene, solver) = opened(&SLIDER_CRANK.replace("unit", "clearance = 0.05\nunit"));
+    assert_eq!(scene.tolerances().clearances.len(), 3);
+    let ask = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, scene.tolerances(), &ask).unwrap();
+    let found = study.at(0.0).remove(0).unwrap();
+    let [low, high] = found.worst.reached;
+    assert!((low - 199.85).abs() < 1e-9 && (high - 200.15).abs() < 1e-9);
+    assert!(found.worst.low <= low && found.worst.high >= high);
+    let square = found.root_sum_square.unwrap();
+    assert!((square - 0.05 * 3.0_f64.sqrt()).abs() < 1e-12, "{square}");
+    let slopes: Vec<f64> = found.contributions.iter().map(|c| c.slope).collect();
+    assert!(
+        slopes.iter().all(|slope| (slope - 1.0).abs() < 1e-12),
+        "{slopes:?}"
+    );
+}
+
+/// A crank-rocker that is 0.1 from a change point: with three lengths off evenly by 0.1 the sum of three even numbers
+/// within 1 must not be below -1, which one of six is (Irwin and Hall).
+#[test]
+fn one_of_six_changes_its_class() {
+    let text = FOUR_BAR
+        .replace("[3.5, 0]", "[449.9, 0]")
+        .replace("length = 1 ", "length = 100 ")
+        .replace("length = 3 ", "length = 300 ")
+        .replace("length = 2 ", "length = 250 ")
+        .replace("[3, 2]", "[300, 200]");
+    let (scene, solver) = opened(&text);
+    let ask = figures(&scene, &["C.x"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let order = SampleOrder {
+        count: 100_000,
+        seed: 5,
+        distribution: Distribution::Even,
+    };
+    let changed = study.sampled(60.0, order).changed.unwrap();
+    // Four standard deviations.
+    assert!((changed - 1.0 / 6.0).abs() < 4.7e-3, "{changed}");
+}
+
+/// The stroke of an offset slider-crank is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2): its worst case at the corners
+/// of r, l and e, its first order by the derivatives of that, and the spread of samples.
+#[test]
+fn a_stroke_has_tolerances_too() {
+    let text = SLIDER_CRANK.replace("through = \"A\"", "through = [0, 20]");
+    let (scene, solver) = opened(&text);
+    let stroke = |r: f64, l: f64, e: f64| {
+        ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
+    };
+    let catalogue = Catalogue::new(&scene);
+    let figure = crate::study::CycleFigure::parse("ram.length.stroke", &catalogue).unwrap();
+    let slide = scene.mechanism.slide_ids().next().unwrap();
+    let through = Length::Through(slide, crate::CoordinateAxis::Y);
+    let mut tolerances = links(&scene, 0.5);
+    tolerances.lengths.push((through, 0.5));
+    let mut study = WholeTolerance::new(&solver, &tolerances, vec![figure]).unwrap();
+    let found = study.found().remove(0).unwrap();
+    let off = [-0.5, 0.5];
+    let corners = off.map(|r| off.map(|l| off.map(|e| stroke(50.0 + r, 150.0 + l, 20.0 + e))));
+    let all = corners.as_flattened().as_flattened();
+    let [low, high] = [f64::min, f64::max].map(|f| all.iter().copied().reduce(f).unwrap());
+    assert!(
+        (found.nominal - stroke(50.0, 150.0, 20.0)).abs() < 1e-9,
+        "{found:?}"
+    );
+    assert_eq!(found.worst.kind, WorstKind::Corners);
+    assert!((found.worst.low - low).abs() < 1e-9, "{found:?} {low}");
+    assert!((found.worst.high - high).abs() < 1e-9, "{found:?} {high}");
+    let (r, l, e) = (50.0_f64, 150.0_f64, 20.0_f64);
+    let (long, short) = (
+        ((l + r).powi(2) - e * e).sqrt(),
+        ((l - r).powi(2) - e * e).sqrt(),
+    );
+    let slopes = [
+        (l + r) / long + (l - r) / short,
+        (l + r) / long - (l - r) / short,
+        e / short - e / long,
+    ];
+    let square = slopes.iter().map(|d| (0.5 * d).powi(2)).sum::<f64>().sqrt();
+    let first = found.root_sum_square.unwrap();
+    assert!((first - square).abs() < 1e-6 * square, "{first} {square}");
+    let order = SampleOrder {
+        count: 3_000,
+        seed: 1,
+        distribution: Distribution::Normal,
+    };
+    let samples = study.sampled(order);
+    let spread = samples.figures[0].unwrap();
+    assert!(
+        (spread.deviation / (square / 3.0) - 1.0).abs() < 0.06,
+        "{spread:?}"
+    );
+    assert_eq!(samples.open, 0.0);
+}
+
+/// Where a machine turns less than fully at some corners, each is opened as it was made.
+#[test]
+fn machines_at_a_change_of_class_are_opened_one_by_one() {
+    // Grashof's condition is met by 0.02 alone: s + l = 4.5, p + q = 4.52.
+    let text = FOUR_BAR.replace("length = 3 }", "length = 2.52 }");
+    let (scene, solver) = opened(&text);
+    let catalogue = Catalogue::new(&scene);
+    let range = crate::study::CycleFigure::parse("range", &catalogue).unwrap();
+    let tolerances = links(&scene, 0.05);
+    let mut study = WholeTolerance::new(&solver, &tolerances, vec![range]).unwrap();
+    let found = study.found().remove(0).unwrap();
+    assert_eq!((found.nominal, found.worst.high), (360.0, 360.0));
+    assert!(found.worst.low < 359.0, "{found:?}");
+}
+
+/// In line at the dead centre an offset of the guide is worst in the middle of its tolerance: both lengths long and the
+/// guide through the pivot. That is no corner, and is not called one.
+#[test]
+fn a_worst_case_inside_the_box_is_an_estimate() {
+    let text = SLIDER_CRANK.replace("through = \"A\"", "through = [0, 0]");
+    let (scene, solver) = opened(&text);
+    let slide = scene.mechanism.slide_ids().next().unwrap();
+    let mut tolerances = links(&scene, 0.1);
+    tolerances
+        .lengths
+        .push((Length::Through(slide, crate::CoordinateAxis::Y), 2.0));
+    let ask = figures(&scene, &["C.x"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let found = study.at(0.0).remove(0).unwrap();
+    assert!((found.worst.high - 200.2).abs() < 1e-12, "{found:?}");
+    assert_eq!(found.worst.kind, WorstKind::Estimated);
+    // The lengths alone are worst at corners.
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    assert_eq!(
+        study.at(0.0).remove(0).unwrap().worst.kind,
+        WorstKind::Corners
+    );
+}

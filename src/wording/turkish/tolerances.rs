@@ -1,0 +1,90 @@
+//! What tolerances do.
+
+use super::Turkish;
+use crate::wording::english::TolerancesWords;
+
+catalogue! {
+    impl TolerancesWords for Turkish {
+        no_tolerances =
+            "sahnedeki her boy tam: bir boyun ne kadar sapabileceğini tolerance ile, bir pimin \
+             boşluğunu clearance ile söyleyin";
+        or_say_tolerance = "ya da burada: --tolerance 0.1";
+        redundant_jams =
+            "mekanizmada gerekenden çok kısıt var: bir boy saparsa mekanizma sıkışır, hiçbir \
+             büyüklük söylenemez";
+        no_tolerances_of_forces =
+            "toleranslar kuvvetler için değil, hareketin büyüklükleri için söylenir: kuvvetleri \
+             çıkarın";
+
+        // What comes of them.
+        within_tolerances = "toleranslar içinde";
+        label_worst_case = "en kötü durum";
+        range_and_off(low: &str, high: &str, below: &str, above: &str) =
+            "{low} ile {high} arası ({below}, {above})";
+        worst_by_corners = "toleransların bütün köşeleri çözüldü";
+        worst_enclosed = "kuşatıldı: hiçbir makine dışarıda kalmaz; en kötüsü daha içeride olabilir";
+        worst_reached(low: &str, high: &str, below: &str, above: &str) =
+            "kesin ulaşılan: {low} ile {high} arası ({below}, {above})";
+        worst_estimated = "tahmin: türevlerin gösterdiği yerde çözüldü, kanıtlanmadı";
+        worst_does_not_close = "kapanan makineler için; hepsi kapanmıyor";
+        label_root_sum_square = "kareler karekökü";
+        no_first_order = "yok: burada türev yok";
+        label_most_samples = "örneklerin % 99.73'ü";
+        spread_of_samples(low: &str, high: &str) = "{low} ile {high} arası";
+        mean_and_deviation(mean: &str, deviation: &str) =
+            "ortalama {mean}, standart sapma {deviation}";
+        label_contributions = "kaynağı";
+        head_tolerance = "tolerans";
+        head_per_unit = "birim başına";
+        head_off_by = "sapma";
+        head_share = "pay";
+        label_samples = "örnekler";
+        how_samples_are_made(count: u32, spread: &str, seed: u64) =
+            "{count} makine, boylar {spread}, tohum {seed}";
+        spread_normally = "normal dağılmış (tolerans üç standart sapma)";
+        spread_evenly = "eşit dağılmış";
+        samples_all_close = "hepsi burada kapanıyor";
+        part_of_samples_open(part: &str) = "{part} kadarı burada kapanmıyor";
+        samples_keep_class = "hepsi ilk çevrimin sınıfını koruyor";
+        part_of_samples_changed(part: &str) = "{part} kadarında ilk çevrimin sınıfı değişiyor";
+        rows_estimated(some: u64, rows: u64) =
+            "{rows} satırdan {some} tanesinde en kötü durum tahmin: türevlerin gösterdiği yerde \
+             çözüldü, kanıtlanmadı";
+        rows_that_may_not_close(some: u64, rows: u64) =
+            "{rows} satırdan {some} tanesinde toleransı içindeki her makine kapanmıyor; en kötü \
+             durum kapananlarınki";
+
+        // What a scene says of them.
+        tolerance_of_point(name: &str) = "{name} noktasının toleransı";
+        clearance_of_pin(name: &str) = "{name} piminin boşluğu";
+        no_general_tolerance(what: &str, text: &str) =
+            "{what} bir sayı ya da bir ISO 2768-1 sınıfı olmalı, oysa {text}";
+        unknown_general_tolerance = "bilinmeyen sınıf";
+        known_general_tolerances(list: &str) = "sınıflar: {list}";
+        nought_is_exact = "iki yana da sayılır; 0 tam demektir";
+        frame_has_no_tolerance(name: &str) =
+            "{name} uzvu şasenin kendisi, ona ayrı tolerans verilmez";
+        is_of_the_frame = "şasenin";
+        give_ground_points_tolerances = "sabit noktalarına [tolerances] içinde verin";
+        guide_has_no_tolerance(of: &str) =
+            "{of}, adıyla verilen bir noktadan geçiyor: sapabilecek koordinatı yok";
+        nothing_to_be_off = "sapacak bir şey yok";
+        give_point_of_guide_tolerance = "o noktaya [tolerances] içinde verin";
+        point_has_no_coordinates(what: &str) =
+            "{what}: nokta yalnız uzuvların ucu, kendi koordinatı yok";
+        give_link_a_tolerance = "boyu orada biten uzva `tolerance` verin";
+        tolerance_beyond_length(what: &str, length: f64, literal: &str) =
+            "tolerans ({what}) boydan, {length} değerinden, küçük olmalı, oysa {literal}";
+        no_deviation_of_size(class: &str, what: &str, size: f64, low: f64, high: f64) =
+            "{class} sınıfında {size} mm için değer yok ({what}): {low} ile {high} mm arasında geçerli";
+        of_this_length = "bu boy için";
+        by_this_class = "bu sınıfla";
+        give_it_its_own_tolerance = "ona kendi toleransını verin";
+        is_no_pin(what: &str) = "{what}: nokta hiçbir şeyi birleştirmiyor";
+        joins_nothing = "pim değil";
+        pins_join = "bir pim iki uzvu, ya da bir uzvu şaseyle veya bir yarıkla birleştirir";
+        over_the_whole_motion = "bütün hareket boyunca";
+        whole_has_no_place =
+            "bütün hareketin büyüklüklerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
+    }
+}

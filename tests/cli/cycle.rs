@@ -1,0 +1,84 @@
+//! `krank cycle`: strokes, ratios and reasons in three forms, and what is refused.
+
+use super::{done, json, krank, presets, refused};
+
+/// The toggle-press, whitworth and all others: a page within 80 columns, and never a NaN.
+#[test]
+fn every_preset_has_a_page() {
+    for preset in presets() {
+        let heard = krank(&["cycle", &preset]);
+        let text = heard.out;
+        assert_eq!(heard.code, 0, "{preset}: {}", heard.err);
+        assert!(
+            text.is_ascii() && text.lines().all(|line| line.len() <= 80),
+            "{text}"
+        );
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+    }
+}
+
+/// An offset slider-crank, crank 40, rod 120, offset 50: sqrt(160^2 - 50^2) - sqrt(80^2 - 50^2) is its stroke, and
+/// the crank's angles at the dead centres are asin(50 / 160) and asin(50 / 80) off the guide.
+#[test]
+fn three_forms_tell_the_same() {
+    let stroke = (160.0_f64.powi(2) - 2500.0).sqrt() - (80.0_f64.powi(2) - 2500.0).sqrt();
+    let apart = ((50.0_f64 / 80.0).asin() - (50.0_f64 / 160.0).asin()).to_degrees();
+    let ratio = (180.0 + apart) / (180.0 - apart);
+    let told = ["cycle", "offset-slider-crank", "--columns", "C.x"];
+    let with = |format| [&told[..], &["--format", format]].concat();
+    let found = json(&done(&with("json")));
+    let figure = &found["figures"][0];
+    assert!((figure["stroke"].as_f64().unwrap() - stroke).abs() < 1e-10);
+    assert!((figure["ratio"].as_f64().unwrap() - ratio).abs() < 1e-10);
+    assert_eq!(figure["turns"].as_array().unwrap().len(), 2);
+    let csv = done(&with("csv"));
+    assert!(
+        csv.starts_with("figure,property,value,unit,at,reason\n"),
+        "{csv}"
+    );
+    let line = csv
+        .lines()
+        .find(|line| line.starts_with("C.x,stroke,"))
+        .unwrap();
+    let value: f64 = line.split(',').nth(2).unwrap().parse().unwrap();
+    assert!((value - stroke).abs() < 1e-10, "{line}");
+    let text = done(&told);
+    assert!(text.contains(&format!("{stroke:.7} mm")), "{text}");
+    assert!(text.contains(&format!("{ratio:.5}")[..6]), "{text}");
+}
+
+#[test]
+fn what_does_not_exist_has_a_reason() {
+    let text = done(&["cycle", "four-bar", "--columns", "r2.angle,r4.angle"]);
+    assert!(text.contains("turns round once in a period"), "{text}");
+    let csv = done(&["cycle", "excavator-boom", "--format", "csv"]);
+    assert!(
+        csv.contains("the driver goes there and back by the same way"),
+        "{csv}"
+    );
+    refused(2, &["cycle", "four-bar", "--columns", "C.z"]);
+    refused(2, &["cycle", "four-bar", "--dwell", "0"]);
+}
+
+/// The flywheel leaves little fluctuation, and the mean of the torque is less than what the motor can keep up, which
+/// is less than the root of the mean square: the headline says what stands below it.
+#[test]
+fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
+    let asked = |options: &[&str]| {
+        let given = [&["motor", "toggle-press", "--fluctuation", "0.1"], options].concat();
+        done(&given)
+    };
+    // 738 J at pi rad/s: 738 / (9.87 * 600) = 0.125. The mean is 141.6 N m, the root of the mean square 400.3.
+    let text = asked(&["--rated", "200", "--flywheel", "600"]);
+    assert!(
+        text.contains("\nmotor: enough, with the flywheel\n"),
+        "{text}"
+    );
+    let text = asked(&["--rated", "100", "--flywheel", "600"]);
+    assert!(text.contains("\nmotor: not enough\n"), "{text}");
+    // 738 / (9.87 * 30) = 2.49.
+    let text = asked(&["--flywheel", "30"]);
+    assert!(text.contains("impossible"), "{text}");
+    let message = refused(2, &["motor", "toggle-press", "--fluctuation", "2.5"]);
+    assert!(message.contains("impossible"), "{message}");
+}

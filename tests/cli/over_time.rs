@@ -1,0 +1,209 @@
+//! Figures over time: the driver's law of motion, with its own speed and acceleration.
+
+use super::{done, folder, json, krank, refused, rows};
+use std::f64::consts::PI;
+use std::fs;
+
+/// A slider-crank of 100 and 300 mm that goes 120 deg forth and back, with a slider of 2 kg.
+const INDEXED: &str = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 0
+motion = [
+  { law = "cycloidal", to = 120, time = 0.5 },
+  { dwell = 0.2 },
+  { law = "harmonic", to = 0, time = 0.4 },
+]
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300 }
+ram = { points = { C = [0, 0] }, com = [0, 0], mass = 2 }
+[slides]
+r4 = { link = "ram", on = "ground", through = "A", angle = 0, turn = 0 }
+[start]
+C = [400, 0]
+"#;
+
+fn scene(name: &str, text: &str) -> String {
+    let path = folder("over-time").join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Angle, speed and acceleration of the crank in radians, by the laws of the handbooks.
+fn crank(time: f64) -> [f64; 3] {
+    let h = 120_f64.to_radians();
+    if time < 0.5 {
+        let (s, t) = (time / 0.5, 0.5);
+        let round = 2.0 * PI * s;
+        let way = s - round.sin() / (2.0 * PI);
+        let acceleration = 2.0 * PI * h / (t * t) * round.sin();
+        [h * way, h / t * (1.0 - round.cos()), acceleration]
+    } else if time < 0.7 {
+        [h, 0.0, 0.0]
+    } else {
+        let (s, t) = ((time - 0.7) / 0.4, 0.4);
+        let (sin, cos) = (PI * s).sin_cos();
+        let acceleration = PI * PI * h / (2.0 * t * t) * cos;
+        [
+            h * (1.0 + cos) / 2.0,
+            -PI * h / (2.0 * t) * sin,
+            -acceleration,
+        ]
+    }
+}
+
+/// Where a slider of crank 100 and rod 300 is, in mm, and its derivatives by the angle: x = r c + w, w^2 = l^2 - r^2 s^2.
+fn slider(angle: f64) -> [f64; 3] {
+    let (r, l) = (100.0, 300.0);
+    let (s, c) = angle.sin_cos();
+    let w = (l * l - r * r * s * s).sqrt();
+    let w1 = -r * r * s * c / w;
+    let w2 = -(r * r * (c * c - s * s) + w1 * w1) / w;
+    [r * c + w, -r * s + w1, -r * c + w2]
+}
+
+fn near(found: f64, exact: f64, size: f64) {
+    assert!((found - exact).abs() < 1e-9 * size, "{found} for {exact}");
+}
+
+#[test]
+fn rows_over_time_have_the_speed_and_the_acceleration_of_the_law() {
+    let path = scene("rows.toml", INDEXED);
+    let args = ["sweep", &path, "--time", "--step", "0.01", "--columns"];
+    let csv = done(
+        &[
+            &args[..],
+            &["r2.omega,r2.alpha,C.x,C.vx,C.ax,driver.torque"],
+        ]
+        .concat(),
+    );
+    let head = "time [s],driver.angle [deg],r2.omega [rad/s],r2.alpha [rad/s^2],C.x [mm],C.vx [mm/s],C.ax [mm/s^2],driver.torque [N m],state";
+    assert_eq!(csv.lines().next().unwrap(), head);
+    let rows = rows(&csv);
+    assert_eq!(rows.len(), 111);
+    for row in &rows {
+        let at = |i: usize| row[i].parse::<f64>().unwrap();
+        // Where two steps meet stands what begins; the last row is the end of the period and its beginning.
+        let time = if at(0) >= 1.1 { 0.0 } else { at(0) };
+        // Decimals such as 0.7 are beside the sum of the times.
+        if [0.5, 0.7].iter().any(|joint| (time - joint).abs() < 1e-9) {
+            continue;
+        }
+        let [angle, speed, acceleration] = crank(time);
+        let [x, x1, x2] = slider(angle);
+        let (v, a) = (x1 * speed, x2 * speed * speed + x1 * acceleration);
+        near(at(1), angle.to_degrees(), 120.0);
+        near(at(2), speed, 10.0);
+        near(at(3), acceleration, 100.0);
+        near(at(4), x, 400.0);
+        near(at(5), v, 1e3);
+        near(at(6), a, 1e4);
+        // By virtual work: M w = m a v, in m.
+        near(at(7), 2.0 * a * x1 * 1e-6, 10.0);
+    }
+}
+
+#[test]
+fn a_table_at_a_time_has_them_too_and_bounds_that_hold() {
+    let path = scene("table.toml", INDEXED);
+    let asked = ["table", &path, "--time", "0.2", "--columns", "C.vx,C.ax"];
+    let found = json(&done(
+        &[&asked[..], &["--bounds", "--format", "json"]].concat(),
+    ));
+    let [angle, speed, acceleration] = crank(0.2);
+    let [_, x1, x2] = slider(angle);
+    let text = found.to_string();
+    let exact = x2 * speed * speed + x1 * acceleration;
+    near(
+        found["driver"]["angle"].as_f64().unwrap(),
+        angle.to_degrees(),
+        120.0,
+    );
+    near(found["driver"]["omega"].as_f64().unwrap(), speed, 10.0);
+    assert!(text.contains("C.ax"), "{text} {exact}");
+}
+
+#[test]
+fn at_a_coordinate_krank_says_that_the_motion_over_time_does_not_count() {
+    let path = scene("coordinate.toml", INDEXED);
+    let run = krank(&["table", &path, "--at", "30"]);
+    assert_eq!(run.code, 0);
+    assert!(run.err.contains("--time"), "{}", run.err);
+    let message = refused(2, &["table", &path, "--at", "30", "--time", "0.2"]);
+    assert!(message.contains("--time"), "{message}");
+}
+
+/// A constant step of a whole turn is a scene of that speed, in every figure.
+#[test]
+fn a_constant_law_is_a_speed() {
+    let motion = "motion = [{ law = \"constant\", to = 360, time = 2 }]";
+    let head = INDEXED.split("motion").next().unwrap();
+    let tail = INDEXED.split("]\n[links]").nth(1).unwrap();
+    let law = scene("law.toml", &format!("{head}{motion}\n[links]{tail}"));
+    let speed = scene(
+        "speed.toml",
+        &format!("{head}speed = \"180 deg/s\"\n[links]{tail}"),
+    );
+    let swept = |path: &str| {
+        rows(&done(&[
+            "sweep", path, "--time", "--to", "2", "--step", "0.125",
+        ]))
+    };
+    for (one, two) in swept(&law).iter().zip(&swept(&speed)) {
+        for (one, two) in one.iter().zip(two) {
+            match (one.parse::<f64>(), two.parse::<f64>()) {
+                (Ok(one), Ok(two)) => near(one, two, 1e4),
+                _ => assert_eq!(one, two),
+            }
+        }
+    }
+}
+
+#[test]
+fn plots_over_time_follow_the_law() {
+    let path = scene("plot.toml", INDEXED);
+    let asked = ["plot", &path, "--columns", "r2.omega", "--against", "time"];
+    // The cycloid's peak 2 h / T, and the way back's pi h / (2 T).
+    let text = done(&asked);
+    assert!(text.contains("8.377") && text.contains("-8.224"), "{text}");
+}
+
+/// The slider of 2 kg on the crank's law: what is swept in fine rows has the motor's extremes, and what is put in
+/// comes back, since nothing else acts.
+#[test]
+fn the_motor_goes_through_the_period_of_the_motion() {
+    let path = scene("motor.toml", INDEXED);
+    let found = json(&done(&["motor", &path, "--rated", "1", "--format", "json"]));
+    let figure = |keys: [&str; 2]| found[keys[0]][keys[1]].as_f64().unwrap();
+    let torque = |time: f64| {
+        let [angle, speed, acceleration] = crank(time);
+        let [_, x1, x2] = slider(angle);
+        2e-6 * (x2 * speed * speed + x1 * acceleration) * x1
+    };
+    let count = 220_000;
+    let all = || (0..count).map(|k| torque(1.1 * (f64::from(k) + 0.5) / f64::from(count)));
+    let most = all().fold(0.0, f64::max);
+    let largest = found["torque"]["largest"]["value"].as_f64().unwrap();
+    assert!((largest - most).abs() < 1e-4 * most, "{largest} {most}");
+    let square: f64 = all().map(|torque| torque * torque).sum();
+    let rms = (square / f64::from(count)).sqrt();
+    assert!((figure(["torque", "rms"]) - rms).abs() < 1e-6 * rms);
+    near(
+        figure(["energy", "put_in"]),
+        figure(["energy", "given_back"]),
+        1.0,
+    );
+    near(found["period"].as_f64().unwrap(), 1.1, 1.0);
+    let text = done(&["motor", &path, "--rated", "1"]);
+    assert!(text.contains("period of 1.1 s"), "{text}");
+    assert!(refused(2, &["motor", &path, "--from", "0", "--to", "9"]).contains("--from"));
+    let still = scene(
+        "still.toml",
+        &INDEXED.replace(", com = [0, 0], mass = 2", ""),
+    );
+    refused(1, &["motor", &still]);
+}

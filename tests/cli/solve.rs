@@ -1,0 +1,179 @@
+//! `krank solve`: designs that meet goals against closed formulas, what is written, and what is refused.
+
+use super::{done, folder, json, krank};
+
+/// The stroke of an offset slider-crank: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
+fn stroke(r: f64, l: f64, e: f64) -> f64 {
+    ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
+}
+
+#[test]
+fn a_page_tells_the_designs_beside_the_given_one() {
+    let text = done(&[
+        "solve",
+        "slider-crank",
+        "--vary",
+        "r2.length",
+        "--goal",
+        "r4.length.stroke = 13",
+        "--starts",
+        "3",
+    ]);
+    assert!(
+        text.is_ascii() && text.lines().all(|line| line.len() <= 80),
+        "{text}"
+    );
+    let row = text
+        .lines()
+        .find(|line| line.starts_with("r2.length [cm]"))
+        .unwrap();
+    let cells: Vec<&str> = row.split_whitespace().collect();
+    assert_eq!(cells[2], "10");
+    let found: f64 = cells[3].parse().unwrap();
+    assert!((found - 6.5).abs() < 1e-9, "{text}");
+}
+
+/// What is written opens as any scene, and has the stroke that was wished.
+#[test]
+fn the_scene_that_is_written_meets_the_goal() {
+    let file = folder("solve").join("found.toml");
+    let file = file.to_str().unwrap();
+    let found = json(&done(&[
+        "solve",
+        "offset-slider-crank",
+        "--vary",
+        "r2.length,r4.through.y",
+        "--goal",
+        "r4.length.stroke = 120 mm",
+        "--keep",
+        "transmission >= 40",
+        "--starts",
+        "2",
+        "--format",
+        "json",
+        "-o",
+        file,
+    ]));
+    let values = &found["solutions"][0]["values"];
+    let [r, e] = ["r2.length", "r4.through.y"].map(|name| values[name].as_f64().unwrap());
+    let l = 120.0;
+    assert!((stroke(r, l, e) - 120.0).abs() < 1e-6, "{r} {e}");
+    let text = std::fs::read_to_string(file).unwrap();
+    let preset = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/presets/offset-slider-crank.toml"
+    );
+    let given = std::fs::read_to_string(preset).unwrap();
+    let same = text
+        .lines()
+        .zip(given.lines())
+        .filter(|(one, other)| one == other);
+    assert_eq!(same.count() + 2, given.lines().count(), "{text}");
+    let again = done(&[
+        "solve",
+        file,
+        "--vary",
+        "r2.length",
+        "--goal",
+        "r4.length.stroke = 120",
+        "--starts",
+        "0",
+    ]);
+    assert!(again.contains("one design"), "{again}");
+}
+
+/// Where nothing meets a goal the nearest is told, and it is not called done.
+#[test]
+fn a_goal_that_cannot_be_met_is_said() {
+    let heard = krank(&[
+        "solve",
+        "slider-crank",
+        "--vary",
+        "r2.length=5..12",
+        "--goal",
+        "r4.length.stroke = 30",
+        "--starts",
+        "2",
+    ]);
+    assert_eq!(heard.code, 1, "{}", heard.err);
+    assert!(
+        heard.out.contains("nearest") && heard.out.contains("12"),
+        "{}",
+        heard.out
+    );
+    assert!(heard.err.contains("no design"), "{}", heard.err);
+}
+
+#[test]
+fn the_best_is_found_on_the_limit() {
+    // In line the transmission angle is least where the crank is across: cos = r / l.
+    let found = json(&done(&[
+        "solve",
+        "slider-crank",
+        "--vary",
+        "r2.length=2..19",
+        "--maximize",
+        "r4.length.stroke",
+        "--keep",
+        "transmission >= 60",
+        "--generations",
+        "80",
+        "--format",
+        "json",
+    ]));
+    let r = found["values"]["r2.length"].as_f64().unwrap();
+    assert!((r - 10.0).abs() < 1e-3, "{found}");
+    assert_eq!(found["missed"], 0.0);
+}
+
+#[test]
+fn what_is_no_search_is_refused_with_a_mend() {
+    for (args, words) in [
+        (vec!["--vary", "r2.length"], "--goal"),
+        (
+            vec!["--vary", "r2.lenght", "--goal", "range = 360"],
+            "r2.length",
+        ),
+        (
+            vec!["--vary", "r2.length,r2.length", "--goal", "range = 360"],
+            "twice",
+        ),
+        (
+            vec!["--vary", "r2.length=1", "--goal", "range = 360"],
+            "280..320",
+        ),
+        (
+            vec!["--vary", "r2.length", "--goal", "r4.length.strok = 3"],
+            "r4.length.stroke",
+        ),
+        (
+            vec!["--vary", "r2.length", "--goal", "r4.length.stroke 3"],
+            "figure, a sign",
+        ),
+        (
+            vec!["--vary", "r2.length", "--goal", "r4.length.stroke = 3 mm"],
+            "cm",
+        ),
+        (
+            vec!["--vary", "r2.length", "--maximize", "r4.length.stroke"],
+            "r2.length=LOW..HIGH",
+        ),
+        (
+            vec![
+                "--vary",
+                "r2.length=1..2",
+                "--goal",
+                "range = 360",
+                "--minimize",
+                "range",
+            ],
+            "--keep",
+        ),
+    ] {
+        let mut all = vec!["solve", "slider-crank"];
+        all.extend(&args);
+        let heard = krank(&all);
+        assert_eq!(heard.code, 2, "{args:?}: {}", heard.err);
+        assert!(heard.err.contains(words), "{args:?}: {}", heard.err);
+    }
+}

@@ -1,0 +1,329 @@
+//! `study`: rows against closed formulas, the same bytes whatever the threads, parts, files that are gone on with, charts.
+
+use super::{Run, done, folder, json, krank, refused, rows};
+use std::fs;
+
+const CRANK: &str = "offset-slider-crank";
+const COLUMNS: &str = "r4.length.stroke,r4.length.ratio";
+
+fn study<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["study", CRANK, "--columns", COLUMNS], more].concat()
+}
+
+/// The stroke between the dead centres, where crank and rod are in line, and the time ratio: the crank is then at the
+/// angles whose sines are e / (l + r) and, beyond the pivot, e / (l - r).
+fn closed(r: f64, l: f64, e: f64) -> [f64; 2] {
+    let far = ((l + r).powi(2) - e * e).sqrt();
+    let near = ((l - r).powi(2) - e * e).sqrt();
+    let between = ((e / (l - r)).asin() - (e / (l + r)).asin())
+        .abs()
+        .to_degrees();
+    [far - near, (180.0 + between) / (180.0 - between)]
+}
+
+fn number(cell: &str) -> f64 {
+    cell.parse().unwrap()
+}
+
+#[test]
+fn rows_are_those_of_the_closed_formulas() {
+    let csv = done(&study(&[
+        "--vary",
+        "r2.length=30..50/3,r3.length=110..150/5,r4.through.y=-20..-10/2",
+    ]));
+    let head = "r2.length [mm],r3.length [mm],r4.through.y [mm],r4.length.stroke [mm],r4.length.ratio,state,reason";
+    assert_eq!(csv.lines().next(), Some(head));
+    let rows = rows(&csv);
+    assert_eq!(rows.len(), 30);
+    let mut k = 0;
+    for r in [30.0, 40.0, 50.0] {
+        for l in [110.0, 120.0, 130.0, 140.0, 150.0] {
+            for e in [-20.0, -10.0] {
+                let row = &rows[k];
+                assert_eq!(
+                    [number(&row[0]), number(&row[1]), number(&row[2])],
+                    [r, l, e]
+                );
+                let [stroke, ratio] = closed(r, l, e);
+                assert!(
+                    (number(&row[3]) - stroke).abs() < 1e-9 * stroke,
+                    "{row:?}: {stroke}"
+                );
+                assert!(
+                    (number(&row[4]) - ratio).abs() < 1e-9 * ratio,
+                    "{row:?}: {ratio}"
+                );
+                assert_eq!(row[5..], ["ok", ""]);
+                k += 1;
+            }
+        }
+    }
+}
+
+/// In any number of threads, and in parts put together.
+#[test]
+fn rows_are_the_same_bytes_whoever_does_them() {
+    let vary = ["--vary", "r2.length=30..50/14,r3.length=85..150/5"];
+    let alone = krank(&study(&[&vary[..], &["--threads", "1"]].concat()));
+    assert_eq!(alone.code, 0, "{}", alone.err);
+    assert_eq!(alone.out.lines().count(), 71);
+    for threads in ["2", "3"] {
+        let run = krank(&study(&[&vary[..], &["--threads", threads]].concat()));
+        assert_eq!(run.out, alone.out, "{threads}");
+    }
+    let head = alone.out.lines().next().unwrap().to_owned() + "\n";
+    let mut whole = head.clone();
+    for part in ["1/4", "2/4", "3/4", "4/4"] {
+        let run = krank(&study(&[&vary[..], &["--part", part]].concat()));
+        whole += run.out.strip_prefix(&head).unwrap();
+    }
+    assert_eq!(whole, alone.out);
+}
+
+/// What was cut off anywhere is whole again; a file of something else is left alone.
+#[test]
+fn a_file_is_gone_on_with() {
+    let path = folder("study").join("designs.csv");
+    let file = path.to_str().unwrap();
+    let args = study(&[
+        "--vary",
+        "r2.length=30..50/4,r3.length=85..150/10",
+        "-o",
+        file,
+    ]);
+    let resume = [&args[..], &["--resume"]].concat();
+    let started = krank(&args);
+    assert_eq!((started.code, started.out.as_str()), (0, ""));
+    let whole = fs::read_to_string(&path).unwrap();
+    for cut in [0, 7, 200, whole.len() / 2, whole.len() - 1, whole.len()] {
+        fs::write(&path, &whole[..cut]).unwrap();
+        let run = krank(&resume);
+        assert_eq!(run.code, 0, "{cut}: {}", run.err);
+        assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{cut}");
+    }
+    let done = krank(&resume);
+    assert!(
+        done.err.contains("has 40 of 40 designs already"),
+        "{}",
+        done.err
+    );
+
+    let other = study(&[
+        "--vary",
+        "r2.length=30..51/4,r3.length=85..150/10",
+        "-o",
+        file,
+        "--resume",
+    ]);
+    // The last row has another crank.
+    assert!(refused(2, &other).contains("is not of this study: line 41 "));
+    let other = study(&["--vary", "r2.length=30..50/4", "-o", file, "--resume"]);
+    assert!(refused(2, &other).contains("is not of this study: line 1 "));
+    assert_eq!(fs::read_to_string(&path).unwrap(), whole);
+    for wrong in [
+        &["--resume"][..],
+        &["--resume", "-o", "-"],
+        &["--resume", "-o", file, "--format", "json"],
+    ] {
+        refused(
+            2,
+            &study(&[&["--vary", "r2.length=30..50/4"], wrong].concat()),
+        );
+    }
+}
+
+/// With the crank at 60 deg the rod has to reach 40 sin 60 deg + 50 = 84.6 mm down to the guide.
+#[test]
+fn what_does_not_assemble_is_a_row_that_says_why() {
+    let vary = "r3.length=80..100/2";
+    let Run { code, out, err } = krank(&study(&["--vary", vary]));
+    assert_eq!(code, 0);
+    assert!(
+        err.contains("of 2 designs 1 do not assemble as the scene does, and 0 make no scene"),
+        "{err}"
+    );
+    let found = rows(&out);
+    assert_eq!(found[0][..4], ["80", "", "", "no-assembly"]);
+    assert!(!found[0][4].is_empty());
+    assert_eq!(found[1][3], "ok");
+
+    let Run { code, out, .. } = krank(&study(&["--vary", "r2.length=0..40/2"]));
+    assert_eq!(code, 0);
+    let found = rows(&out);
+    assert_eq!(found[0][..4], ["0", "", "", "unreadable"]);
+    assert!(found[0][4].contains("length"), "{}", found[0][4]);
+
+    // A figure alone is missing: the rod turns round in no slider-crank, and its direction has a swing; the crank's not.
+    let args = [
+        "study",
+        CRANK,
+        "--vary",
+        "r2.length=30..40/2",
+        "--columns",
+        "r2.angle.swing,r3.angle.swing",
+    ];
+    let found = rows(&done(&args));
+    assert_eq!(found[0][1], "");
+    assert_eq!(found[0][3], "ok");
+    assert!(
+        found[0][4].starts_with("r2.angle.swing: "),
+        "{:?}",
+        found[0]
+    );
+    let swing = (80.0_f64 / 120.0).asin() - (20.0_f64 / 120.0).asin();
+    assert!(
+        (number(&found[0][2]) - swing.to_degrees()).abs() < 1e-9,
+        "{:?}",
+        found[0]
+    );
+
+    assert!(
+        refused_with_rows(&study(&["--vary", "r3.length=10..20/2"])).contains("no design has any")
+    );
+}
+
+/// A study that ends with 1 has rows nevertheless.
+fn refused_with_rows(args: &[&str]) -> String {
+    let run = krank(args);
+    assert_eq!(run.code, 1, "{}", run.err);
+    assert_eq!(rows(&run.out).len(), 2);
+    run.err
+}
+
+#[test]
+fn a_hypercube_is_the_same_for_the_same_seed() {
+    let latin = |seed| {
+        done(&study(&[
+            "--vary",
+            "r2.length=30..40,r3.length=110..150",
+            "--latin",
+            "20",
+            "--seed",
+            seed,
+        ]))
+    };
+    let one = latin("7");
+    assert_eq!(one, latin("7"));
+    assert_ne!(one, latin("8"));
+    let mut seen: Vec<f64> = rows(&one).iter().map(|row| number(&row[1])).collect();
+    seen.sort_by(f64::total_cmp);
+    let known: Vec<f64> = (0..20).map(|k| 111.0 + 2.0 * f64::from(k)).collect();
+    assert_eq!(seen, known);
+}
+
+#[test]
+fn what_varies_is_named_and_has_ends() {
+    for (vary, message) in [
+        ("r3.lenght=1..2/2", "r3.length"),
+        ("r3.length", "has no ends: write r3.length=280..320"),
+        ("r3.length=1..2/2,r3.length=3..4/2", "varies twice"),
+        ("r3.length=1..2/0", "does not say how a value varies"),
+        (
+            "r3.length=1..2/4000000000,r2.length=1..2/10",
+            "more than 10^9 designs",
+        ),
+    ] {
+        let err = refused(2, &study(&["--vary", vary]));
+        assert!(err.contains("--vary") || err.contains("10^9"), "{err}");
+        assert!(err.contains(message), "{vary}: {err}");
+    }
+    let err = refused(
+        2,
+        &study(&["--vary", "r3.length=110..120/3", "--latin", "5"]),
+    );
+    assert!(err.contains("--latin"), "{err}");
+    let err = refused(
+        2,
+        &[
+            "study",
+            CRANK,
+            "--vary",
+            "r3.length=110..120",
+            "--columns",
+            "r4.lenth.stroke",
+        ],
+    );
+    assert!(err.contains("r4.length.stroke"), "{err}");
+    refused(
+        2,
+        &study(&["--vary", "r3.length=110..120", "--part", "5/4"]),
+    );
+}
+
+#[test]
+fn json_and_text_say_the_same() {
+    let vary = ["--vary", "r2.length=30..40/2", "--format"];
+    let found = json(&done(&study(&[&vary[..], &["json"]].concat())));
+    assert_eq!(found["units"]["r4.length.stroke"], "mm");
+    assert_eq!(found["designs"][1]["r2.length"], 40.0);
+    let [stroke, ratio] = closed(40.0, 120.0, 50.0);
+    let near = |value: &serde_json::Value, known: f64| {
+        (value.as_f64().unwrap() - known).abs() < 1e-9 * known
+    };
+    assert!(near(&found["designs"][1]["r4.length.stroke"], stroke));
+    assert!(near(&found["designs"][1]["r4.length.ratio"], ratio));
+    assert_eq!(found["designs"][1]["state"], "ok");
+    let Run { code, out, err } = krank(&study(&[&vary[..], &["text"]].concat()));
+    assert_eq!(code, 0);
+    assert_eq!(out.lines().count(), 3);
+    let told = format!("greatest {stroke:.4} mm at r2.length = 40.0000 mm");
+    assert!(err.contains(&told), "{told}: {err}");
+}
+
+#[test]
+fn one_value_is_a_curve_and_two_are_a_map() {
+    let one = [
+        "--vary",
+        "r2.length=30..60/7",
+        "--size",
+        "60x16",
+        "--format",
+    ];
+    let chart = krank(&study(&[&one[..], &["chart"]].concat()));
+    assert_eq!(chart.code, 0, "{}", chart.err);
+    assert!(
+        chart.out.contains("r4.length.stroke") && chart.out.contains('*'),
+        "{}",
+        chart.out
+    );
+    assert!(chart.out.lines().all(|line| line.len() <= 60));
+    let svg = krank(&study(&[&one[..], &["svg"]].concat())).out;
+    assert!(
+        svg.starts_with("<svg") && svg.contains("r4.length.ratio"),
+        "{svg}"
+    );
+
+    let two = [
+        "--vary",
+        "r2.length=30..60/7,r3.length=80..150/8",
+        "--size",
+        "60x20",
+        "--format",
+    ];
+    let chart = krank(&study(&[&two[..], &["chart"]].concat()));
+    assert!(chart.out.is_ascii());
+    assert!(
+        chart.out.contains("\n  . ") && chart.out.contains("blank: no value"),
+        "{}",
+        chart.out
+    );
+    assert!(
+        chart.out.lines().all(|line| line.len() <= 60),
+        "{}",
+        chart.out
+    );
+    let svg = krank(&study(&[&two[..], &["svg"]].concat())).out;
+    assert!(
+        svg.contains("up: r3.length [mm]; along: r2.length [mm]"),
+        "{svg}"
+    );
+
+    let three = [
+        "--vary",
+        "r2.length=30..40/2,r3.length=110..120/2,r4.through.y=-20..20/2",
+    ];
+    assert!(
+        refused(2, &study(&[&three[..], &["--format", "chart"]].concat()))
+            .contains("one or two values")
+    );
+}

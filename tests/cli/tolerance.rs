@@ -1,0 +1,203 @@
+//! `krank tolerance`, and bands in plots, against closed formulas.
+
+use super::{done, folder, json, krank, refused, rows};
+use std::fs;
+
+const SLIDER_CRANK: &str = r#"
+name = "In line"
+unit = "mm"
+[ground]
+A = [0, 0]
+[driver]
+link = "crank"
+angle = 40
+speed = "1 rad/s"
+[links]
+crank = { from = "A", to = "B", length = 50, tolerance = 0.1 }
+rod = { from = "B", to = "C", length = 150, tolerance = 0.1 }
+[slides]
+ram = { point = "C", on = "ground", through = "A", angle = 0 }
+[start]
+C = [190, 0]
+"#;
+
+/// The scene in a file of its own.
+fn scene(name: &str, text: &str) -> String {
+    let path = folder("tolerance").join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn near(found: &serde_json::Value, expected: f64, within: f64) {
+    let found = found.as_f64().unwrap();
+    assert!((found - expected).abs() <= within, "{found} {expected}");
+}
+
+/// 0.1 on crank and rod in line: 0.2 at worst, 0.1414 by the root sum square, and normal samples of variance
+/// 2 (0.1 / 3)^2.
+#[test]
+fn a_dead_centre_in_line_adds_both_up() {
+    let scene = scene("in-line.toml", SLIDER_CRANK);
+    let ask = ["tolerance", &scene, "--columns", "ram.length", "--at", "0"];
+    let found = json(&done(&[&ask[..], &["--format", "json"]].concat()));
+    let ram = &found["figures"]["ram.length"];
+    near(&ram["nominal"], 200.0, 0.0);
+    near(&ram["worst"]["low"], 199.8, 1e-12);
+    near(&ram["worst"]["high"], 200.2, 1e-12);
+    assert_eq!(ram["worst"]["by"], "corners");
+    near(&ram["rss"], 0.02_f64.sqrt(), 1e-12);
+    let deviation = 0.1 / 3.0 * 2.0_f64.sqrt();
+    near(&ram["samples"]["deviation"], deviation, 0.01 * deviation);
+    near(
+        &ram["samples"]["p99.865"],
+        200.0 + 3.0 * deviation,
+        0.1 * deviation,
+    );
+    near(&ram["contributions"][0]["share"], 0.5, 1e-12);
+    assert_eq!(found["samples"]["open"], 0.0);
+    let text = done(&ask);
+    assert!(
+        text.contains("199.800 to 200.200 (-0.2000, +0.2000)"),
+        "{text}"
+    );
+    assert!(text.contains("+-0.1414"), "{text}");
+    assert_eq!(text, done(&ask), "the same seed gives the same machines");
+    assert_ne!(text, done(&[&ask[..], &["--seed", "2"]].concat()));
+    // By an option, of the ground too: A.x adds one more 0.1.
+    let bare = SLIDER_CRANK.replace(", tolerance = 0.1", "");
+    let bare = self::scene("bare.toml", &bare);
+    let ask = ["tolerance", &bare, "--columns", "C.x", "--at", "0"];
+    let more = ["--tolerance", "0.1", "--format", "json"];
+    let found = json(&done(&[&ask[..], &more].concat()));
+    near(&found["figures"]["C.x"]["rss"], 0.03_f64.sqrt(), 1e-12);
+}
+
+/// x = r cos t + sqrt(l^2 - r^2 sin^2 t) at the four corners, every 5 deg.
+#[test]
+fn rows_are_those_of_the_formula() {
+    let scene = scene("rows.toml", SLIDER_CRANK);
+    let text = done(&["tolerance", &scene, "--columns", "C.x", "--format", "csv"]);
+    let header = "driver.angle [deg],C.x.nominal [mm],C.x.worst.low [mm],C.x.worst.high [mm],\
+                  C.x.reached.low [mm],C.x.reached.high [mm],C.x.worst.by,C.x.closes,C.x.rss [mm],state\n";
+    assert!(text.starts_with(header), "{text}");
+    let rows = rows(&text);
+    assert_eq!(rows.len(), 73);
+    for row in rows {
+        let number = |cell: usize| row[cell].parse::<f64>().unwrap();
+        let (sin, cos) = number(0).to_radians().sin_cos();
+        let x = |r: f64, l: f64| r * cos + (l * l - r * r * sin * sin).sqrt();
+        let corners = [-0.1, 0.1].map(|r| [-0.1, 0.1].map(|l| x(50.0 + r, 150.0 + l)));
+        let all = corners.as_flattened();
+        let [low, high] = [f64::min, f64::max].map(|f| all.iter().copied().reduce(f).unwrap());
+        for (cell, expected) in [
+            (1, x(50.0, 150.0)),
+            (2, low),
+            (3, high),
+            (4, low),
+            (5, high),
+        ] {
+            assert!((number(cell) - expected).abs() < 1e-12, "{row:?}");
+        }
+        assert_eq!([&row[6], &row[7], &row[9]], ["corners", "yes", "ok"]);
+    }
+}
+
+/// A rod that is hardly longer than what the crank asks of it closes with some machines only: 50 and 50.05 at 90 deg
+/// do, 50.1 and 49.95 do not.
+#[test]
+fn machines_that_do_not_close_are_told() {
+    let text = SLIDER_CRANK.replace("length = 150", "length = 50.05");
+    let scene = scene("open.toml", &text.replace("[190, 0]", "[76, 0]"));
+    let ask = ["tolerance", &scene, "--columns", "C.x", "--at", "90"];
+    let found = json(&done(
+        &[&ask[..], &["--format", "json", "--distribution", "even"]].concat(),
+    ));
+    assert_eq!(found["figures"]["C.x"]["worst"]["closes"], "not-always");
+    // Of two even numbers within 0.1, the crank's is the rod's and 0.05 more: (1 - 0.05 / 0.2)^2 / 2.
+    near(&found["samples"]["open"], 0.75 * 0.75 / 2.0, 6e-3);
+    let heard = krank(&["tolerance", &scene, "--columns", "C.x"]);
+    assert_eq!(heard.code, 0);
+    assert!(
+        heard
+            .err
+            .contains("not every machine within its tolerances closes"),
+        "{}",
+        heard.err
+    );
+}
+
+#[test]
+fn what_cannot_be_told_is_refused() {
+    let told = refused(1, &["tolerance", "four-bar"]);
+    assert!(
+        told.contains("every length of the scene is exact"),
+        "{told}"
+    );
+    assert!(told.contains("--tolerance 0.1"), "{told}");
+    let forces = [
+        "tolerance",
+        "four-bar-load",
+        "--tolerance",
+        "0.1",
+        "--columns",
+        "driver.torque",
+    ];
+    assert!(refused(1, &forces).contains("not of forces"));
+    let ask = ["tolerance", "four-bar", "--tolerance", "0.1"];
+    refused(2, &[&ask[..], &["--at", "60", "--step", "5"]].concat());
+    refused(2, &[&ask[..], &["--columns", "X.x"]].concat());
+    refused(2, &["tolerance", "four-bar", "--tolerance", "0"]);
+    let limited = [
+        "tolerance",
+        "excavator-boom",
+        "--tolerance",
+        "0.001",
+        "--at",
+        "1000",
+    ];
+    refused(1, &limited);
+}
+
+/// What no tolerance moves is no default column.
+#[test]
+fn usual_columns_are_those_that_are_off() {
+    let scene = scene("usual.toml", SLIDER_CRANK);
+    let text = done(&["tolerance", &scene, "--format", "csv", "--step", "90"]);
+    let header = text.lines().next().unwrap();
+    for name in ["rod.angle", "ram.length", "C.x"] {
+        assert!(header.contains(&format!("{name}.nominal")), "{header}");
+    }
+    for name in ["crank.angle", "A.x", "C.y"] {
+        assert!(!header.contains(&format!("{name}.nominal")), "{header}");
+    }
+}
+
+#[test]
+fn plots_have_bands() {
+    let scene = scene("band.toml", &SLIDER_CRANK.replace("= 0.1", "= 10"));
+    let ask = ["plot", &scene, "--columns", "C.x"];
+    assert!(!done(&ask).contains("worst"));
+    let text = done(&[&ask[..], &["--band", "worst"]].concat());
+    assert!(text.contains("C.x worst"), "{text}");
+    let svg = done(&[&ask[..], &["--band", "rss", "--format", "svg"]].concat());
+    // Both edges, and the line in the legend.
+    assert_eq!(svg.matches("class=\"dotted\"").count(), 3, "{svg}");
+    refused(
+        1,
+        &["plot", "four-bar", "--columns", "C.x", "--band", "worst"],
+    );
+}
+
+/// How long a ram rests goes by `rest`, and by its old name.
+#[test]
+fn the_rest_of_a_ram_was_called_tolerance() {
+    let said = |option| done(&["motor", "press-ram", option, "0.7"]);
+    assert_eq!(said("--rest"), said("--tolerance"));
+    let preset = fs::read_to_string("presets/press-ram.toml").unwrap();
+    assert!(preset.contains("rest        = 0.5"));
+    let old = scene(
+        "old.toml",
+        &preset.replace("rest        = 0.5", "tolerance = 0.5"),
+    );
+    assert_eq!(done(&["motor", &old]), done(&["motor", "press-ram"]));
+}

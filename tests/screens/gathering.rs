@@ -1,0 +1,191 @@
+//! Parameters in the scene view, and edits that are gathered, driven by key scripts.
+
+use crate::scene::Values;
+use crate::screen::{Session, four_bar, open, preset};
+use krank::drawing::Glyphs;
+use krank::tui::Origin;
+
+const SCENE: &str = r#"name = "By parameters"
+[ground]
+A = [0, 0]
+D = ["4 * a", 0]
+[parameters]
+a = 100
+rod = "2 * a + 100"
+[driver]
+link = "r2"
+angle = 60
+speed = "a / 10 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = "a" }
+r3 = { from = "B", to = "C", length = "rod" }
+r4 = { from = "C", to = "D", length = 250 }
+[start]
+C = [310, 230]
+"#;
+
+fn session(cols: u16, rows: u16) -> Session {
+    let opened = open(SCENE, Origin::Preset("by-parameters".into()));
+    Session::new(opened, Glyphs::Ascii, cols, rows)
+}
+
+/// The row under the cursor, without what is drawn beside it.
+fn row(session: &mut Session) -> String {
+    session.row().trim_end_matches(" |").to_owned()
+}
+
+#[test]
+fn parameters_stand_first_and_take_along_what_follows_from_them() {
+    let mut session = session(100, 30);
+    session.press("6");
+    insta::assert_snapshot!("scene-parameters-100x30", session.look());
+    assert_eq!(row(&mut session), "> a 100");
+    let followers =
+        |session: &mut Session| ["D x", "r3 len", "driver sp"].map(|name| row(session.find(name)));
+    assert_eq!(
+        followers(&mut session),
+        [
+            "> D x 400 mm = 4 * a",
+            "> r3 length 300 mm = rod",
+            "> driver speed 10 rad/s = a / 10",
+        ]
+    );
+    session
+        .press("g g")
+        .find("a")
+        .press("Enter")
+        .type_in("102,5")
+        .press("Enter");
+    assert_eq!(row(&mut session), ">*a 102.5 100");
+    assert_eq!(
+        followers(&mut session),
+        [
+            "> D x 410 mm = 4 * a",
+            "> r3 length 305 mm = rod",
+            "> driver speed 10.25 rad/s = a / 10",
+        ]
+    );
+}
+
+#[test]
+fn what_follows_from_a_formula_is_not_nudged_but_typed() {
+    let mut session = session(120, 30);
+    session.press("6").find("r3 len").press(">");
+    let said = session.last_line();
+    let told = "r3 length follows from rod: change rod, or type another by Enter";
+    assert!(said.contains(told), "{said}");
+    assert_eq!(row(&mut session), "> r3 length 300 mm = rod");
+    session
+        .press("Enter")
+        .type_in("3 * a + 1 cm")
+        .press("Enter");
+    assert_eq!(row(&mut session), ">*r3 length 310 mm rod");
+    session.press("Enter").type_in("3 * b").press("Enter");
+    let said = session.last_line();
+    assert!(said.contains("there is no parameter `b`"), "{said}");
+    session
+        .press("Esc")
+        .press("Enter")
+        .type_in("301")
+        .press("Enter");
+    assert_eq!(row(&mut session), ">*r3 length 301 mm rod");
+    session.press("u u");
+    assert_eq!(row(&mut session), "> r3 length 300 mm = rod");
+}
+
+/// Neither of two edits closes without the other; together they do, and one key takes both back.
+#[test]
+fn gathered_edits_are_made_and_taken_back_as_one() {
+    let mut session = four_bar(80, 24);
+    session.press("6");
+    let before = session.look();
+    session
+        .find("r3 len")
+        .press("Enter")
+        .type_in("1000")
+        .press("Enter");
+    assert!(session.last_line().contains("out of reach by"));
+    session.press("Esc").press("b");
+    assert!(session.look().contains("edits wait from now on"));
+    session.press("Enter").type_in("1000").press("Enter");
+    assert_eq!(row(&mut session), ">+r3 length 1000 mm");
+    session
+        .find("D x")
+        .press("Enter")
+        .type_in("1099")
+        .press("Enter")
+        .press("}")
+        .press(">");
+    let waiting = row(&mut session);
+    assert!(waiting.starts_with(">+D x 1104"), "{waiting}");
+    assert!(session.look().contains("2 edits wait"));
+    // Nothing has changed so far, and nothing else is begun meanwhile.
+    for key in ["w", "u", "q", "o"] {
+        let line = session.press(key).last_line();
+        assert!(
+            line.contains("edits wait: b makes them together, Esc drops them"),
+            "{line}"
+        );
+    }
+    let line = session.press("b").last_line();
+    assert!(line.contains("2 edits made together"), "{line}");
+    assert_eq!(row(&mut session), ">*D x 1104 mm 400");
+    assert_eq!(row(session.find("r3 len")), ">*r3 length 1000 mm 300");
+    assert!(
+        session
+            .press("u")
+            .last_line()
+            .contains("r3 length, D x taken back")
+    );
+    assert_eq!(row(&mut session), "> r3 length 300 mm");
+    assert_eq!(session.find("A x").press("Esc {").look(), before);
+}
+
+#[test]
+fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
+    let mut session = four_bar(80, 24);
+    session
+        .press("6")
+        .find("r3 len")
+        .press("b")
+        .press("Enter")
+        .type_in("1000")
+        .press("Enter");
+    let line = session.press("b").last_line();
+    assert!(line.contains("r3 length 1000: C out of reach by"), "{line}");
+    assert_eq!(row(&mut session), ">+r3 length 1000 mm");
+    assert!(session.press("Esc").last_line().contains("dropped"));
+    assert_eq!(row(&mut session), "> r3 length 300 mm");
+    assert!(
+        session
+            .press("b b")
+            .last_line()
+            .contains("made at once again")
+    );
+    assert_eq!(row(session.press(">")), ">*r3 length 302 mm 300");
+}
+
+/// The stroke of an in-line slider-crank is twice its crank: the value under the cursor is found, and one key takes it
+/// back. What no value meets says how near it comes.
+#[test]
+fn a_goal_is_met_by_the_value_under_the_cursor() {
+    let mut session = Session::new(preset("slider-crank"), Glyphs::Ascii, 120, 30);
+    session.press("6").find("r2 len").press("@");
+    assert!(session.look().contains("C.x.stroke = 120 by r2.length"));
+    session.type_in("r4.length.stroke = 13").press("Enter");
+    assert!(session.look().contains("r2 length 6.5 meets it"));
+    assert_eq!(row(&mut session), ">*r2 length 6.5 cm 10");
+    session.press("u").find("r2 len");
+    assert_eq!(row(&mut session), "> r2 length 10 cm");
+    session
+        .press("@")
+        .type_in("r4.length.stroke = 30 by r2.length=5..12")
+        .press("Enter");
+    assert!(
+        session
+            .look()
+            .contains("the nearest has r4.length.stroke 24")
+    );
+    session.press("Esc");
+    assert_eq!(row(&mut session), "> r2 length 10 cm");
+}
