@@ -456,9 +456,9 @@ proptest! {
         is_rocker in any::<bool>(),
     ) {
         let text = FOUR_BAR
-            .replace("length = 100", &format!("length = {crank}"))
-            .replace("length = 300", &format!("length = {coupler}"))
-            .replace("length = 250", &format!("length = {rocker}"));
+            .replace("length = 100 }", &format!("length = {crank} }}"))
+            .replace("length = 300 }", &format!("length = {coupler} }}"))
+            .replace("length = 250 }", &format!("length = {rocker} }}"));
         let Ok(whole) = open(&text) else { return Ok(()) };
         let scene = Scene::parse(&text, "test").unwrap();
         let link = scene.mechanism.link_ids().nth(if is_rocker { 2 } else { 1 }).unwrap();
