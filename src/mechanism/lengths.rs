@@ -136,7 +136,8 @@ impl Mechanism {
     }
 
     /// By how much each of some lengths is longer in another mechanism of the same parts; `None` where that differs in
-    /// more: in an angle of a guide or of a point, or in a length that is not among these.
+    /// more: in an angle of a guide or of a point, in how an input follows the driver, or in a length that is not among
+    /// these.
     pub(crate) fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
         let angles = |mechanism: &Mechanism| -> Vec<f64> {
             let guides = mechanism
@@ -150,7 +151,7 @@ impl Mechanism {
             let points = members.filter_map(|member| Some(member.polar?.angle));
             guides.chain(points).collect()
         };
-        let same = angles(self) == angles(other);
+        let same = angles(self) == angles(other) && self.timed() == other.timed();
         let by = lengths
             .iter()
             .map(|&length| other.measured(length) - self.measured(length));

@@ -203,13 +203,15 @@ impl Varied {
     }
 
     /// A solver of the lengths as they are now, of a mechanism that has them, where all is plain: the driver turns
-    /// fully, the motion has no change point and comes near to none, nothing is coupled, and from degree to degree no
-    /// group comes near to its limits. Otherwise `None`: then a solver is to be made.
+    /// fully, nothing has stops, the motion has no change point and comes near to none, nothing is coupled, and from
+    /// degree to degree no group comes near to its limits. Otherwise `None`: then a solver is to be made.
     ///
     /// It solves and reads as any other; bounds and assemblies it does not know.
     pub(crate) fn plain(&mut self, mechanism: &Mechanism) -> Option<Solver> {
         let motion = &self.nominal.motion;
+        // Stops that the given lengths stay between may be met by others.
         let is_plain = motion.range == Range::Full { period: TURN }
+            && mechanism.limits().is_empty()
             && motion.passages.is_empty()
             && motion.near_misses.is_empty()
             && self.engine.program.coupled.is_empty();
