@@ -398,6 +398,45 @@ fn a_direction_is_brought_to_nought_the_short_way() {
     }
 }
 
+/// Rows of a study go on without a jump where a direction passes a full turn: with the coupler just below it as given,
+/// on both sides of it with other lengths.
+#[test]
+fn directions_of_a_study_do_not_jump_at_a_full_turn() {
+    let space = space("four-bar", &["r2 length"]);
+    // With r3 level C stands at (350, 50 sqrt 3), and D 250 from there on the ground.
+    let level = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt() - 1e-3;
+    let text = space
+        .scene()
+        .text()
+        .replace("D = [400, 0]", &format!("D = [{level}, 0]"));
+    let space = space_of(&text, &["r2 length"]);
+    let names = ["r3.angle@60", "C.y.least.at"];
+    let figures = figures(&space, &names);
+    let plan = DesignPlan::grid(&axes(&["r2=99..101/21"]), &space.given());
+    let run = DesignRun {
+        figures: &figures,
+        plan: &plan,
+        designs: 0..21,
+        threads: 2,
+    };
+    let mut rows = Vec::new();
+    let _ = run.each(&mut |some| {
+        rows.extend(some);
+        Ok::<(), ()>(())
+    });
+    assert_eq!(rows.len(), 21);
+    for (figure, name) in names.iter().enumerate() {
+        let values: Vec<f64> = rows.iter().map(|row| row.figure(figure).unwrap()).collect();
+        let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        assert!(steps.fold(0.0, f64::max) < 1.0, "{name}: {values:?}");
+    }
+    let told: Vec<f64> = rows.iter().map(|row| row.figure(0).unwrap()).collect();
+    let sides = [0.0, 360.0].map(|turn| {
+        told.iter().any(|value| *value < turn) && told.iter().any(|value| *value > turn)
+    });
+    assert!(sides.contains(&true), "{told:?}");
+}
+
 /// The short way is for what is to be equal: a direction that is held against a bound is compared as it is told.
 #[test]
 fn a_bound_of_a_direction_is_compared_as_it_is_told() {

@@ -11,6 +11,7 @@ use super::{NoTolerance, SampleOrder, Samples, ToleranceFigure};
 use crate::numeric::SeededChance;
 use crate::quantity::demand;
 use crate::solver::{Demand, Solver, Varied};
+use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures};
 use crate::{Mechanism, Tolerances};
 
@@ -23,6 +24,7 @@ const DIFFERENCE: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub struct WholeTolerance {
     figures: CycleFigures,
+    seams: FigureSeams,
     solver: Solver,
     /// The lengths in place, where nothing is redundant.
     varied: Varied,
@@ -44,8 +46,10 @@ impl WholeTolerance {
             return Err(NoTolerance::Forces);
         }
         let varied = solver.varied(&off.given, &needed(solver.mechanism(), &figures));
+        let figures = CycleFigures::new(figures, None);
         Ok(WholeTolerance {
-            figures: CycleFigures::new(figures, None),
+            seams: FigureSeams::of(&figures, solver),
+            figures,
             solver: solver.clone(),
             varied: varied.ok_or(NoTolerance::Redundant)?,
             off,
@@ -113,8 +117,9 @@ impl WholeTolerance {
             Some(solver) => solver,
             None => opened(&self.solver, &mechanism)?,
         };
-        let found = self.figures.of(&solver).into_iter();
-        Some(found.map(Result::ok).collect())
+        let mut found = self.figures.of(&solver);
+        self.seams.count(&mut found);
+        Some(found.into_iter().map(Result::ok).collect())
     }
 
     /// Figure by figure the derivatives by everything that is off; `None` where one does not exist.
