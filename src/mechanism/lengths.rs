@@ -135,9 +135,8 @@ impl Mechanism {
         }
     }
 
-    /// By how much each of some lengths is longer in another mechanism of the same parts; `None` where that differs in
-    /// more: in an angle of a guide or of a point, in how an input follows the driver, or in a length that is not among
-    /// these.
+    /// By how much each of all lengths is longer in another mechanism of the same parts; `None` where that moves
+    /// otherwise for more: for an angle of a guide or of a point, or for how an input follows the driver.
     pub(crate) fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
         let angles = |mechanism: &Mechanism| -> Vec<f64> {
             let guides = mechanism

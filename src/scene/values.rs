@@ -69,6 +69,12 @@ pub struct Value {
 }
 
 impl Value {
+    /// Its name as columns and the command line have it: `r2.length`.
+    #[must_use]
+    pub fn dotted(&self) -> String {
+        dotted(&self.name)
+    }
+
     /// The text that stands in the file for this value: a number, of a rate with its unit.
     #[must_use]
     pub fn text(&self) -> String {
@@ -161,10 +167,9 @@ impl Scene {
     /// # Errors
     /// In words: there is none, and which was probably meant.
     pub fn value_named(&self, name: &str) -> Result<Value, String> {
-        let dotted = |name: &str| name.trim().replace(' ', ".");
-        let sought = dotted(name);
+        let sought = dotted(name.trim());
         let mut values = self.values();
-        let names: Vec<String> = values.iter().map(|value| dotted(&value.name)).collect();
+        let names: Vec<String> = values.iter().map(Value::dotted).collect();
         match names.iter().position(|name| *name == sought) {
             Some(found) => Ok(values.swap_remove(found)),
             None => {
@@ -195,6 +200,10 @@ impl Scene {
         }
         edits.made_in(self.text())
     }
+}
+
+fn dotted(name: &str) -> String {
+    name.replace(' ', ".")
 }
 
 /// A formula as a text of TOML: what one may hold needs no escapes.

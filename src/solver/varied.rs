@@ -346,16 +346,6 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::{CoordinateAxis, Mechanism};
 
-    /// Everything is read.
-    fn all(mechanism: &Mechanism) -> Demand {
-        Demand {
-            points: mechanism.point_ids().collect(),
-            links: mechanism.link_ids().collect(),
-            slides: mechanism.slide_ids().collect(),
-            forces: false,
-        }
-    }
-
     fn size(mechanism: &Mechanism) -> f64 {
         let sizes = mechanism.links().iter().flat_map(|l| &l.members);
         sizes.map(|m| m.local.norm()).fold(0.0, f64::max)
@@ -371,7 +361,7 @@ mod tests {
             let mechanism = &scene.mechanism;
             let solver = Solver::new(mechanism).unwrap();
             let lengths = mechanism.lengths();
-            let Some(mut varied) = solver.varied(&lengths, &all(mechanism)) else {
+            let Some(mut varied) = solver.varied(&lengths, &Demand::of_motion(mechanism)) else {
                 assert!(!solver.engine.program.watches.is_empty(), "{}", preset.name);
                 continue;
             };
@@ -449,7 +439,9 @@ mod tests {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let lengths = scene.mechanism.lengths();
-        let mut varied = solver.varied(&lengths, &all(&scene.mechanism)).unwrap();
+        let mut varied = solver
+            .varied(&lengths, &Demand::of_motion(&scene.mechanism))
+            .unwrap();
         let mut state = solver.state();
         let at: [f64; LANES] = std::array::from_fn(|i| 40.0 * i as f64 + 1.0);
         for by in [0.25, 0.0] {
@@ -481,7 +473,9 @@ mod tests {
         let solver = Solver::new(&scene.mechanism).unwrap();
         let pivot = scene.mechanism.point_ids().next().unwrap();
         let length = Length::Ground(pivot, CoordinateAxis::Y);
-        let mut varied = solver.varied(&[length], &all(&scene.mechanism)).unwrap();
+        let mut varied = solver
+            .varied(&[length], &Demand::of_motion(&scene.mechanism))
+            .unwrap();
         varied.change(&[2.0]);
         assert_eq!(varied.solve(60.0, Order::Position), Condition::Ok);
         assert_eq!(varied.state().position(pivot), Some(Vec2::new(0.0, 2.0)));

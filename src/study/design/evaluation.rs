@@ -155,13 +155,7 @@ impl QuickDesigns {
         let (solver, scene) = (space.solver(), space.scene());
         let mechanism = &scene.mechanism;
         let lengths = mechanism.lengths();
-        let all = Demand {
-            points: mechanism.point_ids().collect(),
-            links: mechanism.link_ids().collect(),
-            slides: mechanism.slide_ids().collect(),
-            forces: false,
-        };
-        let varied = solver.varied(&lengths, &all)?;
+        let varied = solver.varied(&lengths, &Demand::of_motion(mechanism))?;
         let values = space.values().iter();
         let plain = values.map(|value| length_of(value, scene, &lengths));
         Some(QuickDesigns {

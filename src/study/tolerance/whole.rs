@@ -115,7 +115,10 @@ impl WholeTolerance {
         self.varied.change(by);
         let solver = match self.varied.plain(&mechanism) {
             Some(solver) => solver,
-            None => opened(&self.solver, &mechanism)?,
+            None => {
+                let at = mechanism.driver().start;
+                self.solver.kept(at, &mechanism).ok()?.0
+            }
         };
         let mut found = self.figures.of(&solver);
         self.seams.count(&mut found);
@@ -172,9 +175,7 @@ impl WholeTolerance {
         let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
         let mut by = self.off.nothing();
         for place in 0..grid.count() {
-            for (side, &length) in acting.iter().enumerate() {
-                by[length] = grid.level(place, side) * self.off.limits[length];
-            }
+            grid.fill(place, acting, &self.off.limits, &mut by);
             let values = self.made(&by).unwrap_or_default();
             for (i, found) in found.iter_mut().enumerate() {
                 found.push(values.get(i).copied().flatten().unwrap_or(f64::NAN));
@@ -230,13 +231,4 @@ fn needed(mechanism: &Mechanism, figures: &[CycleFigure]) -> Demand {
     let pins = needed.links.iter().flat_map(|&link| mechanism.pins(link));
     needed.points.extend(pins.collect::<Vec<_>>());
     needed
-}
-
-/// A mechanism in the assembly that another one means.
-fn opened(solver: &Solver, mechanism: &Mechanism) -> Option<Solver> {
-    let at = mechanism.driver().start;
-    match Solver::new(mechanism) {
-        Ok(plain) if solver.has_sides_of(at, &plain) => Some(plain),
-        _ => solver.carried_over(at, mechanism).ok(),
-    }
 }
