@@ -13,6 +13,8 @@ use crate::{Double, Vec2};
 
 /// What an operation rounds by, with room to spare: sums and products are right to 2^-104.
 const ROUNDING: f64 = 7.888_609_052_210_118e-31;
+/// What exponentials and logarithms are off by, with room to spare: 2^-90.
+const POWERS: f64 = 8.077_935_669_463_161e-28;
 /// pi, to twice the digits.
 const PI: Double = Double {
     hi: std::f64::consts::PI,
@@ -385,6 +387,26 @@ impl Evaluator<'_> {
                     _ => Evaluated::direction(part, rest.root()),
                 })
             }
+            MathFunction::Exp => {
+                let found = self.plain(first, name)?;
+                let power = found.value.exp();
+                let error = (found.error + POWERS) * power.hi;
+                match error.is_finite() {
+                    true => Ok(Evaluated::rounded(power, error)),
+                    false => Err(self.nothing(tree)),
+                }
+            }
+            MathFunction::Ln | MathFunction::Log10 => match self.plain(first, name)? {
+                found if found.value.hi > found.error => {
+                    let logarithm = match function {
+                        MathFunction::Ln => found.value.ln(),
+                        _ => found.value.log10(),
+                    };
+                    let error = found.error / (found.value.hi - found.error) + POWERS;
+                    Ok(Evaluated::rounded(logarithm, error))
+                }
+                _ => Err(self.nothing(tree)),
+            },
             MathFunction::Atan2 => {
                 let [y, x] = given else {
                     return Err(self.nothing(tree));

@@ -212,14 +212,18 @@ impl<'v> SceneDraft<'v> {
 }
 
 /// A text of one line: white space runs become one space.
-fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
+pub(super) fn line(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&Lenient<String>>,
+) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
     let parts: Vec<&str> = text.split_whitespace().collect();
     let shown = super::sanitized(&parts.join(" "), false);
     (!shown.is_empty()).then_some(shown)
 }
 
-fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
+pub(super) fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
     let name = value.and_then(|value| reader.string("`unit`", value));
     let Some(name) = name else {
         return Unit::default();

@@ -1,6 +1,7 @@
 //! A proposal that was driven through its task.
 
 use super::defects::{TaskDefect, crank_way};
+use super::functions::FunctionRun;
 use super::machine::{SceneTitles, scene_text};
 use super::{FunctionTask, Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
 use crate::Vec2;
@@ -227,10 +228,8 @@ impl Drive<'_> {
                     let weight = weights.get(point).copied().unwrap_or(1.0);
                     ((p - points[point]).norm(), 0.0, weight)
                 }
-                TaskKind::Function(task) => {
-                    let miss = output_miss(task, self.proposal, point, c).ok_or(point)?;
-                    (miss, 0.0, 1.0)
-                }
+                // Told of the whole range, below.
+                TaskKind::Function(_) => (0.0, 0.0, 1.0),
             };
             figures.miss = figures.miss.max(miss);
             figures.angle_miss = figures.angle_miss.max(angle_miss);
@@ -242,6 +241,11 @@ impl Drive<'_> {
         } else {
             0.0
         };
+        if let TaskKind::Function(task) = &self.task.kind {
+            // On the way it does not close: there it comes to no pair.
+            let (miss, rms) = output_misses(task, self.proposal).ok_or(at.len())?;
+            (figures.miss, figures.rms) = (miss, rms);
+        }
         Ok(())
     }
 }
@@ -330,11 +334,8 @@ fn missed(
     wish(!wishes.full_turn || figures.full_turn, MissedWish::FullTurn);
     let least = wishes.transmission.unwrap_or(0.0);
     wish(figures.transmission >= least, MissedWish::Transmission);
-    if let Some([one, other]) = wishes.inside {
-        let within = |p: Vec2| {
-            let between = |v: f64, a: f64, b: f64| a.min(b) <= v && v <= a.max(b);
-            between(p.x, one.x, other.x) && between(p.y, one.y, other.y)
-        };
+    if let Some(corners) = wishes.inside {
+        let within = |p: Vec2| is_inside(corners, p);
         let pivot = match proposal.partner {
             Partner::Rocker(d) => within(d),
             Partner::Slide(_) => true,
@@ -353,14 +354,22 @@ fn missed(
     missed
 }
 
-/// By how much the output misses a pair of a function, where the pin C stands here.
-fn output_miss(task: &FunctionTask, proposal: &Proposal, point: usize, c: Vec2) -> Option<f64> {
-    let reading = proposal.reading?;
-    let [_, y] = *task.pairs.get(point)?;
-    let wanted = reading.output_datum + reading.output_scale * y;
-    match proposal.partner {
-        Partner::Rocker(d) => Some(beside(0.0, degrees(c - d) - wanted).abs()),
-        // The travel counts along the guide from the foot of the crank's pivot.
-        Partner::Slide(angle) => Some(((c - proposal.pivot).dot(unit(angle)) - wanted).abs()),
+/// By how much the output misses its pairs and what is wanted between them, at worst and by root mean square.
+fn output_misses(task: &FunctionTask, proposal: &Proposal) -> Option<(f64, f64)> {
+    let run = FunctionRun::of(task, proposal)?;
+    let mut worst = 0.0_f64;
+    for [x, y] in task.pairs.iter().chain(&task.between) {
+        worst = worst.max(run.error(*x, *y)?.abs());
     }
+    let mut squares = 0.0;
+    for [x, y] in &task.pairs {
+        squares += run.error(*x, *y)?.powi(2);
+    }
+    Some((worst, (squares / task.pairs.len() as f64).sqrt()))
+}
+
+/// Whether a place lies in the box of two opposite corners.
+pub(crate) fn is_inside([one, other]: [Vec2; 2], p: Vec2) -> bool {
+    let between = |v: f64, a: f64, b: f64| a.min(b) <= v && v <= a.max(b);
+    between(p.x, one.x, other.x) && between(p.y, one.y, other.y)
 }

@@ -19,6 +19,7 @@
 
 mod candidate;
 mod defects;
+pub mod functions;
 mod machine;
 mod proposal;
 mod run;
@@ -27,10 +28,11 @@ mod task;
 mod tests;
 mod way;
 
+pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
 pub use machine::{SceneTitles, scene_text};
-pub use proposal::{Dyad, FunctionReading, Partner, Proposal, Proposals};
+pub use proposal::{Dyad, Partner, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,

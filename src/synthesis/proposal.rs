@@ -23,21 +23,6 @@ pub struct Proposal {
     pub places: Vec<[Vec2; 2]>,
     /// The point of the coupler that is led, at the first point: of a pose its origin. A function leads none.
     pub tracer: Option<Vec2>,
-    /// Of a function how its crank and its output are read.
-    pub reading: Option<FunctionReading>,
-}
-
-/// Datum and scale of a function's crank and of its output, those that were free as they were found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FunctionReading {
-    /// The crank's angle where x is 0, in degrees.
-    pub crank_datum: f64,
-    /// Degrees of the crank for each x.
-    pub crank_scale: f64,
-    /// The output where y is 0.
-    pub output_datum: f64,
-    /// Degrees, or lengths, of the output for each y.
-    pub output_scale: f64,
 }
 
 /// A link between a pivot of the ground and a pin of the body that is led, or a slide of such a pin.
@@ -83,7 +68,6 @@ impl Proposal {
             partner: Partner::Rocker(self.pivot),
             places: self.places.iter().map(|[b, c]| [*c, *b]).collect(),
             tracer: self.tracer,
-            reading: self.reading,
         })
     }
 }

@@ -89,6 +89,8 @@ pub enum Given {
 pub struct FunctionTask {
     /// The pairs `[x, y]`, in their order.
     pub pairs: Vec<[f64; 2]>,
+    /// What is wanted between them, where that is known: more pairs, densely, at which the error is told.
+    pub between: Vec<[f64; 2]>,
     /// What follows.
     pub output: Output,
     /// The crank's angle where x is 0, in degrees.

@@ -38,7 +38,6 @@ impl Known {
             partner: Partner::Rocker(self.d),
             places,
             tracer: Some(tracer),
-            reading: None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Reader, WrittenTask, lacks, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
-use crate::synthesis::{FunctionTask, Given, Output, chebyshev_places};
+use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
 
@@ -48,9 +48,8 @@ pub(super) fn function(
         (None, Some(written)) => formula(reader, written)?,
         (None, None) => return lacks(reader, "function", "pairs", PAIRS),
         (Some(_), Some(written)) => {
-            reader.report(
-                Diagnostic::new(words().pairs_and_function()).at(written.span.clone(), ""),
-            );
+            reader
+                .report(Diagnostic::new(words().pairs_and_function()).at(written.span.clone(), ""));
             return None;
         }
     };
@@ -68,7 +67,10 @@ pub(super) fn function(
                         words().positive_number(),
                         &reader.literal(&value.span),
                     ))
-                    .at(value.span.clone(), words().expected(words().positive_number())),
+                    .at(
+                        value.span.clone(),
+                        words().expected(words().positive_number()),
+                    ),
                 );
             }
             size
@@ -120,7 +122,10 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         Some(given) => reader.number(&words().key_of(key, "`function`"), given),
         None => lacks(reader, "function", key, &format!("function = {FUNCTION}")),
     };
-    let (from, to) = (number("from", table.from.as_ref()), number("to", table.to.as_ref()));
+    let (from, to) = (
+        number("from", table.from.as_ref()),
+        number("to", table.to.as_ref()),
+    );
     let count = match &table.points {
         Some(count) => reader.number(&words().key_of("points", "`function`"), count),
         None => Some(3.0),
@@ -132,9 +137,7 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let (from, to, count) = (from?, to?, count?);
     let points = usize::try_from(count as i64).unwrap_or(0);
     if !(to > from) || !(3..=MOST).contains(&points) || points as f64 != count {
-        reader.report(
-            Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""),
-        );
+        reader.report(Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""));
         return None;
     }
     let mut at = |x: f64| {
@@ -143,12 +146,16 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         let y = reader.worked_out(&words().key_of("y", "`function`"), y.text, &y.span)?;
         Some([x, y])
     };
-    let places = chebyshev_places(from, to, points);
-    let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(&mut at).collect();
+    let places = chebyshev_pairs(Some, [from, to], points)?;
+    let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(|[x, _]| at(x)).collect();
     let dense = (0..=DENSE).map(|k| from + (to - from) * f64::from(k) / f64::from(DENSE));
-    let between: Option<Vec<[f64; 2]>> = pairs.is_some().then(|| dense.map(&mut at).collect())?;
+    let pairs = pairs?;
+    let between: Option<Vec<[f64; 2]>> = dense.map(&mut at).collect();
     reader.named.worth.remove("x");
-    Some(Course { pairs: pairs?, between: between? })
+    Some(Course {
+        pairs,
+        between: between?,
+    })
 }
 
 /// From where to where the x, or the y, of a course go.
@@ -172,14 +179,11 @@ fn side(
     let table = reader.table(&of, SIDE, value)?;
     reader.only(&of, value);
     if let (Some(_), Some(scale)) = (&table.swing, &table.scale) {
-        reader.report(
-            Diagnostic::new(words().swing_and_scale()).at(scale.span.clone(), ""),
-        );
+        reader.report(Diagnostic::new(words().swing_and_scale()).at(scale.span.clone(), ""));
         return None;
     }
-    let mut number = |key: &str, given: &Lenient<f64>| {
-        reader.number(&words().key_of(key, &of), given)
-    };
+    let mut number =
+        |key: &str, given: &Lenient<f64>| reader.number(&words().key_of(key, &of), given);
     let scale = match (&table.swing, &table.scale) {
         (Some(swing), _) => Given::Value(number("swing", swing)? / (high - low)),
         (None, Some(scale)) => match &scale.read {

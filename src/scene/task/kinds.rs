@@ -33,9 +33,16 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
     }
     let mut are_apart = true;
     for (again, (row, place)) in read.iter().enumerate() {
-        let first = read[..again].iter().position(|(before, _)| same_pose(before, row));
+        let first = read[..again]
+            .iter()
+            .position(|(before, _)| same_pose(before, row));
         if let Some(first) = first {
-            same_twice(reader, (first, &read[first].1), (again, place), words().take_out_one_pose());
+            same_twice(
+                reader,
+                (first, &read[first].1),
+                (again, place),
+                words().take_out_one_pose(),
+            );
             are_apart = false;
         }
     }
@@ -53,7 +60,10 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
     are_apart.then(|| PoseTask {
         poses: read
             .iter()
-            .map(|([x, y, angle], _)| Pose { at: Vec2::new(*x, *y), angle: *angle })
+            .map(|([x, y, angle], _)| Pose {
+                at: Vec2::new(*x, *y),
+                angle: *angle,
+            })
             .collect(),
         pivots: bare(pivots),
         pins: bare(pins),

@@ -72,7 +72,10 @@ struct WrittenTask {
 /// What each kind is called, and the keys that it alone has.
 const KINDS: [(&str, &[&str]); 3] = [
     ("poses", &["poses", "pivots", "pins"]),
-    ("function", &["pairs", "function", "crank", "output", "size"]),
+    (
+        "function",
+        &["pairs", "function", "crank", "output", "size"],
+    ),
     ("path", &["points", "pivots", "closed", "turns", "weights"]),
 ];
 
@@ -236,7 +239,10 @@ fn list<'v, T>(
 fn numbers(reader: &mut Reader<'_>, key: &str, value: &NumberList) -> Option<Vec<f64>> {
     let what = format!("`{key}`");
     let items = list(reader, &what, "[0, 30, 60]", value);
-    let read: Vec<Option<f64>> = items.iter().map(|item| reader.number(&what, item)).collect();
+    let read: Vec<Option<f64>> = items
+        .iter()
+        .map(|item| reader.number(&what, item))
+        .collect();
     read.into_iter().collect()
 }
 
@@ -288,14 +294,18 @@ fn points(
 
 /// Reports a key that must be given.
 fn lacks<T>(reader: &mut Reader<'_>, kind: &str, key: &str, example: &str) -> Option<T> {
-    reader.report(
-        Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)),
-    );
+    reader
+        .report(Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)));
     None
 }
 
 /// Reports two places that are the same one.
-fn same_twice(reader: &mut Reader<'_>, first: (usize, &ByteSpan), again: (usize, &ByteSpan), help: &str) {
+fn same_twice(
+    reader: &mut Reader<'_>,
+    first: (usize, &ByteSpan),
+    again: (usize, &ByteSpan),
+    help: &str,
+) {
     reader.report(
         Diagnostic::new(words().told_twice(first.0 + 1, again.0 + 1))
             .at(again.1.clone(), words().the_same_again())
@@ -306,7 +316,11 @@ fn same_twice(reader: &mut Reader<'_>, first: (usize, &ByteSpan), again: (usize,
 
 /// A name in a message.
 fn named(text: &str, span: &ByteSpan) -> String {
-    Name { text, span: span.clone() }.to_string()
+    Name {
+        text,
+        span: span.clone(),
+    }
+    .to_string()
 }
 
 #[cfg(test)]

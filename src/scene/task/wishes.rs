@@ -53,14 +53,32 @@ pub(super) fn wishes(
     let transmission = table.transmission.as_ref();
     read.wishes.transmission = transmission.and_then(|value| {
         let is_angle = |angle: f64| (0.0..90.0).contains(&angle);
-        within(reader, "transmission", value, is_angle, words().from_0_to_90())
+        within(
+            reader,
+            "transmission",
+            value,
+            is_angle,
+            words().from_0_to_90(),
+        )
     });
     let ratio = table.ratio.as_ref();
     read.wishes.ratio = ratio.and_then(|value| {
-        within(reader, "ratio", value, |ratio| ratio >= 1.0, words().at_least_1())
+        within(
+            reader,
+            "ratio",
+            value,
+            |ratio| ratio >= 1.0,
+            words().at_least_1(),
+        )
     });
-    read.wishes.inside = table.inside.as_ref().and_then(|value| inside(reader, value));
-    read.wishes.sense = table.direction.as_ref().and_then(|value| direction(reader, value));
+    read.wishes.inside = table
+        .inside
+        .as_ref()
+        .and_then(|value| inside(reader, value));
+    read.wishes.sense = table
+        .direction
+        .as_ref()
+        .and_then(|value| direction(reader, value));
     read
 }
 
@@ -86,7 +104,10 @@ fn within(
 
 fn inside(reader: &mut Reader<'_>, value: &RowList) -> Option<[Vec2; 2]> {
     let corners = rows::<2>(reader, "inside", ("[x, y]", "[0, 0]"), value)?;
-    let corners: Vec<Vec2> = corners.iter().map(|([x, y], _)| Vec2::new(*x, *y)).collect();
+    let corners: Vec<Vec2> = corners
+        .iter()
+        .map(|([x, y], _)| Vec2::new(*x, *y))
+        .collect();
     match corners[..] {
         [one, other] if one.x != other.x && one.y != other.y => Some([one, other]),
         _ => {
@@ -106,7 +127,7 @@ fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> 
     if found.is_none() {
         let known = SENSES.map(|(sense, _)| sense).join("`, `");
         reader.report(
-            Diagnostic::new(words().no_direction(&named(name.text, &name.span)))
+            Diagnostic::new(words().no_turning_direction(&named(name.text, &name.span)))
                 .at(name.span.clone(), words().unknown_key_here())
                 .help(words().known_keys(&format!("`{known}`"))),
         );
@@ -124,7 +145,12 @@ impl ReadWishes {
     }
 
     /// Reports what cannot be had together.
-    pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, pivots: Option<&RowList>) {
+    pub(super) fn agree_with(
+        &self,
+        reader: &mut Reader<'_>,
+        task: &Task,
+        pivots: Option<&RowList>,
+    ) {
         if let (Some(corners), Some(written)) = (self.wishes.inside, pivots) {
             let given = points(reader, "pivots", Some(written)).unwrap_or_default();
             for (at, place) in given {
