@@ -95,7 +95,7 @@ pub use parameters::Parameter;
 pub(crate) use retell::toml_string;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
-pub use task::TaskFile;
+pub use task::{ExampleTask, TaskFile};
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};

@@ -1,7 +1,7 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{Dyad, Proposal, Proposals, Task};
+use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -28,6 +28,24 @@ pub struct Synthesis {
 }
 
 impl Synthesis {
+    /// Proposes, drives and judges. `watch` is told the part that is done, and stops a search by answering false: what was
+    /// found until then is judged.
+    #[must_use]
+    pub fn run(
+        task: &Task,
+        order: SynthesisOrder,
+        watch: &mut dyn FnMut(f64) -> bool,
+    ) -> Synthesis {
+        let proposals = match &task.kind {
+            TaskKind::Poses(_) => Proposals::default(),
+            TaskKind::Function(function) => functions::propose(function),
+            TaskKind::Path(_) => Proposals::default(),
+        };
+        let found = Synthesis::of(task, proposals, order.threads);
+        watch(1.0);
+        found
+    }
+
     /// Judges all that is proposed.
     #[must_use]
     pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {

@@ -12,9 +12,12 @@
 //!
 //! It is read as a scene is: formulas wherever a number stands, and every fault with its line.
 
+mod examples;
 mod functions;
 mod kinds;
 mod wishes;
+
+pub use examples::ExampleTask;
 
 use super::reader::{ByteSpan, Name, Reader};
 use super::{LARGEST_FILE, Unit, draft, syntax};

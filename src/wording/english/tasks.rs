@@ -1,6 +1,6 @@
 //! Tasks: motions that are wanted.
 
-use super::English;
+use super::{English, counted};
 
 catalogue! {
     /// Faults of task files.
@@ -50,5 +50,67 @@ catalogue! {
         swing_and_scale = "`swing` and `scale` say the same: give one of both";
         start_wants_scale = "`start` is where x is least: it needs a `scale` or a `swing` that is given";
         scale_is_nought = "what does not turn follows no function: the scale is 0";
+
+        // What came of a task.
+        wanted_motion = "wanted";
+        poses_wanted(count: usize) = "a body in {count} poses";
+        pairs_wanted(count: usize) = "a function through {count} pairs";
+        points_wanted(count: usize, closed: bool) = {
+            let form = if closed { "a closed path" } else { "a path" };
+            format!("{form} through {count} points")
+        };
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+            let most = match good > told {
+                true => format!(", the best {told} of them below"),
+                false => String::new(),
+            };
+            let others = match defective {
+                0 => String::new(),
+                1 => "; one more that does not".into(),
+                count => format!("; {count} more that do not"),
+            };
+            let proof = match complete {
+                true => "; there are no others",
+                false => "; a search, which proves nothing of others",
+            };
+            let good = counted(good, "linkage that does it", "linkages that do it");
+            format!("{good}{most}{others}{proof}")
+        };
+        head_transmission = "transm.";
+        head_miss = "miss";
+        head_turns = "crank";
+        head_lacks = "wish missed";
+        turns_fully_shortly = "turns";
+        swings_shortly = "swings";
+        defective_ones = "defective";
+        stands_in_dead_point = "it cannot be opened at the first point: it stands in a dead point there";
+        branch_between(from: usize, to: usize) = "branch: a dead point lies between points {from} and {to}";
+        circuit_between(from: usize, to: usize) =
+            "circuit: points {from} and {to} lie on different ones, it would have to be taken apart";
+        order_between(from: usize, to: usize) = "order: the crank turns back from point {from} to {to}";
+        point_missed(point: usize) = "it does not come to point {point}";
+        candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
+        candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
+        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
+            "Driven through its task: it misses by {miss} {unit} at most, with a transmission angle of at least {transmission} deg on the way.";
+
+        // The command.
+        does_synthesize = "Find linkages that do a task: poses, a function or a path";
+        task_to_do = "A task file, `-` for standard input, or an example: wiper, tipper, logarithm, straight-line, stirrer (krank help synthesis)";
+        candidates_to_tell = "How many linkages are told, the best first";
+        tolerance_of_candidates = "How far each length may be off: it is written into the scenes";
+        folder_of_candidates = "A folder for a scene of each linkage that is told";
+        tolerance_is_no_length = "--tolerance must be a length, and not negative";
+        nothing_does_the_task = "no linkage was found that does the task";
+        no_task_and_no_file(name: &str, meant: &str) = "there is no task and no file `{name}`; there is {meant}";
+        candidates_written(count: usize, folder: &str) = {
+            format!("{} in {folder}", counted(count, "scene", "scenes"))
+        };
+        examples_of_synthesize = "\
+Examples:
+  krank synthesize wiper
+  krank synthesize straight-line --top 3 -o found
+  krank synthesize task.toml --format json --seed 7
+";
     }
 }

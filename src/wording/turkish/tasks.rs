@@ -50,5 +50,63 @@ catalogue! {
         swing_and_scale = "`swing` ile `scale` aynı şeyi söyler: birini verin";
         start_wants_scale = "`start` x değerinin en küçük olduğu yerdir: verilmiş bir `scale` ya da `swing` gerektirir";
         scale_is_nought = "dönmeyen bir şey hiçbir işlevi izlemez: ölçek 0";
+
+        // What came of a task.
+        wanted_motion = "istenen";
+        poses_wanted(count: usize) = "{count} konumda bir cisim";
+        pairs_wanted(count: usize) = "{count} çiftten geçen bir işlev";
+        points_wanted(count: usize, closed: bool) = {
+            let form = if closed { "kapalı bir yol" } else { "bir yol" };
+            format!("{count} noktadan geçen {form}")
+        };
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+            let most = match good > told {
+                true => format!(", en iyi {told} tanesi aşağıda"),
+                false => String::new(),
+            };
+            let others = match defective {
+                0 => String::new(),
+                count => format!("; yapamayan {count} mekanizma daha"),
+            };
+            let proof = match complete {
+                true => "; başkası yok",
+                false => "; bu bir arama, başkaları için bir şey kanıtlamaz",
+            };
+            format!("görevi yapan {good} mekanizma{most}{others}{proof}")
+        };
+        head_transmission = "iletim";
+        head_miss = "sapma";
+        head_turns = "krank";
+        head_lacks = "tutmayan dilek";
+        turns_fully_shortly = "döner";
+        swings_shortly = "salınır";
+        defective_ones = "kusurlu";
+        stands_in_dead_point = "ilk noktada açılamıyor: orada ölü konumda duruyor";
+        branch_between(from: usize, to: usize) = "dal: {from} ve {to} noktaları arasında bir ölü konum var";
+        circuit_between(from: usize, to: usize) =
+            "devre: {from} ve {to} noktaları ayrı devrelerde, mekanizmanın sökülmesi gerekir";
+        order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
+        point_missed(point: usize) = "{point} noktasına gelmiyor";
+        candidate_called(task: &str, number: usize) = "{task}, aday {number}";
+        candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
+        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
+            "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki iletim açısı en az {transmission} derecedir.";
+
+        // The command.
+        does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
+        task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, tipper, logarithm, straight-line, stirrer (krank help synthesis)";
+        candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
+        tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
+        folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
+        tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
+        nothing_does_the_task = "görevi yapan bir mekanizma bulunamadı";
+        no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
+        candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
+        examples_of_synthesize = "\
+Örnekler:
+  krank synthesize wiper
+  krank synthesize straight-line --top 3 -o found
+  krank synthesize task.toml --format json --seed 7
+";
     }
 }
