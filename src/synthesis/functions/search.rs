@@ -3,6 +3,7 @@
 //! A start is a linkage through a few of the pairs, or nearly through all, by algebra; datums are found with it, and
 //! only scales are tried, by how far crank and output swing over the pairs. Starts are the same ones at every call.
 
+use super::lines::SAMPLES;
 use super::refine::Design;
 use super::wanted::Wanted;
 use super::{Exact, exact};
@@ -96,7 +97,7 @@ fn starts(wanted: &Wanted) -> Vec<Design> {
             }
         };
         if is_fixed && wanted.given[index].is_none() {
-            let values = values(wanted, index, usize::MAX);
+            let values = values(wanted, index, SAMPLES);
             let fixed = all
                 .iter()
                 .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
