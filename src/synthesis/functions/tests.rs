@@ -111,6 +111,7 @@ fn recovered(output: Output, count: usize, free: [bool; 4], rounds: u32) -> [u32
         };
         let proposals = propose(&planted.task(law, free));
         let apart = planted.nearest(&proposals);
+        if apart > 1e-9 { println!("  missed {:?} {:?} best {apart}, {} found", planted.lengths, planted.pairs, proposals.found.len()); }
         found[0] += u32::from(apart < 1e-9);
         found[1] += u32::from(apart < 1e-6);
         found[2] += u32::from(proposals.is_complete);
@@ -143,12 +144,6 @@ fn measure() {
         (Output::Angle, 9, [t, f, t, f]),
         (Output::Angle, 6, [t, t, t, f]),
         (Output::Angle, 6, [t, f, t, t]),
-        (Output::Angle, 7, [t, t, t, t]),
-        (Output::Angle, 12, [t, t, t, t]),
-        (Output::Slide, 8, [t, f, t, t]),
-        (Output::Slide, 4, [t, f, f, t]),
-        (Output::Slide, 6, [t, t, t, t]),
-        (Output::Slide, 9, [t, t, t, t]),
     ] {
         let begin = std::time::Instant::now();
         let found = recovered(output, count, free, 20);
