@@ -59,7 +59,7 @@ fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
     let mut matrix = DMatrix::zeros(height, width);
     for (i, row) in rows.iter().enumerate() {
         let size = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        if !size.is_finite() {
+        if !row.iter().all(|v| v.is_finite()) {
             return None;
         }
         for (j, value) in row.iter().enumerate() {

@@ -18,6 +18,7 @@ const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 6.0;
 const SHRINKING: f64 = 0.15;
 const MOST_DAMPING: f64 = 1e14;
+const LEAST_DAMPING: f64 = 1e-30;
 /// It has arrived where so many steps in turn gain less than this part.
 const GAIN: f64 = 1e-10;
 const STILL: usize = 4;
@@ -32,11 +33,13 @@ pub(super) struct Design {
     pub(super) side: f64,
 }
 
-/// The sum of squares at a place with its slopes: J'r and J'J.
+/// The sum of squares at a place, and its derivatives J as a triangle: J = Q R, `goal` = Q'r. The numbers of a smooth
+/// function are nearly dependent, and J'J would square that.
+#[derive(Clone)]
 struct Slopes {
     sum: f64,
-    pull: Numbers,
-    bend: SMatrix<f64, NUMBERS, NUMBERS>,
+    triangle: SMatrix<f64, NUMBERS, NUMBERS>,
+    goal: Numbers,
 }
 
 impl Design {
@@ -94,14 +97,13 @@ impl Design {
 
     /// The minimum into which it falls; `None` where that is no linkage, or does not close at every pair.
     pub(super) fn refined(self, wanted: &Wanted) -> Option<Design> {
-        let free = free(wanted);
         let (mut here, mut slopes) = (self, self.slopes(wanted));
         let (mut damping, mut still) = (DAMPING, 0);
         for _ in 0..STEPS {
             if !(slopes.sum > 0.0) || still >= STILL {
                 break;
             }
-            let Some((next, there)) = here.step(wanted, &slopes, &free, &mut damping) else {
+            let Some((next, there)) = here.step(wanted, &slopes, &mut damping) else {
                 break;
             };
             let gain = 1.0 - there.sum / slopes.sum;
@@ -123,28 +125,14 @@ impl Design {
         &self,
         wanted: &Wanted,
         slopes: &Slopes,
-        free: &[bool; NUMBERS],
         damping: &mut f64,
     ) -> Option<(Design, Slopes)> {
         while *damping < MOST_DAMPING {
-            let mut damped = slopes.bend;
-            let mut pull = slopes.pull;
-            for i in 0..NUMBERS {
-                if free[i] && damped[(i, i)] > 0.0 {
-                    damped[(i, i)] *= 1.0 + *damping;
-                } else {
-                    damped.fill_row(i, 0.0);
-                    damped.fill_column(i, 0.0);
-                    (damped[(i, i)], pull[i]) = (1.0, 0.0);
-                }
-            }
-            if let Some(way) = damped.cholesky().map(|root| root.solve(&pull)) {
-                let next = self.with(&(self.numbers() - way));
-                let there = next.slopes(wanted);
-                if there.sum < slopes.sum {
-                    *damping = (*damping * SHRINKING).max(f64::MIN_POSITIVE);
-                    return Some((next, there));
-                }
+            let next = self.with(&(self.numbers() - slopes.step(*damping)));
+            let there = next.slopes(wanted);
+            if there.sum < slopes.sum {
+                *damping = (*damping * SHRINKING).max(LEAST_DAMPING);
+                return Some((next, there));
             }
             *damping *= GROWTH;
         }
@@ -154,10 +142,12 @@ impl Design {
     fn slopes(&self, wanted: &Wanted) -> Slopes {
         let [datum, scale] = self.law.output;
         let unit = unit(wanted, scale);
+        let free = free(wanted);
+        let row = |n: [f64; NUMBERS]| Numbers::from_fn(|i, _| if free[i] { n[i] } else { 0.0 });
         let mut slopes = Slopes {
             sum: 0.0,
-            pull: Numbers::zeros(),
-            bend: SMatrix::zeros(),
+            triangle: SMatrix::zeros(),
+            goal: Numbers::zeros(),
         };
         for &[x, y] in &wanted.pairs {
             let angle = self.law.crank[0] + self.law.crank[1] * x;
@@ -165,15 +155,11 @@ impl Design {
             let miss = apart(wanted.output, reach.output - datum - scale * y) / unit;
             let by = |d: [f64; 4]| [d[0], d[1], d[2], d[3], d[3] * x];
             let [a, b, c, d, e] = by(reach.by).map(|d| d / unit);
-            let by_scale = if wanted.given[3].is_none() {
-                -y / unit - miss / scale
-            } else {
-                0.0
-            };
-            slopes.add(miss, Numbers::from([a, b, c, d, e, -1.0 / unit, by_scale]));
+            let by_scale = -y / unit - miss / scale;
+            slopes.add(miss, row([a, b, c, d, e, -1.0 / unit, by_scale]));
             if reach.short > 0.0 {
                 let [a, b, c, d, e] = by(reach.short_by);
-                slopes.add(reach.short, Numbers::from([a, b, c, d, e, 0.0, 0.0]));
+                slopes.add(reach.short, row([a, b, c, d, e, 0.0, 0.0]));
             }
         }
         if !slopes.sum.is_finite() {
@@ -184,10 +170,49 @@ impl Design {
 }
 
 impl Slopes {
+    /// One more row of J, with its residual, turned into the triangle by Givens' rotations.
     fn add(&mut self, miss: f64, by: Numbers) {
         self.sum += miss * miss;
-        self.pull += by * miss;
-        self.bend += by * by.transpose();
+        self.turn_in(miss, by);
+    }
+
+    fn turn_in(&mut self, mut miss: f64, mut by: Numbers) {
+        for i in 0..NUMBERS {
+            if by[i] == 0.0 {
+                continue;
+            }
+            let size = self.triangle[(i, i)].hypot(by[i]);
+            let (cos, sin) = (self.triangle[(i, i)] / size, by[i] / size);
+            for j in i..NUMBERS {
+                let (above, below) = (self.triangle[(i, j)], by[j]);
+                self.triangle[(i, j)] = cos * above + sin * below;
+                by[j] = cos * below - sin * above;
+            }
+            let above = self.goal[i];
+            self.goal[i] = cos * above + sin * miss;
+            miss = cos * miss - sin * above;
+        }
+    }
+
+    /// What is to be taken off the numbers, damped in each by the size of its own derivatives.
+    fn step(&self, damping: f64) -> Numbers {
+        let mut damped = self.clone();
+        for i in 0..NUMBERS {
+            let mut row = Numbers::zeros();
+            row[i] = damping.sqrt() * self.triangle.column(i).norm();
+            damped.turn_in(0.0, row);
+        }
+        let mut way = Numbers::zeros();
+        for i in (0..NUMBERS).rev() {
+            let rest: f64 = (i + 1..NUMBERS)
+                .map(|j| damped.triangle[(i, j)] * way[j])
+                .sum();
+            let pivot = damped.triangle[(i, i)];
+            if pivot != 0.0 {
+                way[i] = (damped.goal[i] - rest) / pivot;
+            }
+        }
+        way
     }
 }
 
@@ -218,7 +243,7 @@ mod tests {
     use super::*;
     use crate::numeric::SeededChance;
 
-    /// J'r is half the slope of the sum of squares.
+    /// R'Q'r = J'r is half the slope of the sum of squares.
     #[test]
     fn slopes_are_those_of_the_sum() {
         let mut chance = SeededChance::new(11);
@@ -260,12 +285,9 @@ mod tests {
                 let [above, below] =
                     [numbers + by, numbers - by].map(|n| any.with(&n).slopes(&wanted).sum);
                 let slope = (above - below) / 4e-6;
-                let size = 1.0 + here.sum + here.bend[(i, i)];
-                assert!(
-                    (slope - here.pull[i]).abs() < 1e-4 * size,
-                    "{round} {i} {slope} {}",
-                    here.pull[i]
-                );
+                let pull = here.triangle.column(i).dot(&here.goal);
+                let size = 1.0 + here.sum + here.triangle.column(i).norm_squared();
+                assert!((slope - pull).abs() < 1e-4 * size, "{round} {i} {slope} {pull}");
             }
         }
     }

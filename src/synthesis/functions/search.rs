@@ -9,12 +9,16 @@ use super::{Exact, exact};
 use crate::synthesis::Output;
 use std::f64::consts::{PI, TAU};
 
-/// How far a crank swings where its scale is free, and an output, in degrees.
-const CRANK_SWINGS: [f64; 9] = [40.0, 65.0, 90.0, 120.0, 150.0, 180.0, 220.0, 260.0, 310.0];
-const OUTPUT_SWINGS: [f64; 6] = [20.0, 40.0, 60.0, 85.0, 115.0, 150.0];
-/// How far a slide goes, in cranks, and where it is.
-const STROKES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
-const PLACES: [f64; 6] = [-3.5, -2.5, -1.5, 1.5, 2.5, 3.5];
+/// From where to where a crank may swing where its scale is free, an output, in degrees, and a slide, in cranks.
+const CRANK_SWINGS: [f64; 2] = [30.0, 330.0];
+const OUTPUT_SWINGS: [f64; 2] = [15.0, 330.0];
+const STROKES: [f64; 2] = [0.4, 2.0];
+/// Where a slide's travel may begin, in cranks.
+const PLACES: [f64; 2] = [1.5, 3.5];
+/// So many swings of each sign are tried where one scale is to be found by trial, and where two are.
+const SWINGS: [usize; 2] = [20, 9];
+/// Of starts with the same scales so many are followed at the most.
+const OF_A_CELL: usize = 4;
 /// Starts that are followed to their minimum, and minima that are kept.
 const STARTS: usize = 240;
 const KEPT: usize = 24;
@@ -24,6 +28,8 @@ const USELESS: f64 = 0.1;
 const SUBSETS: usize = 8;
 /// Minima are one where their numbers differ by less than this part.
 const SAME: f64 = 1e-7;
+/// And starts, by less than this part.
+const NEAR: f64 = 1e-3;
 
 /// In which order numbers are fixed where they are free: scales first, since algebra does not find them.
 pub(super) fn order(output: Output) -> [usize; 4] {
@@ -36,17 +42,21 @@ pub(super) fn order(output: Output) -> [usize; 4] {
 /// Values at which a number of the law may be fixed, about so many.
 pub(super) fn values(wanted: &Wanted, index: usize, count: usize) -> Vec<f64> {
     let span = wanted.span(index / 2);
-    let both = |swings: &[f64], unit: f64| {
-        let some = swings.iter().step_by((2 * swings.len()).div_ceil(count));
-        some.flat_map(|swing| [swing * unit / span, -swing * unit / span])
-            .collect()
+    let evenly = |[low, high]: [f64; 2], count: usize| {
+        let parts = count.saturating_sub(1).max(1) as f64;
+        (0..count).map(move |k| low + (high - low) * k as f64 / parts)
     };
-    let turn = PI / 180.0;
+    let both = |swings: [f64; 2], unit: f64| {
+        let half = count.div_ceil(2);
+        let swings = evenly(swings, half).map(|swing| swing * unit);
+        swings.flat_map(|swing| [swing, -swing]).collect()
+    };
+    let turn = PI / 180.0 / span;
     match (index, wanted.output) {
-        (1, _) => both(&CRANK_SWINGS, turn),
-        (3, Output::Angle) => both(&OUTPUT_SWINGS, turn),
-        (3, Output::Slide) => both(&STROKES, 1.0),
-        (2, Output::Slide) => PLACES.to_vec(),
+        (1, _) => both(CRANK_SWINGS, turn),
+        (3, Output::Angle) => both(OUTPUT_SWINGS, turn),
+        (3, Output::Slide) => both(STROKES, 1.0 / span),
+        (2, Output::Slide) => both(PLACES, 1.0),
         // Half a turn: what is beyond is the same link, opposite to its angle.
         (_, Output::Angle) => (0..count).map(|k| PI * k as f64 / count as f64).collect(),
         (_, Output::Slide) => (0..count).map(|k| TAU * k as f64 / count as f64).collect(),
@@ -55,11 +65,9 @@ pub(super) fn values(wanted: &Wanted, index: usize, count: usize) -> Vec<f64> {
 
 /// The minima that were found, the least first.
 pub(super) fn minima(wanted: &Wanted) -> Vec<Design> {
-    let mut starts: Vec<(f64, Design)> = starts(wanted)
-        .into_iter()
-        .map(|design| design.on_the_better_side(wanted))
-        .map(|(design, sum)| (sum, design))
-        .filter(|(sum, _)| sum.is_finite())
+    let mut starts: Vec<(f64, Design)> = cells(wanted)
+        .iter()
+        .flat_map(|cell| best_starts(wanted, cell))
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut found: Vec<(f64, Design)> = Vec::new();
@@ -84,26 +92,45 @@ fn output_span(wanted: &Wanted) -> f64 {
     wanted.given[3].map_or(1.0, |scale| scale.abs() * wanted.span(1))
 }
 
-fn starts(wanted: &Wanted) -> Vec<Design> {
+/// The task with values for the numbers that algebra does not find.
+fn cells(wanted: &Wanted) -> Vec<Wanted> {
+    // Of a slide algebra does not find both the crank's datum and a scale without the output's datum.
+    let is_hard = wanted.given[3].is_none() && wanted.given[2].is_some();
+    let is_tried = |index: usize| match wanted.output {
+        Output::Angle => index == 1 || index == 3,
+        Output::Slide => index == 1 || (index == 0 && is_hard),
+    };
+    let tried: Vec<usize> = order(wanted.output)
+        .into_iter()
+        .filter(|&index| is_tried(index) && wanted.given[index].is_none())
+        .collect();
+    let count = 2 * SWINGS[usize::from(tried.len() > 1)];
     let mut all = vec![wanted.clone()];
-    for index in order(wanted.output) {
-        let is_fixed = match wanted.output {
-            Output::Angle => index == 1 || index == 3,
-            // Algebra does not find both the crank's datum and a scale without the output's datum.
-            Output::Slide => {
-                let is_hard = wanted.given[3].is_none() && wanted.given[2].is_some();
-                index == 1 || (index == 0 && is_hard)
-            }
-        };
-        if is_fixed && wanted.given[index].is_none() {
-            let values = values(wanted, index, usize::MAX);
-            let fixed = all
-                .iter()
-                .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
-            all = fixed.collect();
-        }
+    for index in tried {
+        let values = values(wanted, index, count);
+        let fixed = all
+            .iter()
+            .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
+        all = fixed.collect();
     }
-    all.iter().flat_map(starts_of).collect()
+    all
+}
+
+/// The starts of a cell that miss least, with the sums of their squares.
+fn best_starts(wanted: &Wanted, cell: &Wanted) -> Vec<(f64, Design)> {
+    let mut starts: Vec<(f64, Design)> = starts_of(cell)
+        .into_iter()
+        .map(|design| design.on_the_better_side(wanted))
+        .map(|(design, sum)| (sum, design))
+        .filter(|(sum, _)| sum.is_finite())
+        .collect();
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    starts.dedup_by(|a, b| a.1.is_near(&b.1, NEAR));
+    // Where there is but one cell, all are followed.
+    if wanted.given != cell.given {
+        starts.truncate(OF_A_CELL);
+    }
+    starts
 }
 
 /// Through subsets of the pairs, and nearly through all of them.
