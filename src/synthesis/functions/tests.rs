@@ -51,6 +51,7 @@ impl Planted {
         let given = |i: usize| if free[i] { Given::Free } else { Given::Value(law.0[i]) };
         let pair = |[x, y]: &[f64; 2]| [(x - a) / b, (y - c) / d];
         FunctionTask {
+            between: Vec::new(),
             pairs: self.pairs.iter().map(pair).collect(),
             output: self.output,
             crank_datum: given(0),

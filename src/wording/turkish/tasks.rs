@@ -74,7 +74,7 @@ catalogue! {
             };
             format!("görevi yapan {good} mekanizma{most}{others}{proof}")
         };
-        head_transmission = "iletim";
+        head_transmission = "bağlama";
         head_miss = "sapma";
         head_turns = "krank";
         head_lacks = "tutmayan dilek";
@@ -90,7 +90,7 @@ catalogue! {
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
         note_of_candidate(miss: &str, unit: &str, transmission: &str) =
-            "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki iletim açısı en az {transmission} derecedir.";
+            "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki bağlama açısı en az {transmission} derecedir.";
 
         // The command.
         does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
