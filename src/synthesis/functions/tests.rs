@@ -144,6 +144,11 @@ fn measure() {
         (Output::Angle, 9, [t, f, t, f]),
         (Output::Angle, 6, [t, t, t, f]),
         (Output::Angle, 6, [t, f, t, t]),
+        (Output::Angle, 7, [t, t, t, t]),
+        (Output::Angle, 12, [t, t, t, t]),
+        (Output::Slide, 6, [t, t, t, t]),
+        (Output::Slide, 9, [t, t, t, t]),
+
     ] {
         let begin = std::time::Instant::now();
         let found = recovered(output, count, free, 20);
