@@ -286,7 +286,10 @@ mod tests {
                 let slope = (above - below) / 4e-6;
                 let pull = here.triangle.column(i).dot(&here.goal);
                 let size = 1.0 + here.sum + here.triangle.column(i).norm_squared();
-                assert!((slope - pull).abs() < 1e-4 * size, "{round} {i} {slope} {pull}");
+                assert!(
+                    (slope - pull).abs() < 1e-4 * size,
+                    "{round} {i} {slope} {pull}"
+                );
             }
         }
     }
