@@ -48,6 +48,8 @@ use wanted::Wanted;
 const SAME: f64 = 1e-7;
 /// Of solutions without number so many values of each free number are tried, by how many are to be fixed.
 const FIXED: [usize; 4] = [24, 10, 5, 3];
+/// And so many linkages are proposed at the most; algebra finds no more than six.
+const MOST: usize = 240;
 /// Fewer pairs say too little.
 const FEWEST: usize = 3;
 
@@ -75,8 +77,9 @@ pub fn propose(task: &FunctionTask) -> Proposals {
         return Proposals::default();
     };
     let (designs, is_complete) = designs(&wanted);
+    let thinned = designs.len().div_ceil(MOST).max(1);
     let mut found: Vec<Proposal> = Vec::new();
-    for (design, is_exact) in designs {
+    for (design, is_exact) in designs.into_iter().step_by(thinned) {
         let Some(proposal) = proposal(&wanted, &design, is_exact, task.size) else {
             continue;
         };

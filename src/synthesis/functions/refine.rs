@@ -11,8 +11,6 @@ use nalgebra::{SMatrix, SVector};
 
 /// Three lengths and four numbers of the law.
 const NUMBERS: usize = 7;
-/// Steps at the most; a start of which no minimum comes in so many is left.
-const STEPS: usize = 200;
 /// Damping to begin with, by what it grows and shrinks, and beyond which there is no way down.
 const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 6.0;
@@ -95,11 +93,12 @@ impl Design {
         if other.1 < one.1 { other } else { one }
     }
 
-    /// The minimum into which it falls; `None` where that is no linkage, or does not close at every pair.
-    pub(super) fn refined(self, wanted: &Wanted) -> Option<Design> {
+    /// The minimum into which it falls, or where it is after so many steps; `None` where that is no linkage, or does not
+    /// close at every pair.
+    pub(super) fn refined(self, wanted: &Wanted, steps: usize) -> Option<Design> {
         let (mut here, mut slopes) = (self, self.slopes(wanted));
         let (mut damping, mut still) = (DAMPING, 0);
-        for _ in 0..STEPS {
+        for _ in 0..steps {
             if !(slopes.sum > 0.0) || still >= STILL {
                 break;
             }

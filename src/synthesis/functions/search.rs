@@ -19,8 +19,12 @@ const PLACES: [f64; 2] = [1.5, 3.5];
 const SWINGS: [usize; 2] = [20, 9];
 /// Of starts with the same scales so many are followed at the most.
 const OF_A_CELL: usize = 4;
-/// Starts that are followed to their minimum, and minima that are kept.
+/// Starts that are followed for so many steps, the best of those that are followed to their minimum, and minima that
+/// are kept. Of a smooth function the numbers are nearly dependent, and the way to a minimum is long and narrow.
 const STARTS: usize = 240;
+const ROUGH_STEPS: usize = 100;
+const FOLLOWED: usize = 48;
+const STEPS: usize = 3000;
 const KEPT: usize = 24;
 /// A minimum that misses by more than this part of the output's swing, in the root of the mean square, is none to offer.
 const USELESS: f64 = 0.1;
@@ -70,10 +74,20 @@ pub(super) fn minima(wanted: &Wanted) -> Vec<Design> {
         .flat_map(|cell| best_starts(wanted, cell))
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut found: Vec<(f64, Design)> = Vec::new();
+    let starts = starts.into_iter().take(STARTS).map(|(_, start)| start);
+    let roughly = refined(wanted, starts, ROUGH_STEPS);
+    let best = roughly.into_iter().take(FOLLOWED);
+    let mut found = refined(wanted, best, STEPS);
+    found.truncate(KEPT);
+    found
+}
+
+/// Different designs on their way to a minimum after so many steps, the best first.
+fn refined(wanted: &Wanted, from: impl Iterator<Item = Design>, steps: usize) -> Vec<Design> {
     let useless = USELESS * output_span(wanted);
-    for (_, start) in starts.into_iter().take(STARTS) {
-        let Some(design) = start.refined(wanted) else {
+    let mut found: Vec<(f64, Design)> = Vec::new();
+    for start in from {
+        let Some(design) = start.refined(wanted, steps) else {
             continue;
         };
         let Some(rms) = design.rms(wanted).filter(|rms| *rms <= useless) else {
@@ -84,7 +98,7 @@ pub(super) fn minima(wanted: &Wanted) -> Vec<Design> {
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().take(KEPT).map(|(_, d)| d).collect()
+    found.into_iter().map(|(_, design)| design).collect()
 }
 
 /// The swing of the output as misses are counted.
