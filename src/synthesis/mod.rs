@@ -17,6 +17,7 @@
 //!
 //! Lengths are in the task's unit, angles in degrees, counter-clockwise, as everywhere in this library.
 
+mod poses;
 mod proposal;
 mod task;
 
