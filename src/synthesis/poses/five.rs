@@ -127,7 +127,8 @@ fn common_root(cubics: &[Cubic; 4], y: Double) -> Option<Double> {
 }
 
 /// Newton's method on all four equations, for the pin's place and the pivot's two smaller coordinates.
-fn refined(forms: &[Form; 4], mut pin: Triple) -> Option<(Triple, Triple)> {
+pub(super) fn refined(forms: &[Form; 4], pin: Triple) -> Option<(Triple, Triple)> {
+    let mut pin = [pin[0] / pin[2], pin[1] / pin[2], Double::ONE];
     let mut pivot = space::kernel(&forms.map(|f| form::of_pin(&f, pin)))?;
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {

@@ -17,7 +17,7 @@ use super::dyad::{Guidance, Held};
 use super::form::{self, Form};
 use super::polynomial::{self, Cubic};
 use super::space::{self, Triple};
-use super::trace::{self, Spot};
+use super::trace::{self, Piece, Spot};
 use crate::{Double, Number, Vec2};
 
 /// How far the curve is followed where it is no cubic and goes on without an end, in units of the equations.
@@ -28,54 +28,36 @@ const FARTHEST: f64 = 1e9;
 const NOUGHT: f64 = 1e-12;
 
 /// The curve in pieces: each ends where the pin or the pivot passes through infinity, or where it began. A slide stands
-/// where the pivot does. None where the equations are fewer than three, or two of any dyad; of more than three any three
-/// are taken that have a curve, and of this what fits the rest.
+/// where the pivot does. None unless the equations are three, and where every pin has a pivot.
 pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<Held>> {
-    let forms = &guidance.forms;
-    let without = |k: usize| {
-        let others = forms.iter().enumerate().filter(|(other, _)| *other != k);
-        let others: Vec<Form> = others.map(|(_, form)| *form).collect();
-        pieces_of(guidance, &others)
-    };
-    match forms.len() {
-        0..=3 => pieces_of(guidance, forms),
-        count => (0..count)
-            .map(without)
-            .find(|p| !p.is_empty())
-            .unwrap_or_default(),
-    }
-}
-
-fn pieces_of(guidance: &Guidance, forms: &[Form]) -> Vec<Vec<Held>> {
-    let Some(curve) = forms.try_into().ok().and_then(Curve::new) else {
+    let Ok(forms) = guidance.forms.as_slice().try_into() else {
         return Vec::new();
     };
-    let slide = slide(guidance);
-    let mut pieces: Vec<Vec<Held>> = Vec::new();
-    for run in curve.runs() {
-        for piece in trace::pieces(&run, |s| curve.spot(&run, s)) {
-            let dyad = |spot: &Spot| guidance.dyad(spot.pin, spot.pivot);
-            let mut dyads: Vec<Held> = piece.spots.iter().filter_map(dyad).collect();
-            if let Some(slide) = &slide {
-                if piece.begins_at_slide {
-                    dyads.insert(0, slide.clone());
-                }
-                if piece.ends_at_slide {
-                    dyads.push(slide.clone());
-                }
-            }
-            if !dyads.is_empty() {
-                pieces.push(dyads);
-            }
-        }
-    }
+    let slide = slide(guidance, forms);
+    let dyads = |piece: &Piece| {
+        let dyad = |spot: &Spot| guidance.dyad(spot.pin, spot.pivot);
+        let before = slide.iter().filter(|_| piece.begins_at_slide).cloned();
+        let behind = slide.iter().filter(|_| piece.ends_at_slide).cloned();
+        let links = piece.spots.iter().filter_map(dyad);
+        before.chain(links).chain(behind).collect()
+    };
+    let mut pieces: Vec<Vec<Held>> = traced(forms).iter().map(dyads).collect();
+    pieces.retain(|piece| !piece.is_empty());
     pieces
+}
+
+/// The solutions of three equations, along their curve.
+pub(super) fn traced(forms: &[Form; 3]) -> Vec<Piece> {
+    let Some(curve) = Curve::new(*forms) else {
+        return Vec::new();
+    };
+    let pieces = |run: &Run| trace::pieces(run, |s| curve.spot(run, s));
+    curve.runs().iter().flat_map(pieces).collect()
 }
 
 /// The one pin whose four places are on a line. The determinant of the equations with a normal `(X, Y, 0)` for the pivot
 /// is `(X^2 + Y^2) (p X + q Y)`: its values along both axes are p and q.
-pub(super) fn slide(guidance: &Guidance) -> Option<Held> {
-    let forms: &[Form; 3] = guidance.forms.as_slice().try_into().ok()?;
+pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<Held> {
     let rows = |normal: Triple| forms.map(|f| form::of_pivot(&f, normal));
     let along = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
     let p = space::determinant(rows(along(1.0, 0.0)));

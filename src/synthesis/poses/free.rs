@@ -1,7 +1,7 @@
 //! What dyads there are, where none is given.
 
 use super::dyad::{Guidance, Held};
-use super::{five, four, three};
+use super::{family, five, four, three};
 use crate::Vec2;
 use crate::synthesis::{Dyad, Partner, PoseTask};
 
@@ -36,7 +36,8 @@ impl Free {
             };
         }
         let is_handy = |dyad: &Held| is_handy(guidance, dyad, inside);
-        let pieces = four::pieces(guidance);
+        let mut pieces = four::pieces(guidance);
+        pieces.extend(family::pieces(guidance));
         if pieces.is_empty() {
             let dyads = three::dyads(guidance, task, inside);
             return Free {

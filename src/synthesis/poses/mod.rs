@@ -11,12 +11,14 @@
 //! three       a pin for each pivot, a pivot for each pin, a slide for each direction
 //! four        the curve of all dyads        trace   along its length, in pieces
 //! five        all dyads, by a resultant
+//! family      five poses that any number of dyads lead through
 //! free        which of these, by how many equations the poses are
 //! choice      two dyads as a linkage; those of many that promise most and are different
 //! ```
 
 mod choice;
 mod dyad;
+mod family;
 mod five;
 mod form;
 mod four;

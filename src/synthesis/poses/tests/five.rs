@@ -57,8 +57,16 @@ fn all_pairs_are_proposed_and_come_through_the_poses() {
         let kinds = [(true, false), (false, true)];
         let apart = kinds.map(|(four, slider)| propose(&planted.task, four, slider, None).found);
         assert_eq!(apart[0].len() + apart[1].len(), all.found.len());
-        assert!(apart[0].iter().all(|l| matches!(l.partner, Partner::Rocker(_))));
-        assert!(apart[1].iter().all(|l| matches!(l.partner, Partner::Slide(_))));
+        assert!(
+            apart[0]
+                .iter()
+                .all(|l| matches!(l.partner, Partner::Rocker(_)))
+        );
+        assert!(
+            apart[1]
+                .iter()
+                .all(|l| matches!(l.partner, Partner::Slide(_)))
+        );
     }
     assert_eq!(most, 6);
 }
@@ -84,10 +92,16 @@ fn nothing_is_missed_that_newton_finds_from_everywhere() {
             if pivot.norm() > 1e3 || pin.norm() > 1e3 {
                 continue;
             }
-            let off = Planted { task: PoseTask::default(), dyads: [(Partner::Rocker(pivot), pin); 2] }
-                .off(0, &found);
+            let off = Planted {
+                task: PoseTask::default(),
+                dyads: [(Partner::Rocker(pivot), pin); 2],
+            }
+            .off(0, &found);
             assert!(off < 1e-8, "{n}: {pivot:?} {pin:?} is missing: {off:e}");
-            if !seen.iter().any(|[p, w]| (*p - pivot).norm() + (*w - pin).norm() < 1e-6) {
+            if !seen
+                .iter()
+                .any(|[p, w]| (*p - pivot).norm() + (*w - pin).norm() < 1e-6)
+            {
                 seen.push([pivot, pin]);
             }
         }
@@ -118,11 +132,15 @@ fn nearly_degenerate_poses_lose_no_digits() {
             let mut shape = Shape::four_bar(&mut chance);
             if far > 1.0 {
                 shape.rest *= far;
-                let base = turned(shape.rest + chance.within(-0.3, 0.3), chance.within(0.0, 360.0));
+                let base = turned(
+                    shape.rest + chance.within(-0.3, 0.3),
+                    chance.within(0.0, 360.0),
+                );
                 shape.partner = Partner::Rocker(shape.pivot + base);
             }
             let from = chance.within(0.0, 360.0);
-            let poses: Option<Vec<Pose>> = steps.iter().map(|step| shape.pose(from + step)).collect();
+            let poses: Option<Vec<Pose>> =
+                steps.iter().map(|step| shape.pose(from + step)).collect();
             let Some(poses) = poses else {
                 continue;
             };
@@ -164,7 +182,12 @@ fn noise_moves_dyads_by_little() {
         offs.push(planted.off(0, &found).max(planted.off(1, &found)));
     }
     offs.sort_by(f64::total_cmp);
-    assert!(offs[100] < 1e-4 && offs[180] < 1e-2, "{:e} {:e}", offs[100], offs[180]);
+    assert!(
+        offs[100] < 1e-4 && offs[180] < 1e-2,
+        "{:e} {:e}",
+        offs[100],
+        offs[180]
+    );
 }
 
 /// Frames far from the poses, and sizes of all kinds, change nothing but the rounding of the poses.
@@ -200,7 +223,10 @@ fn a_parallelogram_has_any_number_of_dyads() {
         at: Vec2::new(1.0, 2.0) + turned(1.5, crank),
         angle: 20.0,
     });
-    let task = PoseTask { poses: poses.to_vec(), ..PoseTask::default() };
+    let task = PoseTask {
+        poses: poses.to_vec(),
+        ..PoseTask::default()
+    };
     assert_eq!(dyads(&task), None);
     let all = both(&task);
     assert!(!all.is_complete && !all.found.is_empty() && all.found.len() <= 100);
@@ -215,7 +241,12 @@ fn a_parallelogram_has_any_number_of_dyads() {
 #[test]
 fn shifts_without_a_circle_have_no_linkage() {
     let at = |places: [(f64, f64); 5]| PoseTask {
-        poses: places.map(|(x, y)| Pose { at: Vec2::new(x, y), angle: -3.0 }).to_vec(),
+        poses: places
+            .map(|(x, y)| Pose {
+                at: Vec2::new(x, y),
+                angle: -3.0,
+            })
+            .to_vec(),
         ..PoseTask::default()
     };
     let scattered = at([(0.0, 0.0), (1.0, 0.2), (2.0, 1.0), (2.5, -1.0), (0.4, 3.0)]);
@@ -232,9 +263,16 @@ fn a_turn_about_a_point_is_no_linkage() {
         at: pole + turned(2.0, turn + 10.0),
         angle: turn,
     });
-    let task = PoseTask { poses: poses.to_vec(), ..PoseTask::default() };
+    let task = PoseTask {
+        poses: poses.to_vec(),
+        ..PoseTask::default()
+    };
     let all = both(&task);
-    assert!(all.found.iter().all(|l| l.lengths().unwrap().0 > 1e-6), "{:?}", all.found);
+    assert!(
+        all.found.iter().all(|l| l.lengths().unwrap().0 > 1e-6),
+        "{:?}",
+        all.found
+    );
     assert!(!all.is_complete);
 }
 
@@ -244,9 +282,15 @@ fn a_turn_about_a_point_is_no_linkage() {
 fn an_ellipse_trammel_has_a_family_of_slides() {
     let poses = [10.0, 40.0, 75.0, 160.0, 250.0].map(|turn| {
         let along = angle::unit(turn);
-        Pose { at: Vec2::new(2.0 * along.x, 0.0), angle: 180.0 - turn }
+        Pose {
+            at: Vec2::new(2.0 * along.x, 0.0),
+            angle: 180.0 - turn,
+        }
     });
-    let task = PoseTask { poses: poses.to_vec(), ..PoseTask::default() };
+    let task = PoseTask {
+        poses: poses.to_vec(),
+        ..PoseTask::default()
+    };
     let all = both(&task);
     assert!(!all.is_complete && !all.found.is_empty());
     assert!(worst_miss(&task, &all.found) < 1e-11);
@@ -277,8 +321,17 @@ fn what_is_given_is_kept() {
         };
         let one = with(&[a], &[]);
         assert_eq!(one.found.len(), count - 1);
-        assert!(one.found.iter().all(|l| l.pivot == a || l.partner == Partner::Rocker(a)));
-        for found in [with(&[a, d], &[]), with(&[a], &[c]), with(&[], &[b, c]), with(&[a, d], &[b, c])] {
+        assert!(
+            one.found
+                .iter()
+                .all(|l| l.pivot == a || l.partner == Partner::Rocker(a))
+        );
+        for found in [
+            with(&[a, d], &[]),
+            with(&[a], &[c]),
+            with(&[], &[b, c]),
+            with(&[a, d], &[b, c]),
+        ] {
             assert!(found.is_complete && found.found.len() == 1);
             assert!(planted.is_among(&found.found, 1e-9));
         }
@@ -289,19 +342,39 @@ fn what_is_given_is_kept() {
 
 #[test]
 fn nonsense_proposes_nothing_and_does_not_panic() {
-    let pose = |x: f64, y: f64, angle: f64| Pose { at: Vec2::new(x, y), angle };
+    let pose = |x: f64, y: f64, angle: f64| Pose {
+        at: Vec2::new(x, y),
+        angle,
+    };
     let sets = [
         vec![],
         vec![pose(1.0, 2.0, 3.0)],
         vec![pose(1.0, 2.0, 3.0); 5],
-        vec![pose(f64::NAN, 0.0, 0.0), pose(1.0, 0.0, 0.0), pose(2.0, 0.0, 0.0)],
-        vec![pose(1e300, 0.0, 0.0), pose(-1e300, 1e300, 1.0), pose(2.0, 0.0, 1e300)],
-        vec![pose(1e-320, 0.0, 0.0), pose(0.0, 1e-320, 1.0), pose(0.0, 0.0, 2.0)],
+        vec![
+            pose(f64::NAN, 0.0, 0.0),
+            pose(1.0, 0.0, 0.0),
+            pose(2.0, 0.0, 0.0),
+        ],
+        vec![
+            pose(1e300, 0.0, 0.0),
+            pose(-1e300, 1e300, 1.0),
+            pose(2.0, 0.0, 1e300),
+        ],
+        vec![
+            pose(1e-320, 0.0, 0.0),
+            pose(0.0, 1e-320, 1.0),
+            pose(0.0, 0.0, 2.0),
+        ],
         (0..5).map(|k| pose(0.0, 0.0, f64::from(k))).collect(),
-        (0..12).map(|k| pose(f64::from(k), f64::from(k * k), f64::from(k))).collect(),
+        (0..12)
+            .map(|k| pose(f64::from(k), f64::from(k * k), f64::from(k)))
+            .collect(),
     ];
     for poses in sets {
-        let task = PoseTask { poses, ..PoseTask::default() };
+        let task = PoseTask {
+            poses,
+            ..PoseTask::default()
+        };
         for linkage in both(&task).found {
             assert!(linkage.places.iter().flatten().all(|at| at.is_finite()));
         }

@@ -38,12 +38,16 @@ pub(super) fn solution(task: &PoseTask, start: [Vec2; 2], longest: f64) -> Optio
         }
         let step = rows.full_piv_lu().solve(&rest)?;
         let size = step.norm();
-        let step = if size > longest { step * (longest / size) } else { step };
+        let step = if size > longest {
+            step * (longest / size)
+        } else {
+            step
+        };
         pivot = pivot - Vec2::new(step[0], step[1]).exactly();
         pin = pin - Vec2::new(step[2], step[3]).exactly();
         if size < 1e-14 * longest {
             let length = first.norm2().sqrt().hi;
-            return (length > 1e-3 * longest).then_some([pivot.nearest(), pin.nearest()]);
+            return (length > 1e-3).then_some([pivot.nearest(), pin.nearest()]);
         }
     }
     None

@@ -38,7 +38,8 @@ impl Shape {
     }
 
     pub(super) fn slider_crank(chance: &mut Chance) -> Shape {
-        let mut place = |size: f64| Vec2::new(chance.within(-size, size), chance.within(-size, size));
+        let mut place =
+            |size: f64| Vec2::new(chance.within(-size, size), chance.within(-size, size));
         let (pivot, origin) = (place(5.0), place(2.0));
         Shape {
             pivot,
@@ -57,8 +58,8 @@ impl Shape {
         let c = match self.partner {
             Partner::Rocker(d) => {
                 let base = d - b;
-                let along = (base.norm2() + self.coupler.powi(2) - self.rest.powi(2))
-                    / (2.0 * base.norm());
+                let along =
+                    (base.norm2() + self.coupler.powi(2) - self.rest.powi(2)) / (2.0 * base.norm());
                 let height = (self.coupler.powi(2) - along.powi(2)).sqrt() * self.side;
                 let unit = base / base.norm();
                 b + unit * along + unit.perp() * height
@@ -88,7 +89,10 @@ impl Shape {
         let pins = [Vec2::ZERO, Vec2::new(self.coupler, 0.0)];
         let [b, c] = pins.map(|pin| (pin - self.body.0).turned(back));
         Planted {
-            task: PoseTask { poses, ..PoseTask::default() },
+            task: PoseTask {
+                poses,
+                ..PoseTask::default()
+            },
             dyads: [(Partner::Rocker(self.pivot), b), (self.partner, c)],
         }
     }
@@ -133,7 +137,10 @@ impl Planted {
     /// How far the nearest dyad is from the planted one.
     pub(super) fn off(&self, which: usize, found: &[Held]) -> f64 {
         let (by, pin) = self.dyads[which];
-        found.iter().map(|held| apart(held, by, pin)).fold(f64::INFINITY, f64::min)
+        found
+            .iter()
+            .map(|held| apart(held, by, pin))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The planted linkage among proposals, either way round, to this part of a length of one.
@@ -147,13 +154,18 @@ impl Planted {
         let is_it = |linkage: &Proposal| {
             let is_partner = match (linkage.partner, partner) {
                 (Partner::Rocker(d), Partner::Rocker(e)) => near(d, e),
-                (Partner::Slide(p), Partner::Slide(q)) => angle::unit(p).cross(angle::unit(q)).abs() <= within,
-                (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => false,
+                (Partner::Slide(p), Partner::Slide(q)) => {
+                    angle::unit(p).cross(angle::unit(q)).abs() <= within
+                }
+                (Partner::Rocker(_), Partner::Slide(_))
+                | (Partner::Slide(_), Partner::Rocker(_)) => false,
             };
             let [p, q] = linkage.places[0];
             is_partner && near(linkage.pivot, pivot) && near(p, b) && near(q, c)
         };
-        found.iter().any(|linkage| is_it(linkage) || linkage.swapped().as_ref().is_some_and(is_it))
+        found
+            .iter()
+            .any(|linkage| is_it(linkage) || linkage.swapped().as_ref().is_some_and(is_it))
     }
 }
 
@@ -161,7 +173,9 @@ fn apart(held: &Held, by: Partner, pin: Vec2) -> f64 {
     let off = match (held.by, by) {
         (Partner::Rocker(p), Partner::Rocker(q)) => (p - q).norm(),
         (Partner::Slide(p), Partner::Slide(q)) => angle::unit(p).cross(angle::unit(q)).abs(),
-        (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => f64::INFINITY,
+        (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => {
+            f64::INFINITY
+        }
     };
     off.max((held.pin - pin).norm())
 }
@@ -177,7 +191,8 @@ pub(super) fn worst_miss(task: &PoseTask, found: &[Proposal]) -> f64 {
     let mut worst: f64 = 0.0;
     for linkage in found {
         let [b, c] = linkage.places[0];
-        let in_body = |pin: Vec2| (pin - task.poses[0].at).turned(angle::unit(task.poses[0].angle).conj());
+        let in_body =
+            |pin: Vec2| (pin - task.poses[0].at).turned(angle::unit(task.poses[0].angle).conj());
         let [in_b, in_c] = [in_body(b), in_body(c)];
         for pose in &task.poses {
             let place = |pin: Vec2| pose.at + pin.turned(angle::unit(pose.angle));
