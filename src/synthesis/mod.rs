@@ -21,6 +21,7 @@ mod candidate;
 mod defects;
 pub mod functions;
 mod machine;
+mod poses;
 mod proposal;
 mod run;
 mod task;

@@ -1,7 +1,7 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions};
+use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions, poses};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -37,7 +37,12 @@ impl Synthesis {
         watch: &mut dyn FnMut(f64) -> bool,
     ) -> Synthesis {
         let proposals = match &task.kind {
-            TaskKind::Poses(_) => Proposals::default(),
+            TaskKind::Poses(poses) => poses::propose(
+                poses,
+                task.four_bars,
+                task.slider_cranks,
+                task.wishes.inside,
+            ),
             TaskKind::Function(function) => functions::propose(function),
             TaskKind::Path(_) => Proposals::default(),
         };
