@@ -20,7 +20,7 @@ macro_rules! tasks {
 
 static EXAMPLES: &[ExampleTask] = tasks! {
     "wiper"
-    "tipper"
+    "hatch"
     "logarithm"
     "straight-line"
     "stirrer"
