@@ -9,6 +9,7 @@ use std::hint::black_box;
 fn functions(criterion: &mut Criterion) {
     let task = |count| FunctionTask {
         pairs: chebyshev_pairs(|x: f64| Some(x.log10()), [1.0, 2.0], count).unwrap_or_default(),
+        between: Vec::new(),
         output: Output::Angle,
         crank_datum: Given::Free,
         crank_scale: Given::Value(60.0),

@@ -75,6 +75,7 @@ fn task(
     };
     FunctionTask {
         pairs: chebyshev_pairs(|x| Some((wish.f)(x)), wish.range, count).unwrap(),
+        between: Vec::new(),
         output: Output::Angle,
         crank_datum: datum(begin[0], crank_scale, from),
         crank_scale: Given::Value(crank_scale),

@@ -64,6 +64,7 @@ impl PlantedLinkage {
         let pair = |[x, y]: &[f64; 2]| [(x - a) / b, (y - c) / d];
         FunctionTask {
             pairs: self.pairs.iter().map(pair).collect(),
+            between: Vec::new(),
             output: self.output,
             crank_datum: given(0),
             crank_scale: given(1),
@@ -273,6 +274,7 @@ fn hardly_anything_to_go_by_does_no_harm() {
                 };
                 let task = FunctionTask {
                     pairs: pairs[..length].to_vec(),
+                    between: Vec::new(),
                     output,
                     crank_datum: given(0, 0.0),
                     crank_scale: given(1, 1.0),
