@@ -3,9 +3,8 @@
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
-use crate::scene::TaskFile;
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
+    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskFile, TaskKind,
 };
 use crate::wording::words;
 use serde_json::{Value, json};

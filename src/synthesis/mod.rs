@@ -12,6 +12,8 @@
 //! poses      dyads through three, four and five poses
 //! functions  Freudenstein's equation with signed ratios
 //! paths      points on a curve of the coupler, with times and without; cognates
+//! file       a task as a person writes it down
+//! machine    a proposal as a scene
 //! candidate  a proposal that was driven through its task: defects, figures, wishes
 //! ```
 //!
@@ -19,6 +21,7 @@
 
 mod candidate;
 mod defects;
+mod file;
 pub mod functions;
 mod machine;
 mod poses;
@@ -32,6 +35,7 @@ mod way;
 pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
+pub use file::{ExampleTask, TaskFile};
 pub use machine::{SceneTitles, scene_text};
 pub use proposal::{Dyad, Partner, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
