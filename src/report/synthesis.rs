@@ -4,8 +4,9 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskFile, TaskKind,
+    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
 };
+use crate::task_file::TaskFile;
 use crate::wording::words;
 use serde_json::{Value, json};
 use std::io;

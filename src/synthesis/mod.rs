@@ -12,7 +12,6 @@
 //! poses      dyads through three, four and five poses
 //! functions  Freudenstein's equation with signed ratios
 //! paths      points on a curve of the coupler, with times and without; cognates
-//! file       a task as a person writes it down
 //! machine    a proposal as a scene
 //! candidate  a proposal that was driven through its task: defects, figures, wishes
 //! ```
@@ -21,7 +20,6 @@
 
 mod candidate;
 mod defects;
-mod file;
 pub mod functions;
 mod machine;
 mod poses;
@@ -35,9 +33,8 @@ mod way;
 pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
-pub use file::{ExampleTask, TaskFile};
 pub use machine::{SceneTitles, scene_text};
-pub use proposal::{Dyad, Partner, Proposal, Proposals};
+pub use proposal::{PosedDyad, Partner, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,

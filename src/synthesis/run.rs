@@ -1,7 +1,7 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions, poses};
+use super::{PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -24,7 +24,7 @@ pub struct Synthesis {
     /// Whether there are no others.
     pub is_complete: bool,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie.
-    pub curves: Vec<Vec<Dyad>>,
+    pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Synthesis {

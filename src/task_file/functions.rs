@@ -33,7 +33,7 @@ pub(super) struct WrittenSide {
 
 /// The pairs, and what lies between them.
 #[derive(Default)]
-struct Course {
+struct FunctionCourse {
     pairs: Vec<[f64; 2]>,
     between: Vec<[f64; 2]>,
 }
@@ -89,7 +89,7 @@ pub(super) fn function(
     })
 }
 
-fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<Course> {
+fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
     let rows = rows::<2>(reader, "pairs", ("[x, y]", "[30, 42]"), written)?;
     if !(3..=MOST).contains(&rows.len()) {
         reader.report(
@@ -109,13 +109,13 @@ fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<Course> {
             return None;
         }
     }
-    Some(Course {
+    Some(FunctionCourse {
         pairs: rows.into_iter().map(|(row, _)| row).collect(),
         between: Vec::new(),
     })
 }
 
-fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<Course> {
+fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<FunctionCourse> {
     let table = reader.table("`function`", FUNCTION, value)?;
     reader.only("`function`", value);
     let mut number = |key: &str, given: Option<&Lenient<f64>>| match given {
@@ -152,7 +152,7 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let pairs = pairs?;
     let between: Option<Vec<[f64; 2]>> = dense.map(&mut at).collect();
     reader.named.worth.remove("x");
-    Some(Course {
+    Some(FunctionCourse {
         pairs,
         between: between?,
     })

@@ -19,11 +19,11 @@ mod wishes;
 
 pub use examples::ExampleTask;
 
-use super::{Task, TaskKind};
 use crate::Vec2;
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Name, Reader};
 use crate::nearest::did_you_mean;
 use crate::scene::{self, LARGEST_FILE, Unit};
+use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
 use serde::Deserialize;
 

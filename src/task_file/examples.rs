@@ -13,7 +13,7 @@ macro_rules! tasks {
     ($($name:literal)*) => {
         &[$(ExampleTask {
             name: $name,
-            text: include_str!(concat!("../../../presets/tasks/", $name, ".toml")),
+            text: include_str!(concat!("../../presets/tasks/", $name, ".toml")),
         }),*]
     };
 }
