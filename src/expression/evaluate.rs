@@ -253,6 +253,18 @@ impl Evaluator<'_> {
                     _ => Evaluated::direction(part, rest.root()),
                 })
             }
+            MathFunction::Exp => {
+                let power = self.plain(first, name)?.exponential();
+                power.ok_or_else(|| self.nothing(tree))
+            }
+            MathFunction::Ln => {
+                let logarithm = self.plain(first, name)?.logarithm(Double::ln);
+                logarithm.ok_or_else(|| self.nothing(tree))
+            }
+            MathFunction::Log10 => {
+                let logarithm = self.plain(first, name)?.logarithm(Double::log10);
+                logarithm.ok_or_else(|| self.nothing(tree))
+            }
             MathFunction::Atan2 => {
                 let [y, x] = given else {
                     return Err(self.nothing(tree));

@@ -8,6 +8,8 @@ use super::Dimension;
 use crate::arithmetic::Decimal;
 use crate::{Double, Vec2};
 
+/// What exponentials and logarithms are off by, with room to spare: 2^-90.
+const POWERS: f64 = 8.077_935_669_463_161e-28;
 /// What an operation rounds by, with room to spare: sums and products are right to 2^-104.
 const ROUNDING: f64 = 7.888_609_052_210_118e-31;
 
@@ -98,6 +100,19 @@ impl Evaluated {
             true => Evaluated::of(root, self.error.sqrt()),
             false => Evaluated::rounded(root, 0.5 * self.error / root.hi),
         }
+    }
+
+    /// e to this power; `None` where that is beyond any number.
+    pub(super) fn exponential(self) -> Option<Evaluated> {
+        let power = self.value.exp();
+        let error = (self.error + POWERS) * power.hi;
+        error.is_finite().then(|| Evaluated::rounded(power, error))
+    }
+
+    /// A logarithm to a base of at least e; `None` of what may be nothing or less.
+    pub(super) fn logarithm(self, of: impl Fn(Double) -> Double) -> Option<Evaluated> {
+        let least = self.value.hi - self.error;
+        (least > 0.0).then(|| Evaluated::rounded(of(self.value), self.error / least + POWERS))
     }
 
     /// The root of both squares, without overflow on the way.

@@ -193,9 +193,8 @@ fn driver_line(scene: &Scene, state: &State) -> DriverLine {
 }
 
 fn point_rows(scene: &Scene, reading: &ProvedState<'_>) -> Vec<PointRow> {
-    let named = |point| Some((point, scene.point_name(point)?));
-    let points = scene.mechanism.point_ids().filter_map(named);
-    points
+    scene
+        .listed_points()
         .map(|(point, name)| PointRow {
             name: name.to_owned(),
             fixed: scene.mechanism.point(point).ground.is_some(),
