@@ -34,7 +34,7 @@ pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
 pub use machine::{SceneTitles, scene_text};
-pub use proposal::{PosedDyad, Partner, Proposal, Proposals};
+pub use proposal::{Partner, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,
