@@ -5,6 +5,7 @@
 //! the loops close - is the solver's to say.
 
 mod builder;
+mod input_table;
 mod inputs;
 mod law;
 mod lengths;
@@ -15,7 +16,9 @@ mod spline;
 mod tolerances;
 
 pub use builder::Builder;
-pub use inputs::TimedInput;
+pub use input_table::InputTable;
+pub(crate) use inputs::fraction;
+pub use inputs::{InputLaw, TimedInput};
 pub use law::{DriverMoment, MotionLaw, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
 pub(crate) use limit::MOST_TURNS;
@@ -24,6 +27,7 @@ pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;
 pub(crate) use polar::seen_from;
 pub use spline::ClampedSpline;
+pub(crate) use spline::{SplineEnds, bends};
 pub use tolerances::Tolerances;
 
 use crate::Vec2;
@@ -513,6 +517,12 @@ pub enum Defect {
     /// A link or a slide that is driven by two inputs.
     #[error("two inputs drive the same element")]
     DrivenTwice {
+        /// What is driven.
+        of: ElementId,
+    },
+    /// A closed table of an input that does not come back to its first value, or whose driver does not turn.
+    #[error("the table closes over whole turns of the driver only where its values come back")]
+    OpenTable {
         /// What is driven.
         of: ElementId,
     },

@@ -19,6 +19,9 @@ pub struct StopFacts {
     /// The unit of that.
     #[serde(skip)]
     unit: &'static str,
+    /// Whether it is the end of the table of this input.
+    #[serde(skip)]
+    is_table: bool,
 }
 
 /// The stops at which the motion ends, in order.
@@ -27,7 +30,7 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     let facts = |stop: &EndStop| {
         let limit = scene.mechanism.limit(stop.limit);
         let is_angle = match limit.of {
-            LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            LimitOf::Driver | LimitOf::Table(_) => matches!(scene.mechanism.driver().input, Input::Turn(_)),
             LimitOf::Slide(_) => false,
             LimitOf::Angle { .. } => true,
         };
@@ -38,6 +41,7 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
                 StrokeEnd::Least => limit.low,
                 StrokeEnd::Greatest => limit.high,
             },
+            is_table: matches!(limit.of, LimitOf::Table(_)),
             unit: if is_angle { "deg" } else { scene.unit.symbol() },
         }
     };
@@ -45,9 +49,21 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
 }
 
 impl StopFacts {
+    /// What stops the motion, in words.
+    #[must_use]
+    pub fn called(&self) -> String {
+        match self.is_table {
+            true => words().table_named(&self.name),
+            false => self.name.clone(),
+        }
+    }
+
     /// In words; `at` is the driver's coordinate in `unit`.
     #[must_use]
     pub fn text(&self, at: &str, unit: &str) -> String {
+        if self.is_table {
+            return words().table_ends_at(at, unit, &self.name);
+        }
         let value = format!("{} {}", concise(self.value, usize::MAX), self.unit);
         words().stop_at(at, unit, &self.name, &value)
     }

@@ -138,11 +138,13 @@ impl Scene {
             // It was read once before.
             return Vec::new();
         };
+        let turns = matches!(self.mechanism.driver().input, Input::Turn(_));
         let mut collector = Collector {
             text: self.text(),
             unit: self.unit,
             slides: &self.slide_names,
-            turns: matches!(self.mechanism.driver().input, Input::Turn(_)),
+            turns,
+            driver_turns: turns,
             is_torsion: false,
             owner: ValueOwner::Scene,
             met: HashMap::new(),
@@ -221,6 +223,8 @@ struct Collector<'t> {
     slides: &'t [String],
     /// Whether a link is driven, and no slide.
     turns: bool,
+    /// The same of the driver, also in the table of another input.
+    driver_turns: bool,
     /// Whether the table at hand is that of a torsion spring.
     is_torsion: bool,
     /// What the values that are found now belong to.
@@ -452,7 +456,11 @@ impl Collector<'_> {
             }
             Err(_) => return,
         };
-        let measure = match (size.measure(self.turns), self.is_torsion) {
+        let turns = match size {
+            NumberMeasure::DriverItself => self.driver_turns,
+            NumberMeasure::Of(_) | NumberMeasure::Driver | NumberMeasure::Effort => self.turns,
+        };
+        let measure = match (size.measure(turns), self.is_torsion) {
             (measure, true) => measure.of_torsion(),
             (measure, false) => measure,
         };
