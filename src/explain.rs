@@ -308,7 +308,9 @@ fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
 fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
     let Limit { of, low, high } = *scene.mechanism.limit(limit);
     let counts_in_degrees = match of {
-        LimitOf::Driver | LimitOf::Table(_) => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+        LimitOf::Driver | LimitOf::Table(_) => {
+            matches!(scene.mechanism.driver().input, Input::Turn(_))
+        }
         LimitOf::Slide(_) => false,
         LimitOf::Angle { .. } => true,
     };

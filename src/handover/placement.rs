@@ -8,7 +8,9 @@ use super::identifiers::Identifiers;
 use super::terms::{ScriptTerm, complex, number};
 use crate::scene::Scene;
 use crate::solver::Solver;
-use crate::{Body, Input, InputLaw, InputTable, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
+use crate::{
+    Body, Input, InputLaw, InputTable, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2,
+};
 
 /// A name and what it is worth.
 #[derive(Clone, Debug)]

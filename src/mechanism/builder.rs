@@ -1,8 +1,9 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
-    Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider, TimedInput,
+    Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
+    LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
+    TimedInput,
 };
 use crate::Vec2;
 use std::collections::HashSet;

@@ -128,7 +128,10 @@ mod tests {
         for (place, turns) in [(330.0, 0.0), (-30.0, -1.0), (690.0, 1.0)] {
             let by = 1e-9;
             let [before, after] = [table.at(place - by), table.at(place + by)];
-            assert!((before[0] - 365.0 - 360.0 * turns).abs() < 1e-7, "{before:?}");
+            assert!(
+                (before[0] - 365.0 - 360.0 * turns).abs() < 1e-7,
+                "{before:?}"
+            );
             for (one, other) in before.into_iter().zip(after) {
                 assert!((one - other).abs() < 1e-7, "{one} {other} at {place}");
             }

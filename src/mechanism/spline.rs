@@ -143,7 +143,11 @@ fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let u = solved(inner.clone().map(|k| row(k, turned(k - 1, k))).collect());
     let ends_beside = |k: usize| {
         let first = if k == 1 { widths[0] } else { T::default() };
-        let last = if k == count - 1 { widths[k] } else { T::default() };
+        let last = if k == count - 1 {
+            widths[k]
+        } else {
+            T::default()
+        };
         T::default() - (first + last)
     };
     let v = solved(inner.map(|k| row(k, ends_beside(k))).collect());

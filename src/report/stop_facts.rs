@@ -30,7 +30,9 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     let facts = |stop: &EndStop| {
         let limit = scene.mechanism.limit(stop.limit);
         let is_angle = match limit.of {
-            LimitOf::Driver | LimitOf::Table(_) => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            LimitOf::Driver | LimitOf::Table(_) => {
+                matches!(scene.mechanism.driver().input, Input::Turn(_))
+            }
             LimitOf::Slide(_) => false,
             LimitOf::Angle { .. } => true,
         };

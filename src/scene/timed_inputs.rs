@@ -32,8 +32,14 @@ pub(super) struct DraftTimed<'t> {
 
 #[derive(Debug)]
 enum DraftLaw {
-    Ratio { ratio: f64, phase: f64 },
-    Table { knots: Vec<[f64; 2]>, place: ByteSpan },
+    Ratio {
+        ratio: f64,
+        phase: f64,
+    },
+    Table {
+        knots: Vec<[f64; 2]>,
+        place: ByteSpan,
+    },
 }
 
 /// Reads the section.

@@ -199,7 +199,9 @@ impl<'s> LimitWatch<'s> {
         {
             let value = match self.of {
                 LimitOf::Angle { .. } => start.value.to_degrees(),
-                LimitOf::Driver | LimitOf::Table(_) | LimitOf::Slide(_) => start.value * self.solver.engine.frame.scale,
+                LimitOf::Driver | LimitOf::Table(_) | LimitOf::Slide(_) => {
+                    start.value * self.solver.engine.frame.scale
+                }
             };
             return Err(Fault::BeyondStop {
                 limit: self.id,

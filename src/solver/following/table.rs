@@ -155,7 +155,9 @@ impl ReadyTable {
         });
         let knots = self.places.iter().map(|place| place.hi);
         let knots = knots.chain(around.into_iter().flatten());
-        knots.map(|knot| (knot - q).abs()).fold(f64::INFINITY, f64::min)
+        knots
+            .map(|knot| (knot - q).abs())
+            .fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -159,12 +159,7 @@ impl<T: Number> ForceState<T> {
 
     /// What comes to an input: it goes on to the driver that it follows.
     #[inline(always)]
-    pub(super) fn drive_by(
-        &mut self,
-        following: Option<&Following>,
-        effort: T,
-        state: &State<T>,
-    ) {
+    pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T, state: &State<T>) {
         match following {
             None => {
                 self.efforts[0] += effort;

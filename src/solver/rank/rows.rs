@@ -134,9 +134,7 @@ impl<'n> Rows<'n> {
     fn rate(&self, class: ClassId, at: f64) -> f64 {
         let mut timed = self.network.timed_links();
         let of_class = timed.find(|(link, _)| self.network.class(*link) == class);
-        of_class.map_or(1.0, |(_, following)| {
-            following.at(self.given(at)).w
-        })
+        of_class.map_or(1.0, |(_, following)| following.at(self.given(at)).w)
     }
 
     /// By how much every equation misses, and its derivatives by column.
