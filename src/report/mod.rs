@@ -81,7 +81,7 @@ pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
-pub use stop_facts::{StopFacts, stops};
+pub use stop_facts::{StopFacts, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;

@@ -4,7 +4,7 @@ use super::number::concise;
 use crate::scene::Scene;
 use crate::solver::{EndStop, Solver};
 use crate::wording::words;
-use crate::{Input, LimitOf, StrokeEnd};
+use crate::{Input, LimitId, LimitOf, StrokeEnd};
 use serde::Serialize;
 
 /// A stop at an end of the range.
@@ -50,6 +50,16 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     solver.motion().stops.iter().map(facts).collect()
 }
 
+/// What stops a motion, in words: what is limited, or the table that ends.
+#[must_use]
+pub fn stop_name(scene: &Scene, limit: LimitId) -> String {
+    let name = scene.limit_name(limit);
+    match scene.mechanism.limit(limit).of {
+        LimitOf::Table(_) => words().table_named(name),
+        LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Angle { .. } => name.to_owned(),
+    }
+}
+
 impl StopFacts {
     /// What stops the motion, in words.
     #[must_use]
@@ -57,6 +67,15 @@ impl StopFacts {
         match self.is_table {
             true => words().table_named(&self.name),
             false => self.name.clone(),
+        }
+    }
+
+    /// That it ends the motion before a place; `covered` is what the driver covers.
+    #[must_use]
+    pub fn before(&self, at: f64, unit: &str, covered: &str) -> String {
+        match self.is_table {
+            true => words().table_ends_before(&at, unit, &self.name, covered),
+            false => words().stopped_before(&at, unit, &self.name, covered),
         }
     }
 

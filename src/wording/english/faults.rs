@@ -105,7 +105,7 @@ catalogue! {
             "the scene opens where the table of {table} says nothing: the driver is at {value}, and the table goes from {low} to {high}";
         not_in_the_table = "the driver is outside this table";
         open_within_table(coordinate: &str) =
-            "open the scene at a `{coordinate}` of the driver that lies in the table, or let the table go so far";
+            "let the driver's `{coordinate}` lie in the table, or let the table go so far";
         held_by_stops(one: &str, other: &str) =
             "the scene opens at two stops, and nothing can move: those of {one} and {other}";
         no_way_down = "the driver cannot go back";
