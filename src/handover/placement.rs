@@ -357,12 +357,30 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn settle(&mut self) {
         loop {
             let before = self.steps.len();
+            self.push_out();
             for link in self.mechanism().link_ids() {
                 self.lock(link);
                 self.settle_link(link);
             }
             if self.steps.len() == before {
                 return;
+            }
+        }
+    }
+
+    /// What inputs push along guides of links that are placed.
+    fn push_out(&mut self) {
+        let inputs: Vec<Input> = self.mechanism().inputs().collect();
+        for input in inputs {
+            let Input::Push(id) = input else { continue };
+            let slide = self.mechanism().slide(id);
+            let point = slide.slider.point();
+            if self.is_known(point) || self.direction(slide.on).is_none() {
+                continue;
+            }
+            let way = self.along(id).times(self.coordinate(input));
+            if let Some(place) = self.on_body(slide.on, self.through(id).plus(way)) {
+                self.put(point, place);
             }
         }
     }
