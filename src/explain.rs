@@ -308,7 +308,9 @@ fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
 fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
     let Limit { of, low, high } = *scene.mechanism.limit(limit);
     let counts_in_degrees = match of {
-        LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+        LimitOf::Driver | LimitOf::Table(_) => {
+            matches!(scene.mechanism.driver().input, Input::Turn(_))
+        }
         LimitOf::Slide(_) => false,
         LimitOf::Angle { .. } => true,
     };
@@ -318,6 +320,12 @@ fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
     };
     let name = format!("`{}`", scene.limit_name(limit));
     let coordinate = coordinate_key(&scene.mechanism);
+    if let LimitOf::Table(_) = of {
+        let [value, low, high] = [value, low, high].map(said);
+        return Diagnostic::new(words().opens_beyond_table(&name, &value, &low, &high))
+            .at(scene.limit_place(limit), words().not_in_the_table())
+            .help(words().open_within_table(coordinate));
+    }
     Diagnostic::new(words().opens_beyond_stop(&name, &said(value), &said(low), &said(high)))
         .at(scene.limit_place(limit), words().is_passed_at_opening())
         .note(words().driver_stands_at(&self::coordinate(scene, scene.mechanism.driver().start)))

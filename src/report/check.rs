@@ -329,7 +329,7 @@ impl Check {
             note: scene.note.clone(),
             unit: scene.unit.symbol(),
             driver: names.driver(),
-            inputs: InputFacts::of(scene),
+            inputs: InputFacts::of(scene, solver.motion().range),
             parameters: scene.parameters.iter().map(ParameterFacts::of).collect(),
             links: names.links(mechanism.link_ids()),
             joints: mechanism

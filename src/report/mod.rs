@@ -86,7 +86,7 @@ pub use paper::{Report, ReportFormat};
 pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
-pub use stop_facts::{StopFacts, stops};
+pub use stop_facts::{StopFacts, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use synthesis::SynthesisReport;
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};

@@ -234,6 +234,56 @@ fn the_python_script_of_every_preset_finds_the_same_places() {
     }
 }
 
+/// A five-bar whose second crank follows by a closed table, and a telescope by an open one.
+#[test]
+fn scripts_follow_the_tables_of_inputs() {
+    let links = "[links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 260 }\n\
+        r4 = { from = \"E\", to = \"C\", length = 240 }\nr5 = { from = \"D\", to = \"E\", length = 80 }\n[start]\nC = [150, 250]\n";
+    let five_bar = format!(
+        "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [300, 0]\n[driver]\nlink = \"r2\"\nangle = 50\n[inputs]\n\
+         r5 = {{ over = [[0.5, 80], [40, 65], [90.1, 10], [200, -20.5], [360.5, -280]] }}\n{links}"
+    );
+    let telescope = "unit = \"mm\"\n[ground]\nO = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 50\n[inputs]\n\
+        rod = { over = [[0, 200], [40, 265], [90, 310], [150, 200]] }\n[links]\nr2 = { points = { O = [0, 0] } }\n\
+        [slides]\nrod = { point = \"T\", on = \"r2\", through = \"O\", angle = 0 }\n";
+    let folder = folder("handover-tables");
+    for (name, text, [from, to]) in [
+        ("five_bar", five_bar.as_str(), ["-400", "800"]),
+        ("telescope", telescope, ["0", "150"]),
+    ] {
+        let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("{name}.{end}")));
+        std::fs::write(&scene, text).unwrap();
+        let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
+        done(&["export", scene, "--format", "python", "-o", script]);
+        let Some(found) = python(script, &[from, to, "7.5"]) else {
+            return;
+        };
+        let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+        let names: Vec<&str> = heads.iter().map(|h| h.split(' ').next().unwrap()).collect();
+        let columns = names[1..].join(",");
+        let expected = done(&[
+            "sweep",
+            scene,
+            "--from",
+            from,
+            "--to",
+            to,
+            "--step",
+            "7.5",
+            "--columns",
+            &columns,
+        ]);
+        let (found, expected) = (rows(&found), rows(&expected));
+        assert_eq!(found.len(), expected.len(), "{name}");
+        for (found, expected) in found.iter().zip(&expected) {
+            for (a, b) in found[1..].iter().zip(&expected[1..]) {
+                let off = (a.parse::<f64>().unwrap() - b.parse::<f64>().unwrap()).abs();
+                assert!(off < 1e-9, "{name} at {}: {off:e}", found[0]);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_script_reads_as_the_scene_does() {
     let script = done(&["export", "four-bar", "--format", "python"]);

@@ -92,6 +92,14 @@ impl<'n> Rows<'n> {
         }
     }
 
+    /// The driver's coordinate as inputs follow it: in degrees or scaled lengths.
+    fn given(&self, at: f64) -> f64 {
+        match self.network.mechanism.driver().input {
+            Input::Turn(_) => at,
+            Input::Push(_) => self.frame.length(at),
+        }
+    }
+
     /// Turns the driven links to where they are at the driver's coordinate.
     pub(super) fn drive(&self, at: f64, pose: &mut RankPose) {
         let mechanism = self.network.mechanism;
@@ -99,12 +107,7 @@ impl<'n> Rows<'n> {
             self.turn(link, self.driver(at).1, pose);
         }
         for (link, following) in self.network.timed_links() {
-            let q = if mechanism.driver().turns() {
-                at
-            } else {
-                self.driver(at).0
-            };
-            self.turn(link, angle::unit(following.at(q).p), pose);
+            self.turn(link, angle::unit(following.at(self.given(at)).p), pose);
         }
     }
 
@@ -120,24 +123,24 @@ impl<'n> Rows<'n> {
     fn pushed(&self, slide: SlideId, at: f64) -> (f64, f64) {
         let following = self.network.following(Input::Push(slide));
         let q = match following {
-            Some(_) if self.network.mechanism.driver().turns() => at,
-            _ => self.driver(at).0,
+            Some(_) => self.given(at),
+            None => self.driver(at).0,
         };
-        let motion = InputMotion::of(following.as_ref(), q);
+        let motion = InputMotion::of(following, q);
         (motion.p, motion.w)
     }
 
     /// The derivative of the direction of a driven class by the driver's coordinate.
-    fn rate(&self, class: ClassId) -> f64 {
+    fn rate(&self, class: ClassId, at: f64) -> f64 {
         let mut timed = self.network.timed_links();
         let of_class = timed.find(|(link, _)| self.network.class(*link) == class);
-        of_class.map_or(1.0, |(_, following)| following.rate())
+        of_class.map_or(1.0, |(_, following)| following.at(self.given(at)).w)
     }
 
     /// By how much every equation misses, and its derivatives by column.
     pub(super) fn linear(&self, at: f64, pose: &RankPose) -> Vec<(f64, Vec<(usize, f64)>)> {
         let equations = self.rows.iter().map(|&row| self.equation(row, at, pose));
-        equations.map(|e| (e.miss, self.terms(&e))).collect()
+        equations.map(|e| (e.miss, self.terms(&e, at))).collect()
     }
 
     /// The derivatives, each row of unit length; the last column is the driver's.
@@ -181,7 +184,7 @@ impl<'n> Rows<'n> {
         columns.chain(class).map(share).fold(0.0, f64::max)
     }
 
-    fn terms(&self, e: &EquationRow) -> Vec<(usize, f64)> {
+    fn terms(&self, e: &EquationRow, at: f64) -> Vec<(usize, f64)> {
         let mut terms = Vec::with_capacity(6);
         let mut point = |point: PointId, by: Vec2| {
             if let Some(column) = self.point_column[point.index()] {
@@ -196,7 +199,7 @@ impl<'n> Rows<'n> {
         if let Some(column) = self.class_column[e.class.0] {
             terms.push((column, turn));
         } else if e.class != GROUND && self.network.is_given(e.class) {
-            terms.push((self.width, turn * self.rate(e.class)));
+            terms.push((self.width, turn * self.rate(e.class, at)));
         }
         if e.push != 0.0 {
             terms.push((self.width, e.push));
