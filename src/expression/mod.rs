@@ -21,9 +21,9 @@ mod tree;
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use dimension::{Dimension, LengthScale};
-pub(crate) use evaluate::{Evaluated, evaluate};
-pub(crate) use parser::parse;
-pub(crate) use tree::ExpressionTree;
+pub(crate) use evaluate::{Evaluated, Measured, evaluate};
+pub(crate) use parser::{is_unit, parse};
+pub(crate) use tree::{ExpressionTree, is_function};
 
 use std::ops::Range;
 

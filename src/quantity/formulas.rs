@@ -3,7 +3,7 @@
 use super::derived::Leaf;
 use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
 use crate::document::{Diagnostic, Diagnostics};
-use crate::expression::{self, ExpressionTree, Malformed, Part, compile};
+use crate::expression::{self, ExpressionTree, Malformed, compile};
 use crate::nearest::did_you_mean;
 use crate::scene::{NamedFormula, Scene, is_figure_name, reserved_for_figures};
 use crate::wording::words;
@@ -120,8 +120,8 @@ impl Catalogue {
         let mut leaves: Vec<Leaf> = Vec::new();
         let mut names = |name: &str| {
             let mut parameters = self.parameters.iter();
-            if let Some((_, number)) = parameters.find(|(parameter, _)| parameter == name) {
-                return Ok(Part::constant(*number));
+            if let Some((_, part)) = parameters.find(|(parameter, _)| parameter == name) {
+                return Ok(part.clone());
             }
             let solved = index.get(name).and_then(|&i| self.all().get(i));
             let found = match solved {

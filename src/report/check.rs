@@ -8,7 +8,7 @@ use super::number::concise;
 use super::slide_facts::SlideFacts;
 use super::stop_facts::{StopFacts, stops};
 use crate::quantity::{Catalogue, Quantity};
-use crate::scene::{Parameter, Scene};
+use crate::scene::{Parameter, Scene, Unit};
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
 use crate::wording::words;
@@ -220,14 +220,19 @@ pub struct ParameterFacts {
     /// The formula that it follows from, if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formula: Option<String>,
+    /// The unit of its worth, where it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
 }
 
 impl ParameterFacts {
-    fn of(parameter: &Parameter) -> ParameterFacts {
+    fn of(parameter: &Parameter, length: Unit) -> ParameterFacts {
+        let unit = parameter.dimension;
         ParameterFacts {
             name: parameter.name.clone(),
             value: parameter.number,
             formula: parameter.formula.clone(),
+            unit: unit.map(|unit| unit.symbol(length.symbol())),
         }
     }
 
@@ -235,7 +240,9 @@ impl ParameterFacts {
     pub(super) fn text(&self) -> String {
         let formula = self.formula.as_ref();
         let formula = formula.map_or(String::new(), |formula| format!("{formula} = "));
-        format!("{} = {formula}{}", self.name, self.value)
+        let unit = self.unit.as_ref();
+        let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+        format!("{} = {formula}{}{unit}", self.name, self.value)
     }
 }
 
@@ -370,7 +377,9 @@ impl Check {
             unit: scene.unit.symbol(),
             driver: names.driver(),
             inputs: InputFacts::of(scene),
-            parameters: scene.parameters.iter().map(ParameterFacts::of).collect(),
+            parameters: (scene.parameters.iter())
+                .map(|parameter| ParameterFacts::of(parameter, scene.unit))
+                .collect(),
             links: names.links(mechanism.link_ids()),
             joints: mechanism
                 .point_ids()

@@ -123,7 +123,14 @@ impl Value {
         match self.measure.units(self.scene) {
             MeasureUnits::Rate(..) => format!("{literal} {}", self.unit),
             MeasureUnits::Length | MeasureUnits::Angle | MeasureUnits::Scales(_) => {
-                literal.to_owned()
+                // A parameter keeps its unit: formulas count on it.
+                let kept = self
+                    .dimension
+                    .filter(|_| self.measure == Measure::Parameter);
+                kept.map_or_else(
+                    || literal.to_owned(),
+                    |unit| quoted(&format!("{literal} {}", unit.written(self.scene.symbol()))),
+                )
             }
         }
     }

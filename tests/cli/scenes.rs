@@ -393,7 +393,7 @@ fn check_lists_parameters_with_what_they_are_worth() {
     assert!(!done(&["check", "four-bar"]).contains("parameters"));
 }
 
-/// A figure is made of columns and of parameters, which are plain numbers.
+/// A figure is made of columns and of parameters, with their units or plain.
 #[test]
 fn figures_may_name_parameters() {
     let text = MINE.replacen(
@@ -423,4 +423,9 @@ fn figures_may_name_parameters() {
     std::fs::write(&file, text.replace(" * 1 cm", "")).unwrap();
     let said = refused(2, &["check", name]);
     assert!(said.contains("`2 * crank` is a plain number"), "{said}");
+    // It may bring that along.
+    let text = text.replace(" * 1 cm", "").replace("crank = 1.35", "crank = \"13.5 mm\"");
+    std::fs::write(&file, text).unwrap();
+    let told = "parameters crank = 13.5 mm = 1.35 cm\n";
+    assert!(done(&["check", name]).contains(told));
 }
