@@ -285,7 +285,7 @@ impl Catalogue {
         let names = self.quantities.iter().chain(&unlisted);
         let names = names.map(|q| q.name.as_str());
         UnknownColumn {
-            why,
+            why: why.or_else(|| self.difference(pattern)),
             pattern: pattern.into(),
             nearest: nearest(pattern, names).map(str::to_owned),
             nothing_acts: self.has_no(pattern),

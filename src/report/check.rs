@@ -203,11 +203,42 @@ pub struct Check {
     pub first_loop: Option<LoopFacts>,
     /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
     pub acting: LoadCounts,
+    /// Knots of loads over the driver's coordinate at which the motion never is.
+    pub dead_knots: Vec<DeadKnots>,
     /// Reactions that the redundant constraints leave open, as their columns are named.
     pub indeterminate: Vec<String>,
     /// The range in words.
     #[serde(skip)]
     pub range_text: String,
+}
+
+/// Knots of a load that do nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DeadKnots {
+    /// What the load acts on.
+    pub on: String,
+    /// The driver's coordinates of the knots.
+    pub at: Vec<f64>,
+}
+
+/// The knots of every load between which and the next no place of the motion lies.
+fn dead_knots(scene: &Scene, range: Range) -> Vec<DeadKnots> {
+    let Range::Limited { low, high } = range else {
+        return Vec::new();
+    };
+    let mechanism = &scene.mechanism;
+    let turns = mechanism.driver().turns();
+    let of_load = |load: &Load| {
+        let (on, over) = match load {
+            Load::Force { point, over, .. } => (scene.point_name(*point)?, over),
+            Load::Torque { link, over, .. } => (scene.link_name(*link), over),
+            _ => return None,
+        };
+        let at = over.unused_between(low, high, turns);
+        let on = on.to_owned();
+        (!at.is_empty()).then_some(DeadKnots { on, at })
+    };
+    mechanism.loads().iter().filter_map(of_load).collect()
 }
 
 /// A number with a name.
@@ -403,6 +434,7 @@ impl Check {
             transmission: names.transmission(solver),
             condition: names.condition(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
+            dead_knots: dead_knots(scene, solver.motion().range),
             acting: LoadCounts::on(mechanism, solver.motion().range),
             indeterminate: indeterminate(scene, solver),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),

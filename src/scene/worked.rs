@@ -100,6 +100,9 @@ impl NamedNumbers {
 
     /// What was probably meant by a name that is unknown.
     fn meant(&self, name: &str) -> Option<String> {
+        if expression::is_difference(name, |part| self.worth.contains_key(part)) {
+            return Some(words().minus_between_blanks().to_owned());
+        }
         let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
         names.sort_unstable();
         if let Some(meant) = did_you_mean(name, names.iter().copied()) {

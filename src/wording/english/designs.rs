@@ -52,6 +52,7 @@ catalogue! {
         free_without_ends(name: &str) = "`{name}` needs ends here: write `{name}=LOW..HIGH`";
         varies_twice(name: &str) = "`{name}` varies twice";
         no_such_design(number: usize, count: usize) = "there is no design {number}: {count} were found";
+        given_lacks = "given has no";
         goals_not_met = "no design was found that meets all goals";
         keeps_nothing = "no design was found that keeps all of that";
         start_was_written = "the text alone would open in another assembly: its [start] was written anew";

@@ -49,6 +49,7 @@ catalogue! {
         free_without_ends(name: &str) = "`{name}` için burada sınırlar gerek: `{name}=ALT..ÜST` yazın";
         varies_twice(name: &str) = "`{name}` iki kez değişiyor";
         no_such_design(number: usize, count: usize) = "{number} numaralı tasarım yok: {count} tasarım bulundu";
+        given_lacks = "verilende yok";
         goals_not_met = "bütün hedefleri karşılayan bir tasarım bulunamadı";
         keeps_nothing = "hepsini koruyan bir tasarım bulunamadı";
         start_was_written = "metin tek başına başka bir montaj biçiminde açılırdı: [start] yeniden yazıldı";
