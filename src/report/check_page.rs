@@ -93,7 +93,15 @@ impl Check {
         facts.tell(words().fact_transmission(), angles);
         let conditions = self.condition.iter().map(|c| condition_text(c, unit));
         facts.tell(words().fact_condition(), conditions);
-        facts.tell(words().fact_forces(), self.acting_text());
+        let dead = self.dead_knots.iter().map(|dead| {
+            let unit = self.driver_unit();
+            let at: Vec<String> = dead.at.iter().map(|at| place_text(*at, unit)).collect();
+            words().knots_outside(&dead.on, &at.join(", "))
+        });
+        facts.tell(
+            words().fact_forces(),
+            self.acting_text().into_iter().chain(dead),
+        );
         if !self.indeterminate.is_empty() {
             facts.tell(words().fact_open(), [self.open_text()]);
         }

@@ -78,7 +78,7 @@ pub use exercise::{
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
-pub use goals::{BestReport, GoalReport};
+pub use goals::{BestReport, GoalReport, no_best};
 pub use input_facts::InputFacts;
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};

@@ -16,6 +16,7 @@ catalogue! {
         fact_links = "links";
         fact_joints = "joints";
         fact_slides = "slides";
+        knots_outside(of: &str, at: &str) = "knots of `over` at {of} that the motion never comes to: {at}";
         fact_mobility = "mobility";
         fact_redundant = "redundant";
         fact_groups = "groups";

@@ -16,6 +16,7 @@ catalogue! {
         fact_links = "uzuvlar";
         fact_joints = "mafsallar";
         fact_slides = "kızaklar";
+        knots_outside(of: &str, at: &str) = "`over` ({of}): hareketin hiç varmadığı düğümler: {at}";
         fact_mobility = "serbestlik";
         fact_redundant = "fazla";
         fact_groups = "gruplar";
