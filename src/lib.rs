@@ -119,6 +119,6 @@ pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, a
 pub use mechanism::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
     Input, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism, Member, MotionLaw,
-    Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
-    TimedStep, Tolerances,
+    MotionPeaks, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider, StepLaw, StrokeEnd,
+    TimedInput, TimedStep, Tolerances,
 };

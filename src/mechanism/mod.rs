@@ -16,7 +16,7 @@ mod tolerances;
 
 pub use builder::Builder;
 pub use inputs::TimedInput;
-pub use law::{DriverMoment, MotionLaw, StepLaw, TimedStep};
+pub use law::{DriverMoment, MotionLaw, MotionPeaks, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
 pub(crate) use limit::MOST_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
