@@ -92,6 +92,16 @@ impl Clock {
         DriverMoment { at, ..moment }
     }
 
+    /// The moment of a coordinate that is passed with the scene's own speed, whatever its motion.
+    #[must_use]
+    pub fn passing(&self, at: f64) -> DriverMoment {
+        DriverMoment {
+            at,
+            speed: self.speed,
+            acceleration: self.acceleration,
+        }
+    }
+
     /// Where the driver is, in degrees or in the scene's length unit.
     #[must_use]
     pub fn coordinate(&self, time: f64) -> f64 {
