@@ -4,6 +4,7 @@ use super::choice_facts::ChoiceList;
 use super::forces::indeterminate;
 use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
+use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::range_text;
 use super::slide_facts::SlideFacts;
@@ -149,6 +150,9 @@ pub struct Check {
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverFacts,
+    /// How it moves over time, if it does not run by its speed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionFacts>,
     /// The inputs that follow it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<InputFacts>,
@@ -367,6 +371,7 @@ impl Check {
             note: scene.note.clone(),
             unit: scene.unit.symbol(),
             driver: names.driver(),
+            motion: MotionFacts::of(scene),
             inputs: InputFacts::of(scene, solver.motion().range),
             parameters: (scene.parameters.iter())
                 .map(|parameter| ParameterFacts::of(parameter, scene.unit))

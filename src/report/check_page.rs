@@ -4,6 +4,7 @@ use super::check::{
     Check, ConditionFacts, DriverFacts, DriverKind, GroupFacts, JointFacts, ParameterFacts,
     RedundancyFacts, TransmissionFacts,
 };
+use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
@@ -55,6 +56,10 @@ impl Check {
         facts.tell(
             words().fact_driver(),
             [self.driver_text()].into_iter().chain(inputs),
+        );
+        facts.tell(
+            words().fact_motion(),
+            self.motion.as_ref().map(MotionFacts::text),
         );
         facts.tell(words().fact_links(), [self.links.join(", ")]);
         facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
@@ -184,12 +189,15 @@ impl Check {
             DriverKind::Slide => (self.unit, self.unit),
         };
         let driven = self.driven();
-        let start = concise(*start, usize::MAX);
+        let start = format!("{} {coordinate}", concise(*start, usize::MAX));
+        if self.motion.is_some() {
+            return words().driver_opens_at(&driven, &start);
+        }
         // Rates may come from rpm or deg/s, with digits of no use.
         let [speed, acceleration] = [speed, acceleration].map(|v| concise(*v, DIGITS));
         words().driver_opens(
             &driven,
-            &format!("{start} {coordinate}"),
+            &start,
             &format!("{speed} {rate}/s"),
             &format!("{acceleration} {rate}/s^2"),
         )
