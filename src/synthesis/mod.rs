@@ -17,9 +17,14 @@
 //!
 //! Lengths are in the task's unit, angles in degrees, counter-clockwise, as everywhere in this library.
 
+mod cognates;
+mod paths;
+#[cfg(test)]
+mod planted;
 mod proposal;
 mod task;
 
+pub use paths::PathSearch;
 pub use proposal::{Dyad, Partner, Proposal, Proposals};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,
