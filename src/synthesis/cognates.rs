@@ -116,7 +116,7 @@ mod tests {
     fn cognates_draw_the_same_curve() {
         let mut chance = SeededChance::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
-        for _ in 0..300 {
+        for _ in 0..3000 {
             let planted = Planted::random(&mut chance, four_bars > 2 * sliders);
             let turns: Vec<f64> = (0..360).map(f64::from).collect();
             let Some(first) = planted.proposal(&turns) else {
@@ -209,6 +209,7 @@ mod tests {
             arm,
             start: 20.0,
             sign: 1.0,
+            across: 0.1,
         };
         for along in [-0.7, 0.4, 0.5, 1.9] {
             let first = bar(Vec2::new(along, 0.0)).proposal(&turns).unwrap();

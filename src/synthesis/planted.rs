@@ -19,6 +19,8 @@ pub(super) struct Planted {
     /// The crank's first angle.
     pub(super) start: f64,
     pub(super) sign: f64,
+    /// The least part of the coupler that stands across: it keeps away from dead points.
+    pub(super) across: f64,
 }
 
 impl Planted {
@@ -45,6 +47,7 @@ impl Planted {
             arm,
             start,
             sign: chance.even().signum(),
+            across: 0.1,
         }
     }
 
@@ -58,7 +61,7 @@ impl Planted {
         lengths.into_iter().fold(0.0, f64::max)
     }
 
-    /// B, C and the tracer; `None` at a dead point and beyond.
+    /// B, C and the tracer; `None` near a dead point and beyond.
     pub(super) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
         let b = self.pivot + angle::unit(self.start + turn) * self.crank;
         let (e, x) = match self.far {
@@ -74,7 +77,7 @@ impl Planted {
             }
         };
         let h = (self.coupler * self.coupler - x * x).sqrt();
-        if !(h > 0.1 * self.coupler) {
+        if !(h > self.across * self.coupler) {
             return None;
         }
         let c = b + e * x + e.perp() * (self.sign * h);

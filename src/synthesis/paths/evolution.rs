@@ -63,7 +63,7 @@ fn ends(quarry: &Quarry, wanted: &Wanted) -> [[f64; 2]; GENES] {
     let free = wanted.turns.is_none();
     let (crank, far, ground) = match quarry.form {
         Form::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
-        Form::SliderCrank => ([-3.0, 0.7], [-1.0, 1.0], [0.0, 0.0]),
+        Form::SliderCrank => ([-3.0, 1.6], [-2.5, 2.5], [0.0, 0.0]),
     };
     let turn = if free && !wanted.closed {
         [25.0, 345.0]
