@@ -17,6 +17,7 @@
 //!   -> quantity   everything that has a name, a unit and a value
 //!   -> study      every method that could solve it, timed and held against a reference; the motor
 //!                 over a cycle
+//!   -> synthesis  from a motion that is wanted to linkages; a task is a file, too
 //!   -> report     pages, CSV, JSON       -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
@@ -106,6 +107,7 @@ pub mod scene;
 pub mod solver;
 pub mod study;
 pub mod synthesis;
+pub mod task_file;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "tui")]
