@@ -39,7 +39,7 @@ pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
 pub use machine::{SceneTitles, scene_text};
 pub use paths::PathSearch;
-pub use proposal::{PosedDyad, Partner, Proposal, Proposals};
+pub use proposal::{Partner, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,

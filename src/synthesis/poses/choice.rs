@@ -59,7 +59,12 @@ impl DyadPairing<'_> {
     }
 
     /// The same of all pairs with one dyad that is given.
-    pub(super) fn with(&self, given: &PinHeld, dyads: &[PinHeld], most: Option<usize>) -> Vec<Proposal> {
+    pub(super) fn with(
+        &self,
+        given: &PinHeld,
+        dyads: &[PinHeld],
+        most: Option<usize>,
+    ) -> Vec<Proposal> {
         let others = dyads
             .iter()
             .filter(|dyad| !self.guidance.is_same(given, dyad));

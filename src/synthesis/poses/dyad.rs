@@ -14,7 +14,7 @@
 
 use super::form::{self, Form};
 use super::space::{self, Triple};
-use crate::synthesis::{PosedDyad, Partner, PoseTask};
+use crate::synthesis::{Partner, PoseTask, PosedDyad};
 use crate::{Double, Vec2, angle};
 
 /// What a pin may miss its circle or its line by, as a part of the size.

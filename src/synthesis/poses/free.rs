@@ -3,7 +3,7 @@
 use super::dyad::{Guidance, PinHeld};
 use super::{family, five, four, three};
 use crate::Vec2;
-use crate::synthesis::{PosedDyad, Partner, PoseTask};
+use crate::synthesis::{Partner, PoseTask, PosedDyad};
 
 /// Linkages that are proposed of a grid, and of a curve.
 const MOST_OF_GRID: usize = 100;

@@ -19,7 +19,11 @@ const DIRECTIONS: u8 = 24;
 
 /// Dyads on a grid of pivots, on a grid of pins, and of slides in all directions. `inside` are two opposite corners of a
 /// box in which pivots are wished to be.
-pub(super) fn dyads(guidance: &Guidance, task: &PoseTask, inside: Option<[Vec2; 2]>) -> Vec<PinHeld> {
+pub(super) fn dyads(
+    guidance: &Guidance,
+    task: &PoseTask,
+    inside: Option<[Vec2; 2]>,
+) -> Vec<PinHeld> {
     let reach = Vec2::new(1.0, 1.0) * (REACH * guidance.size);
     let count = task.poses.len() as f64;
     let middle = task
