@@ -19,9 +19,13 @@
 //! Lengths are in the task's unit, angles in degrees, counter-clockwise, as everywhere in this library.
 
 mod candidate;
+mod cognates;
 mod defects;
 pub mod functions;
 mod machine;
+mod paths;
+#[cfg(test)]
+mod planted;
 mod poses;
 mod proposal;
 mod run;
@@ -34,6 +38,7 @@ pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
 pub use machine::{SceneTitles, scene_text};
+pub use paths::PathSearch;
 pub use proposal::{Partner, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{

@@ -1,7 +1,7 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
+use super::{PathSearch, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -44,7 +44,15 @@ impl Synthesis {
                 task.wishes.inside,
             ),
             TaskKind::Function(function) => functions::propose(function),
-            TaskKind::Path(_) => Proposals::default(),
+            TaskKind::Path(path) => PathSearch {
+                task: path,
+                four_bars: task.four_bars,
+                slider_cranks: task.slider_cranks,
+                seed: order.seed,
+                threads: order.threads,
+                starts: PathSearch::STARTS,
+            }
+            .run(watch),
         };
         let found = Synthesis::of(task, proposals, order.threads);
         watch(1.0);
