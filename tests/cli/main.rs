@@ -28,6 +28,7 @@ mod solve;
 mod streams;
 mod study;
 mod sweep;
+mod synthesize;
 mod table;
 mod tolerance;
 mod turns;
