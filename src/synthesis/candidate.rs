@@ -64,11 +64,10 @@ pub enum MissedWish {
 }
 
 impl Candidate {
-    /// Drives a proposal through the task: as it is, and at its other pivot; the better one.
+    /// Drives a proposal through the task: as it is, and at its other pivot; the better one, whichever was proposed.
     #[must_use]
     pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
         let own = Candidate::driven(task, proposal.clone());
-        let is_whole = own.defects.is_empty() && own.missed.is_empty();
         // Where its angles are given, the crank is given.
         let is_given = match &task.kind {
             TaskKind::Function(_) => true,
@@ -76,7 +75,7 @@ impl Candidate {
             TaskKind::Poses(_) => false,
         };
         match proposal.swapped() {
-            Some(swapped) if !is_whole && !is_given => {
+            Some(swapped) if !is_given => {
                 let other = Candidate::driven(task, swapped);
                 match other.standing() < own.standing() {
                     true => other,
@@ -152,10 +151,19 @@ impl Candidate {
         scene_text(&self.proposal, task, titles)
     }
 
-    /// How many defects, and wishes that are not kept; and the less transmission the worse.
-    fn standing(&self) -> (usize, usize, f64) {
-        let transmission = self.figures.transmission;
-        (self.defects.len(), self.missed.len(), -transmission)
+    /// How many defects, and wishes that are not kept; whether the crank only swings; and the less transmission the worse.
+    fn standing(&self) -> (usize, usize, bool, f64) {
+        let CandidateFigures {
+            full_turn,
+            transmission,
+            ..
+        } = self.figures;
+        (
+            self.defects.len(),
+            self.missed.len(),
+            !full_turn,
+            -transmission,
+        )
     }
 
     /// Whether two are one but for rounding.

@@ -15,6 +15,7 @@ mod forces;
 mod handover;
 mod help;
 mod language;
+mod marks;
 mod methods;
 mod motor;
 mod over_time;

@@ -74,6 +74,8 @@ catalogue! {
             };
             let others = match defective {
                 0 => String::new(),
+                1 if good == 0 => "; one that does not".into(),
+                count if good == 0 => format!("; {count} that do not"),
                 1 => "; one more that does not".into(),
                 count => format!("; {count} more that do not"),
             };
