@@ -75,6 +75,7 @@ mod slide;
 mod spring;
 mod spring_ends;
 mod syntax;
+mod task;
 mod timed_inputs;
 mod timed_motion;
 mod typed;
@@ -91,8 +92,10 @@ pub use motor::Motor;
 pub(crate) use names::{is_figure_name, reserved_for_figures};
 pub(crate) use numeral::{are_thousands, with_point};
 pub use parameters::Parameter;
+pub(crate) use retell::toml_string;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
+pub use task::{ExampleTask, TaskFile};
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
@@ -136,6 +139,7 @@ pub struct Scene {
     pub(crate) slide_names: Vec<String>,
     /// The limits by their names, with the places of their ends in the text.
     limits: limits::LimitPlaces,
+    marks: Vec<String>,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -210,6 +214,7 @@ impl Scene {
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
+                marks: draft.marks.into_iter().map(str::to_owned).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
                 parameters: parameters::told(&reader.named, draft.parameters),
@@ -270,6 +275,20 @@ impl Scene {
     #[must_use]
     pub fn point_name(&self, point: PointId) -> Option<&str> {
         self.point_names[point.index()].as_deref()
+    }
+
+    /// Whether a point is one of `[marks]`, which is only shown.
+    #[must_use]
+    pub fn is_mark(&self, point: PointId) -> bool {
+        let name = self.point_name(point);
+        name.is_some_and(|name| self.marks.iter().any(|mark| mark == name))
+    }
+
+    /// The points that tables list: those that have a name and are no marks, in the order of the file.
+    pub fn listed_points(&self) -> impl Iterator<Item = (PointId, &str)> {
+        let named = |point| Some((point, self.point_name(point)?));
+        let all = self.mechanism.point_ids().filter_map(named);
+        all.filter(|(point, _)| !self.is_mark(*point))
     }
 
     /// A link's name.

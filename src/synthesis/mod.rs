@@ -17,11 +17,24 @@
 //!
 //! Lengths are in the task's unit, angles in degrees, counter-clockwise, as everywhere in this library.
 
+mod candidate;
+mod defects;
+pub mod functions;
+mod machine;
 mod poses;
 mod proposal;
+mod run;
 mod task;
+#[cfg(test)]
+mod tests;
+mod way;
 
+pub(crate) use candidate::is_inside;
+pub use candidate::{Candidate, CandidateFigures, MissedWish};
+pub use defects::TaskDefect;
+pub use machine::{SceneTitles, scene_text};
 pub use proposal::{Dyad, Partner, Proposal, Proposals};
+pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,
 };

@@ -15,6 +15,26 @@ pub struct Task {
     pub wishes: Wishes,
 }
 
+impl Task {
+    /// A length by which misses are measured: how far the points are apart, or the size that is given.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let spread = |points: &[Vec2]| {
+            let first = points.first().copied().unwrap_or_default();
+            let far = points.iter().map(|p| (*p - first).norm());
+            far.fold(0.0, f64::max)
+        };
+        match &self.kind {
+            TaskKind::Poses(task) => {
+                let places: Vec<Vec2> = task.poses.iter().map(|pose| pose.at).collect();
+                spread(&places)
+            }
+            TaskKind::Path(task) => spread(&task.points),
+            TaskKind::Function(task) => task.size,
+        }
+    }
+}
+
 /// A motion that is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TaskKind {
@@ -69,6 +89,8 @@ pub enum Given {
 pub struct FunctionTask {
     /// The pairs `[x, y]`, in their order.
     pub pairs: Vec<[f64; 2]>,
+    /// What is wanted between them, where that is known: more pairs, densely, at which the error is told.
+    pub between: Vec<[f64; 2]>,
     /// What follows.
     pub output: Output,
     /// The crank's angle where x is 0, in degrees.

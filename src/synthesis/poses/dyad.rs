@@ -15,7 +15,7 @@
 use super::form::{self, Form};
 use super::space::{self, Triple};
 use crate::synthesis::{Dyad, Partner, PoseTask};
-use crate::{Double, Number, Vec2, angle};
+use crate::{Double, Vec2, angle};
 
 /// What a pin may miss its circle or its line by, as a part of the size.
 const MISS: f64 = 1e-9;

@@ -12,7 +12,7 @@ use super::dyad::{Guidance, Held};
 use super::form::{self, Form};
 use super::polynomial::{self, Cubic};
 use super::space::{self, Triple};
-use crate::{Double, Number, Vec2};
+use crate::{Double, Vec2};
 
 /// Directions of the body's x axis, in degrees, in which the quartic is set up. Pins that are level in one are told apart
 /// in the next: one would be missed only if it were level with the three others in just these.

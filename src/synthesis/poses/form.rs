@@ -1,7 +1,7 @@
 //! Bilinear forms in the homogeneous coordinates of a pin and of its pivot.
 
 use super::space::Triple;
-use crate::{Double, Number, Vec2};
+use crate::{Double, Vec2};
 
 /// `[i][k]` stands before the pin's coordinate i times the pivot's coordinate k.
 pub(super) type Form = [[Double; 3]; 3];

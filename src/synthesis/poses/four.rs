@@ -18,7 +18,7 @@ use super::form::{self, Form};
 use super::polynomial::{self, Cubic};
 use super::space::{self, Triple};
 use super::trace::{self, Piece, Spot};
-use crate::{Double, Number, Vec2};
+use crate::{Double, Vec2};
 
 /// How far the curve is followed where it is no cubic and goes on without an end, in units of the equations.
 const FAR: f64 = 1e3;
