@@ -15,7 +15,7 @@
 use super::evolution::{Quarry, Raw};
 use super::linear::{Place, Projection};
 use super::shape::{Form, Shape};
-use super::wanted::{Held, Wanted};
+use super::wanted::{HeldPivots, Wanted};
 use crate::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +62,7 @@ struct Normal {
 /// Which unknowns a task leaves, and where each stands.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
-    held: Held,
+    held: HeldPivots,
     form: Form,
     timed: bool,
     count: usize,
@@ -72,9 +72,9 @@ impl Layout {
     fn of(wanted: &Wanted, quarry: &Quarry) -> Layout {
         let timed = wanted.turns.is_some();
         let linear = match quarry.held {
-            Held::Free => 6,
-            Held::Crank(_) | Held::Rocker(_) => 4,
-            Held::Both(..) => 2,
+            HeldPivots::Free => 6,
+            HeldPivots::Crank(_) | HeldPivots::Rocker(_) => 4,
+            HeldPivots::Both(..) => 2,
         };
         let lengths = match quarry.form {
             Form::FourBar => 3,
@@ -154,23 +154,23 @@ impl Fit {
         };
         let mut by_ground = swing * rates.by_ground;
         match layout.held {
-            Held::Free => {
+            HeldPivots::Free => {
                 push(Vec2::X);
                 push(Vec2::new(0.0, 1.0));
                 push(crank);
                 push(crank.perp());
             }
-            Held::Crank(_) => {
+            HeldPivots::Crank(_) => {
                 push(crank);
                 push(crank.perp());
             }
-            Held::Rocker(_) => {
+            HeldPivots::Rocker(_) => {
                 let crank = crank - Vec2::new(shape.ground, 0.0);
                 push(crank);
                 push(crank.perp());
                 by_ground = by_ground - place.scale;
             }
-            Held::Both(..) => {
+            HeldPivots::Both(..) => {
                 by_ground = by_ground - crank.turned(place.scale) * (1.0 / shape.ground);
             }
         }
@@ -241,10 +241,10 @@ impl Fit {
         new.angles.extend_from_slice(&self.angles);
         let mut rest = step.iter().copied();
         let mut next = || rest.next().unwrap_or(0.0);
-        if layout.held == Held::Free {
+        if layout.held == HeldPivots::Free {
             new.place.origin += Vec2::new(next(), next());
         }
-        if !matches!(layout.held, Held::Both(..)) {
+        if !matches!(layout.held, HeldPivots::Both(..)) {
             new.place.scale += Vec2::new(next(), next());
         }
         new.place.arm += Vec2::new(next(), next());
@@ -264,10 +264,10 @@ impl Fit {
     /// What given pivots say of the place.
     fn settle(&mut self) {
         match self.quarry.held {
-            Held::Free => {}
-            Held::Crank(a) => self.place.origin = a,
-            Held::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
-            Held::Both(a, d) => {
+            HeldPivots::Free => {}
+            HeldPivots::Crank(a) => self.place.origin = a,
+            HeldPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
+            HeldPivots::Both(a, d) => {
                 self.place.origin = a;
                 self.place.scale = (d - a) * (1.0 / self.shape.ground);
             }

@@ -3,7 +3,7 @@
 
 use super::linear::Projection;
 use super::shape::{Form, Shape};
-use super::wanted::{Along, Held, Wanted};
+use super::wanted::{Along, HeldPivots, Wanted};
 use crate::numeric::SeededChance;
 
 /// Numbers of a design at the most: three ratios, the first angle, the whole turn and two of its unevenness.
@@ -25,7 +25,7 @@ const FLAT_COUNTS: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quarry {
     pub(super) form: Form,
-    pub(super) held: Held,
+    pub(super) held: HeldPivots,
     /// The sign of the assembly.
     pub(super) sign: f64,
     /// Which way the crank turns where times are free: 1 or -1.

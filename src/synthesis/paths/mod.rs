@@ -32,7 +32,7 @@ use shape::Form;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::thread;
-use wanted::{Held, Wanted};
+use wanted::{HeldPivots, Wanted};
 
 /// Points that the evolution looks at; the descent looks at all.
 const ROUGH_POINTS: usize = 36;
@@ -142,14 +142,14 @@ impl PathSearch<'_> {
     }
 
     /// To which links the pivots that are given may belong.
-    fn held(&self, wanted: &Wanted, form: Form) -> Vec<Held> {
+    fn held(&self, wanted: &Wanted, form: Form) -> Vec<HeldPivots> {
         let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
         match (pivots[..].as_ref(), form) {
-            ([], _) => vec![Held::Free],
-            ([one], Form::FourBar) => vec![Held::Crank(*one), Held::Rocker(*one)],
-            ([one], Form::SliderCrank) => vec![Held::Crank(*one)],
+            ([], _) => vec![HeldPivots::Free],
+            ([one], Form::FourBar) => vec![HeldPivots::Crank(*one), HeldPivots::Rocker(*one)],
+            ([one], Form::SliderCrank) => vec![HeldPivots::Crank(*one)],
             ([one, two], Form::FourBar) if one != two => {
-                vec![Held::Both(*one, *two), Held::Both(*two, *one)]
+                vec![HeldPivots::Both(*one, *two), HeldPivots::Both(*two, *one)]
             }
             // A slider-crank has one pivot, and nothing has three.
             _ => Vec::new(),
@@ -199,10 +199,10 @@ impl PathSearch<'_> {
             all.into_iter().find(|&p| wanted.inside(p) == held)
         };
         let (crank, rocker) = match fit.quarry.held {
-            Held::Free => (None, None),
-            Held::Crank(a) => (given(a), None),
-            Held::Rocker(d) => (None, given(d)),
-            Held::Both(a, d) => (given(a), given(d)),
+            HeldPivots::Free => (None, None),
+            HeldPivots::Crank(a) => (given(a), None),
+            HeldPivots::Rocker(d) => (None, given(d)),
+            HeldPivots::Both(a, d) => (given(a), given(d)),
         };
         let places = |&degrees: &f64| fit.places(degrees).map(|p| wanted.outside(p));
         let all: Vec<_> = fit.angles.iter().map(places).collect();

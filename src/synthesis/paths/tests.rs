@@ -325,7 +325,7 @@ fn whoever_watches_is_told_the_part_and_may_stop() {
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
     let mut parts = Vec::new();
-    search(&task).run(&mut |part| {
+    let _ = search(&task).run(&mut |part| {
         parts.push(part);
         true
     });
