@@ -1,6 +1,6 @@
 //! Further inputs, which follow the driver.
 
-use super::{Defect, Driver, ElementId, Input, LinkId, Mechanism, SlideId};
+use super::{Body, Defect, Driver, ElementId, Input, LinkId, Mechanism, SlideId};
 
 /// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
 /// switched with another one.
@@ -80,6 +80,38 @@ impl Mechanism {
     #[must_use]
     pub fn is_turned(&self, link: LinkId) -> bool {
         self.inputs().any(|input| input == Input::Turn(link))
+    }
+
+    /// Against what an input turns a link: the ground, or the link that its motor sits on.
+    #[must_use]
+    pub fn turned_from(&self, link: LinkId) -> Body {
+        let mut pairs = self.parts.turned_from.iter();
+        let found = pairs.find(|(turned, _)| *turned == link);
+        found.map_or(Body::Ground, |&(_, from)| Body::Link(from))
+    }
+
+    /// The links that inputs turn against others, with these.
+    pub(crate) fn elbows(&self) -> impl Iterator<Item = (LinkId, LinkId)> + '_ {
+        let links = self.inputs().filter_map(|input| match input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        });
+        links.filter_map(|link| match self.turned_from(link) {
+            Body::Link(from) => Some((link, from)),
+            Body::Ground => None,
+        })
+    }
+
+    /// Whether an input gives a link its direction: it turns the link against the ground.
+    #[must_use]
+    pub fn is_directed(&self, link: LinkId) -> bool {
+        self.is_turned(link) && self.turned_from(link) == Body::Ground
+    }
+
+    /// Whether the driver's coordinate is the direction of a link.
+    #[must_use]
+    pub fn is_crank(&self, link: LinkId) -> bool {
+        self.driver().input == Input::Turn(link) && self.is_directed(link)
     }
 
     /// Whether an input pushes a slide.

@@ -183,7 +183,8 @@ impl Slide {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Input {
-    /// The direction of a link that turns about a ground point.
+    /// The direction of a link that turns about a ground point; of one that is turned against another link
+    /// ([`Builder::turned_from`]), its angle from that.
     Turn(LinkId),
     /// The position along a slide.
     Push(SlideId),
@@ -221,6 +222,8 @@ struct Parts {
     slides: Vec<Slide>,
     driver: Driver,
     timed: Vec<TimedInput>,
+    /// The links that inputs turn against others, and these.
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,
@@ -501,6 +504,12 @@ pub enum Defect {
     /// A driven link without a ground point to turn about.
     #[error("the driven link has no ground point to turn about")]
     NoPivot {
+        /// The link.
+        link: LinkId,
+    },
+    /// A link that is turned against itself.
+    #[error("no link turns against itself")]
+    TurnedFromItself {
         /// The link.
         link: LinkId,
     },

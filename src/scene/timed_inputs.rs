@@ -1,6 +1,7 @@
 //! Reads the inputs that follow the driver.
 
-use super::input::DraftInput;
+use super::input::{DraftInput, seat};
+use super::rate::RateKind;
 use super::reader::{Name, Reader};
 use super::resolve::Resolver;
 use crate::document::{Diagnostic, Entries, Lenient};
@@ -18,6 +19,7 @@ pub(super) type TimedInputs = Lenient<Entries<Lenient<TimedTable>>>;
 pub(super) struct TimedTable {
     ratio: Option<Lenient<f64>>,
     phase: Option<Lenient<f64>>,
+    from: Option<Lenient<String>>,
 }
 
 #[derive(Debug)]
@@ -26,6 +28,8 @@ pub(super) struct DraftTimed<'t> {
     pub(super) name: Name<'t>,
     ratio: f64,
     phase: f64,
+    /// The link that its motor sits on, as it is written; none on the ground.
+    from: Option<&'t Lenient<String>>,
 }
 
 /// Reads the section.
@@ -52,6 +56,7 @@ fn input<'v>(
     Some(DraftTimed {
         ratio: ratio?,
         phase: phase?,
+        from: table.from.as_ref(),
         name,
     })
 }
@@ -64,8 +69,15 @@ impl<'t> Resolver<'_, '_, 't> {
                 continue;
             }
             let input = match self.slides.get(timed.name.text) {
-                Some(&slide) => Some(Input::Push(slide)),
-                None => self.driven_link(&of, &timed.name).map(Input::Turn),
+                Some(&slide) => {
+                    seat(self.reader, &of, RateKind::Push(self.draft.unit), timed.from);
+                    Some(Input::Push(slide))
+                }
+                None => {
+                    let from = seat(self.reader, &of, RateKind::Turn, timed.from);
+                    self.turned_link(&of, &timed.name, from.as_ref())
+                        .map(Input::Turn)
+                }
             };
             if let Some(input) = input {
                 self.builder.timed(TimedInput {
