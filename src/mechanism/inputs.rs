@@ -1,6 +1,6 @@
 //! Further inputs, which follow the driver.
 
-use super::{Body, Defect, Driver, ElementId, Input, LinkId, Mechanism, SlideId};
+use super::{Body, Defect, Driver, ElementId, Input, LinkId, Mechanism, PointId, SlideId};
 
 /// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
 /// switched with another one.
@@ -112,6 +112,30 @@ impl Mechanism {
     #[must_use]
     pub fn is_crank(&self, link: LinkId) -> bool {
         self.driver().input == Input::Turn(link) && self.is_directed(link)
+    }
+
+    /// The point about which an input turns a link: its ground point, or the joint with the link that the motor sits
+    /// on; `None` where there is none.
+    #[must_use]
+    pub fn hub(&self, link: LinkId) -> Option<PointId> {
+        let mut points = self.link(link).members.iter().map(|member| member.point);
+        let from = self.turned_from(link);
+        points.find(|&point| match from {
+            Body::Ground => self.point(point).ground.is_some(),
+            Body::Link(from) => self.point(point).links.contains(&from),
+        })
+    }
+
+    /// What an input turns a link with, as a part of its own effort: 1 on the link, -1 on the one that its motor sits
+    /// on.
+    pub(crate) fn torques_on(&self, link: LinkId) -> impl Iterator<Item = (Input, f64)> + '_ {
+        self.inputs().filter_map(move |input| match input {
+            Input::Turn(turned) if turned == link => Some((input, 1.0)),
+            Input::Turn(turned) if self.turned_from(turned) == Body::Link(link) => {
+                Some((input, -1.0))
+            }
+            Input::Turn(_) | Input::Push(_) => None,
+        })
     }
 
     /// Whether an input pushes a slide.

@@ -3,7 +3,7 @@
 use super::check::DriverKind;
 use super::number::concise;
 use crate::Input;
-use crate::scene::Scene;
+use crate::scene::{Scene, from_seat};
 use crate::wording::words;
 use serde::Serialize;
 
@@ -14,6 +14,9 @@ pub struct InputFacts {
     pub kind: DriverKind,
     /// The link or the slide.
     pub name: String,
+    /// The link that its motor sits on, where that is not the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
     /// What its coordinate grows by for 1 of the driver's.
     #[serde(serialize_with = "super::check::unsigned_zero")]
     pub ratio: f64,
@@ -49,6 +52,7 @@ impl InputFacts {
             InputFacts {
                 kind,
                 name,
+                from: scene.seat_name(timed.input).map(str::to_owned),
                 ratio: timed.ratio,
                 phase: timed.phase,
             }
@@ -69,7 +73,8 @@ impl InputFacts {
         } else {
             format!("{ratio} {own}/{drivers}")
         };
-        let driven = self.kind.named(&self.name);
+        let name = from_seat(&self.name, self.from.as_deref());
+        let driven = self.kind.named(&name);
         words().input_follows(&driven, &ratio, &format!("{phase} {own}"))
     }
 }

@@ -70,7 +70,12 @@ impl<'t> Resolver<'_, '_, 't> {
             }
             let input = match self.slides.get(timed.name.text) {
                 Some(&slide) => {
-                    seat(self.reader, &of, RateKind::Push(self.draft.unit), timed.from);
+                    seat(
+                        self.reader,
+                        &of,
+                        RateKind::Push(self.draft.unit),
+                        timed.from,
+                    );
                     Some(Input::Push(slide))
                 }
                 None => {

@@ -304,11 +304,7 @@ impl Engine {
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
-            let q = if self.reads_angle {
-                at
-            } else {
-                T::default()
-            };
+            let q = if self.reads_angle { at } else { T::default() };
             (q, T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())

@@ -452,9 +452,7 @@ impl<'m> Network<'m> {
             ScalarEquation::Along { link, .. } if self.is_bar(link) => 3,
             ScalarEquation::Slot(_) => 2,
             ScalarEquation::Along { .. } => 1,
-            ScalarEquation::Across { .. }
-            | ScalarEquation::Push(_)
-            | ScalarEquation::Elbow(_) => 0,
+            ScalarEquation::Across { .. } | ScalarEquation::Push(_) | ScalarEquation::Elbow(_) => 0,
         }
     }
 
