@@ -113,7 +113,9 @@ pub(super) fn driver<'v>(
         }
     };
     let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
-    let from = seat(reader, words().the_driver(), kind, table.from.as_ref());
+    // That a slide has none is told with its keys.
+    let given_seat = table.from.as_ref().filter(|_| kind == RateKind::Turn);
+    let from = seat(reader, words().the_driver(), kind, given_seat);
     let (given, other) = match kind {
         RateKind::Turn => (&table.angle, &table.position),
         RateKind::Push(_) => (&table.position, &table.angle),
@@ -139,6 +141,9 @@ pub(super) fn driver<'v>(
     let range = range(reader, kind, table.range.as_ref());
     let motion = motion(reader, (value, table), start, kind, range.as_ref());
     let name = name?;
+    if given_seat.is_some() && from.is_none() {
+        return None;
+    }
     let rates = [speed, acceleration];
     let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
     Some(DraftDriver {

@@ -191,7 +191,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let input = match &driver.input {
             DraftInput::Link(name) => {
                 let what = words().key_of("link", words().the_driver());
-                self.turned_link(&what, name, driver.from.as_ref())
+                let seat = words().key_of("from", words().the_driver());
+                self.turned_link([&what, &seat], name, driver.from.as_ref())
                     .map(mechanism::Input::Turn)
             }
             DraftInput::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
@@ -221,7 +222,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     /// A link that an input turns, against the ground or the link that its motor sits on.
     pub(super) fn turned_link(
         &mut self,
-        what: &str,
+        [what, seat]: [&str; 2],
         name: &Name<'t>,
         from: Option<&Name<'t>>,
     ) -> Option<LinkId> {
@@ -229,7 +230,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let Some(from) = from.filter(|from| from.text != "ground") else {
             return link;
         };
-        let seat = self.names.find(self.reader, what, from, Sort::Link);
+        let seat = self.names.find(self.reader, seat, from, Sort::Link);
         let (link, seat) = (link?, LinkId::new(seat?));
         if link == seat {
             self.reader.report(

@@ -80,7 +80,11 @@ impl<'t> Resolver<'_, '_, 't> {
                 }
                 None => {
                     let from = seat(self.reader, &of, RateKind::Turn, timed.from);
-                    self.turned_link(&of, &timed.name, from.as_ref())
+                    if timed.from.is_some() && from.is_none() {
+                        continue;
+                    }
+                    let seat = words().key_of("from", &of);
+                    self.turned_link([&of, &seat], &timed.name, from.as_ref())
                         .map(Input::Turn)
                 }
             };
