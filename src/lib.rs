@@ -105,6 +105,7 @@ pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod study;
+pub mod synthesis;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "tui")]

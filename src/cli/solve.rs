@@ -8,17 +8,16 @@ use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::quantity::Catalogue;
 use crate::report::{BestReport, GoalReport};
-use crate::scene::Scene;
 use crate::study::{
     BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
-    PlanAxis,
 };
 use crate::wording::words;
 use std::thread;
 
 pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
-    let space = DesignSpace::new(&scene, &solver, values(&scene, &args.vary)?);
+    let space = DesignSpace::of_axes(&scene, &solver, &args.vary)
+        .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let catalogue = Catalogue::new(&scene);
     let goals = |texts: &[String], option| goals(texts, option, &catalogue);
     let (wished, kept) = (goals(&args.goal, "--goal")?, goals(&args.keep, "--keep")?);
@@ -38,21 +37,6 @@ pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure>
             optimise(args, &space, figure, &kept, screen)
         }
     }
-}
-
-/// The values that vary, each once.
-pub(super) fn values(
-    scene: &Scene,
-    axes: &[PlanAxis],
-) -> Result<Vec<crate::scene::Value>, Failure> {
-    for (i, axis) in axes.iter().enumerate() {
-        if axes[..i].iter().any(|other| other.name == axis.name) {
-            return Err(Failure::Usage(words().varies_twice(&axis.name)));
-        }
-    }
-    let value = |axis: &PlanAxis| scene.value_named(&axis.name);
-    let values = axes.iter().map(value).collect::<Result<_, _>>();
-    values.map_err(|why| Failure::Usage(words().of_option("--vary", &why)))
 }
 
 fn goals(texts: &[String], option: &str, catalogue: &Catalogue) -> Result<Vec<Goal>, Failure> {

@@ -160,7 +160,6 @@ impl<'t> Reader<'t> {
     }
 
     /// True or false; so far only the configuration asks.
-    #[cfg(feature = "tui")]
     pub(crate) fn boolean(&mut self, what: &str, value: &Lenient<bool>) -> Option<bool> {
         let found = match &value.read {
             Ok(read) => return Some(*read),
@@ -219,7 +218,6 @@ pub(crate) fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
 }
 
 /// The mend for a yes or no that was written as a text.
-#[cfg(feature = "tui")]
 fn bare_boolean(text: &str) -> Option<String> {
     let meant = match text {
         "true" | "yes" | "on" => true,

@@ -371,6 +371,11 @@ impl Compiler<'_> {
             MathFunction::Tan => self.of_angle(one()?, function, Op::Tan, tree),
             MathFunction::Asin => self.of_number(one()?, function, Op::Asin, tree),
             MathFunction::Acos => self.of_number(one()?, function, Op::Acos, tree),
+            // Of what moves nobody asks for them: they have no rates here.
+            MathFunction::Exp | MathFunction::Ln | MathFunction::Log10 => {
+                let message = words().of_plain_numbers_only(function.name());
+                Err(Malformed::new(tree.span.clone(), message))
+            }
         }
     }
 

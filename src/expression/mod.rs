@@ -10,6 +10,7 @@ mod code;
 mod compile;
 mod dimension;
 mod evaluate;
+mod evaluated;
 mod jet;
 mod kink;
 mod lexer;
@@ -21,7 +22,8 @@ mod tree;
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use dimension::{Dimension, LengthScale};
-pub(crate) use evaluate::{Evaluated, evaluate};
+pub(crate) use evaluate::evaluate;
+pub(crate) use evaluated::Evaluated;
 pub(crate) use parser::parse;
 pub(crate) use tree::ExpressionTree;
 

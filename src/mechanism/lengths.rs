@@ -135,8 +135,8 @@ impl Mechanism {
         }
     }
 
-    /// By how much each of some lengths is longer in another mechanism of the same parts; `None` where that differs in
-    /// more: in an angle of a guide or of a point, or in a length that is not among these.
+    /// By how much each of all lengths is longer in another mechanism of the same parts; `None` where that moves
+    /// otherwise for more: for an angle of a guide or of a point, or for how an input follows the driver.
     pub(crate) fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
         let angles = |mechanism: &Mechanism| -> Vec<f64> {
             let guides = mechanism
@@ -150,7 +150,7 @@ impl Mechanism {
             let points = members.filter_map(|member| Some(member.polar?.angle));
             guides.chain(points).collect()
         };
-        let same = angles(self) == angles(other);
+        let same = angles(self) == angles(other) && self.timed() == other.timed();
         let by = lengths
             .iter()
             .map(|&length| other.measured(length) - self.measured(length));

@@ -107,7 +107,8 @@ pub enum Load {
         /// further away than the last knot.
         curve: Profile,
     },
-    /// A spring and a damper in parallel between two points.
+    /// A spring and a damper in parallel between two points: together they pull with k (L - L0) + F0 + c dL/dt, where
+    /// k is the stiffness, L the distance and L0 the free length in m, F0 the preload and c the damping.
     Spring {
         /// One end.
         from: PointId,
@@ -122,7 +123,7 @@ pub enum Load {
         /// In N s/m, of the rate of the distance.
         damping: f64,
     },
-    /// A gas spring between two points, and a damper beside it.
+    /// A gas spring between two points, and a damper beside it: they push with F(L) - c dL/dt.
     GasSpring {
         /// One end.
         from: PointId,
@@ -133,7 +134,8 @@ pub enum Load {
         /// In N s/m, of the rate of the distance.
         damping: f64,
     },
-    /// A torsion spring and a damper beside it, between two bodies.
+    /// A torsion spring and a damper beside it, between two bodies: on the link acts M0 - k (a - a0) - c da/dt, where a
+    /// is the angle between them in radians.
     TorsionSpring {
         /// The link that it turns back.
         link: LinkId,

@@ -5,9 +5,10 @@ use super::forces::indeterminate;
 use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
 use super::number::concise;
+use super::range_text::range_text;
 use super::slide_facts::SlideFacts;
 use super::stop_facts::{StopFacts, stops};
-use crate::quantity::{Catalogue, Quantity};
+use crate::quantity::Catalogue;
 use crate::scene::{Parameter, Scene};
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
@@ -15,9 +16,6 @@ use crate::wording::words;
 use crate::{Body, ElementId, Link, LinkId, Load, Mechanism, PointId, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
-
-/// Decimals of limits: as many as a double has at some hundred degrees.
-pub(super) const DECIMALS: usize = 12;
 
 /// Significant digits of a coordinate in a sentence.
 pub(super) const PLACES: usize = 9;
@@ -285,44 +283,6 @@ impl LoadCounts {
             }
         }
         acting
-    }
-}
-
-/// The range that the driver can cover, in words: limits with up to 12 decimals and their unit. `driver`
-/// is the driver's coordinate.
-#[must_use]
-pub fn range_text(range: Range, driver: &Quantity) -> String {
-    let unit = &driver.unit;
-    match range {
-        Range::Full { period } => words().range_full(&period, unit),
-        Range::Limited { low, high } => {
-            let [low, high] = [low, high].map(limit_text);
-            words().range_limited(&low, &high, unit)
-        }
-    }
-}
-
-/// To 12 decimals, without noughts at the end.
-pub(super) fn limit_text(limit: f64) -> String {
-    let decimals = format!("{limit:.DECIMALS$}");
-    let text = decimals.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
-}
-
-/// The range where it was left: limits as the doubles that they are, so that a coordinate just outside
-/// does not read like one of them.
-#[must_use]
-pub fn limits_text(range: Range, driver: &Quantity) -> String {
-    match range {
-        Range::Full { .. } => range_text(range, driver),
-        Range::Limited { low, high } => {
-            let [low, high] = [low, high].map(|limit| concise(limit, usize::MAX));
-            words().range_limited(&low, &high, &driver.unit)
-        }
     }
 }
 

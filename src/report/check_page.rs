@@ -1,10 +1,11 @@
 //! The facts of `check`, to be read.
 
 use super::check::{
-    Check, ConditionFacts, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts,
-    ParameterFacts, RedundancyFacts, TransmissionFacts, limit_text,
+    Check, ConditionFacts, DriverFacts, DriverKind, GroupFacts, JointFacts, ParameterFacts,
+    RedundancyFacts, TransmissionFacts,
 };
 use super::number::concise;
+use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::scene::from_seat;

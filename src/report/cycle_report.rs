@@ -1,7 +1,8 @@
 //! What figures do over the whole motion, and how well the mechanism passes it on.
 
-use super::check::{ConditionFacts, ElementNames, range_text};
+use super::check::{ConditionFacts, ElementNames};
 use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::range_text::range_text;
 use crate::Body;
 use crate::quantity::{Catalogue, Quantity, rate_unit};
 use crate::scene::Scene;

@@ -1,7 +1,7 @@
 //! What a search for goals, or for the best design, came to.
 
-use super::number::{concise, significant};
-use crate::page::{Cell, Content, Facts, Page, Table, TextStyle};
+use super::number::{concise, significant, trimmed};
+use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
 use crate::study::{
     BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoFigure, SearchOutcome,
 };
@@ -76,7 +76,7 @@ impl GoalReport<'_> {
             let numbers = self
                 .told()
                 .take(MOST_SHOWN)
-                .map(|found| number(found.numbers[i]));
+                .map(|found| trimmed(found.numbers[i], FINE));
             let given = concise(value.number, FINE);
             table.row(
                 self.name(i),
@@ -100,7 +100,7 @@ impl GoalReport<'_> {
     /// A value that varies, as it is named on the command line, and its unit.
     fn name(&self, value: usize) -> String {
         let value = &self.space.values()[value];
-        with_unit(&value.name.replace(' ', "."), value.unit)
+        with_unit(&value.dotted(), value.unit)
     }
 
     /// All that was found, for programs.
@@ -181,8 +181,8 @@ impl BestReport<'_> {
         let mut table = Table::new("", heads);
         let values = self.space.values().iter().zip(&self.best.numbers);
         for (value, number) in values {
-            let name = with_unit(&value.name.replace(' ', "."), value.unit);
-            let cells = [concise(value.number, FINE), self::number(*number)];
+            let name = with_unit(&value.dotted(), value.unit);
+            let cells = [concise(value.number, FINE), trimmed(*number, FINE)];
             table.row(name, cells.map(Cell::sure));
         }
         let asked =
@@ -217,7 +217,7 @@ impl BestReport<'_> {
 
 fn named(space: &DesignSpace, numbers: &[f64]) -> Value {
     let pairs = space.values().iter().zip(numbers);
-    let pairs = pairs.map(|(value, number)| (value.name.replace(' ', "."), json!(number)));
+    let pairs = pairs.map(|(value, number)| (value.dotted(), json!(number)));
     Value::Object(pairs.collect::<Map<_, _>>())
 }
 
@@ -238,22 +238,6 @@ fn figure(found: Option<&Result<f64, NoFigure>>) -> String {
     }
 }
 
-/// A number of a design, without noughts at its end.
-fn number(value: f64) -> String {
-    let text = significant(value, FINE);
-    match text.contains('.') && !text.contains('e') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
-
 fn titled(figure: &CycleFigure) -> String {
     with_unit(figure.name(), figure.unit())
-}
-
-fn with_unit(name: &str, unit: &str) -> String {
-    match unit {
-        "" => name.to_owned(),
-        unit => format!("{name} [{unit}]"),
-    }
 }

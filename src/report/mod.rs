@@ -21,6 +21,7 @@ mod cycle_report;
 mod design_rows;
 mod design_summary;
 mod difference;
+mod entry;
 mod errors;
 mod exercise;
 mod figure_list;
@@ -34,11 +35,13 @@ mod motor;
 mod motor_page;
 mod number;
 mod paper;
+mod range_text;
 mod rows;
 mod slide_facts;
 mod steps;
 mod stop_facts;
 mod sweep;
+mod synthesis;
 mod tables;
 mod tables_data;
 mod tables_page;
@@ -57,7 +60,7 @@ pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{
     Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
-    NearMissFacts, TransmissionFacts, limits_text, near_misses, range_text,
+    NearMissFacts, TransmissionFacts, near_misses,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
@@ -67,6 +70,7 @@ pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
 pub use design_rows::{DesignColumn, DesignFormat, DesignTable};
 pub use design_summary::DesignSummary;
 pub use difference::Pairing;
+pub use entry::{Entry, PlaneVector};
 pub use errors::Missing;
 pub use exercise::{
     AnswerFile, AnsweredRow, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers,
@@ -79,11 +83,13 @@ pub use input_facts::InputFacts;
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
+pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use stop_facts::{StopFacts, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
-pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
+pub use synthesis::SynthesisReport;
+pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};

@@ -28,6 +28,19 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// The same without noughts at its end.
+pub(super) fn trimmed(value: f64, digits: usize) -> String {
+    without_noughts(significant(value, digits))
+}
+
+/// A number without the noughts that its decimals end in; one with an exponent as it is.
+pub(super) fn without_noughts(text: String) -> String {
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
 /// A bound to two significant digits, never below itself: `2.1e-13`; `0` for none at all.
 pub(crate) fn upwards(bound: f64, digits: usize) -> String {
     if bound == 0.0 || !bound.is_finite() {

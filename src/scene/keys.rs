@@ -137,6 +137,7 @@ SCENE =
     "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_lengths, exact_by_default;
     "clearance": Number(Of(Measure::Deviation)), [], clearance_of_pins, "0";
     "ground": Points(Of(Measure::Coordinate)), [], points_fixed_in_frame, no_default;
+    "marks": Points(Of(Measure::Coordinate)), [], points_only_shown, no_default;
     "driver": Table(DRIVER), [], the_input, "";
     "inputs": Each(TIMED), [], inputs_that_follow, no_default;
     "links": Each(LINK), [], rigid_links, no_default;

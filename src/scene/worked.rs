@@ -16,7 +16,7 @@ const LISTED: usize = 12;
 
 impl Reader<'_> {
     /// What a formula that stands for a number is worth.
-    pub(super) fn worked_out(&mut self, what: &str, text: &str, span: &ByteSpan) -> Option<f64> {
+    pub(crate) fn worked_out(&mut self, what: &str, text: &str, span: &ByteSpan) -> Option<f64> {
         let formula = Name {
             text,
             span: span.clone(),

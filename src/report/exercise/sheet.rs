@@ -3,7 +3,7 @@
 use crate::page::{Content, Facts, Page, Table};
 use crate::report::check::DriverKind;
 use crate::report::input_facts::InputFacts;
-use crate::report::number::concise;
+use crate::report::number::{concise, without_noughts};
 use crate::report::paper::{Report, ReportedState};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Order, Solver, State};
@@ -183,11 +183,7 @@ fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> S
 
 /// A given figure, with all digits that anybody has typed.
 fn figure(value: f64) -> String {
-    let text = concise(value, MOST_DIGITS);
-    match text.contains('.') && !text.contains('e') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+    without_noughts(concise(value, MOST_DIGITS))
 }
 
 /// A place by its coordinates.

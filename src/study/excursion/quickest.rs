@@ -2,7 +2,6 @@
 
 use super::sampler::{MotionSampler, SampledFigure, SlopeSource};
 use super::{FigurePlace, NoFigure};
-use crate::Driver;
 use crate::numeric::{Unsettled, lowest, root};
 use crate::solver::Range;
 
@@ -42,17 +41,13 @@ impl MotionSampler {
         sampled: &SampledFigure,
         is_level: bool,
     ) -> Result<FigurePlace, NoFigure> {
-        let Driver {
-            speed,
-            acceleration,
-            ..
-        } = *self.driver();
-        let is_unsteady = self.source() == SlopeSource::Steady && acceleration != 0.0;
+        let driver = *self.driver();
+        let is_unsteady = self.source() == SlopeSource::Steady && driver.acceleration != 0.0;
         if is_unsteady {
             return Err(NoFigure::NoRate);
         }
         let rate = RateSum {
-            first: speed * self.unit_of_slope(column),
+            first: driver.speed * self.unit_of_slope(column),
             second: 0.0,
         };
         self.largest(column, sampled, rate, is_level)
@@ -65,16 +60,12 @@ impl MotionSampler {
         sampled: &SampledFigure,
         is_level: bool,
     ) -> Result<FigurePlace, NoFigure> {
-        let Driver {
-            speed,
-            acceleration,
-            ..
-        } = *self.driver();
+        let driver = *self.driver();
         let unit = self.unit_of_slope(column);
         let per_speed = self.coordinate_of_speed();
         let rate = RateSum {
-            first: acceleration * unit,
-            second: speed * speed * unit * per_speed,
+            first: driver.acceleration * unit,
+            second: driver.speed * driver.speed * unit * per_speed,
         };
         match self.source() {
             SlopeSource::Geometry => self.largest(column, sampled, rate, is_level),
@@ -127,14 +118,7 @@ impl MotionSampler {
                 None => sampled.at[0],
             };
             let ahead = sampled.at.get(k + 1).copied().unwrap_or(sampled.at[last]);
-            let f = |at| {
-                let slope = self.degree(column, 1, at)?;
-                let second = match rate.degree() {
-                    1 => 0.0,
-                    _ => self.degree(column, 2, at)?,
-                };
-                Some(-rate.of(slope, second).abs())
-            };
+            let f = |at| self.size_below(column, rate, at);
             let from = (sampled.at[k], -sizes[k]);
             let found = lowest(f, [behind, ahead], from).unwrap_or_else(Unsettled::best);
             let found = match rate.degree() {
@@ -152,16 +136,19 @@ impl MotionSampler {
         Ok(place(best))
     }
 
+    /// The size of a rate somewhere, negative: it is largest where this is lowest.
+    fn size_below(&mut self, column: usize, rate: RateSum, at: f64) -> Option<f64> {
+        let slope = self.degree(column, 1, at)?;
+        let second = match rate.degree() {
+            1 => 0.0,
+            _ => self.degree(column, 2, at)?,
+        };
+        Some(-rate.of(slope, second).abs())
+    }
+
     /// The largest rate around a near miss: however narrow its peaks are, they are looked for at every size.
     fn beside_a_miss(&mut self, column: usize, at: f64, step: f64, rate: RateSum) -> (f64, f64) {
-        let mut f = |at: f64| {
-            let slope = self.degree(column, 1, at)?;
-            let second = match rate.degree() {
-                1 => 0.0,
-                _ => self.degree(column, 2, at)?,
-            };
-            Some(-rate.of(slope, second).abs())
-        };
+        let mut f = |at: f64| self.size_below(column, rate, at);
         let mut best = (at, -f(at).unwrap_or(0.0));
         for side in [-1.0, 1.0] {
             for k in 0..NARROWEST {

@@ -1,7 +1,7 @@
 //! Figures and their slopes by the driver's coordinate.
 
 use super::NoFigure;
-use crate::angle::{TURN, radians};
+use crate::angle::{self, TURN, radians};
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{Driver, Input, LANES, Lanes, Mechanism};
@@ -209,7 +209,7 @@ impl MotionSampler {
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.is_direction(column) {
-            true => near(value, beside),
+            true => angle::beside(beside, value),
             false => value,
         };
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
@@ -322,7 +322,7 @@ impl SampledFigure {
             let way = slope * (self.at[k] - before.at);
             let expected = before.value + if way.is_finite() { way } else { 0.0 };
             let value = &mut self.by_degree[0][k];
-            *value = near(*value, expected);
+            *value = angle::beside(expected, *value);
         }
     }
 
@@ -346,11 +346,6 @@ impl SampledFigure {
 /// The one that is smaller in size.
 fn lesser(a: f64, b: f64) -> f64 {
     if a.abs() < b.abs() { a } else { b }
-}
-
-/// A direction within half a turn of another one.
-pub(super) fn near(direction: f64, other: f64) -> f64 {
-    direction - TURN * ((direction - other) / TURN).round()
 }
 
 /// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns; the last place

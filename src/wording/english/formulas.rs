@@ -18,6 +18,8 @@ catalogue! {
         closing_bracket = "`)`";
         exponent_must_be_whole = "an exponent must be a whole number and not 0";
         exponents_go_to(most: usize) = "`^` takes 1 to {most} and -1 to -{most}; sqrt() takes roots";
+        of_plain_numbers_only(name: &str) =
+            "`{name}` takes plain numbers only, as in [parameters]: of what moves it has no rate";
         no_function(name: &str) = "there is no function `{name}`";
         functions_are(names: &str) = "functions: {names}";
         function_takes(name: &str, least: usize, most: usize, found: usize) = {

@@ -69,7 +69,7 @@ catalogue! {
         dwell_of_cycle = "Within how much a figure counts as staying, in its own unit [default: a hundredth of the stroke]";
         how_to_write_cycle = "How to write it; CSV has a line for each figure and property";
         values_of_study = "Numbers that vary, with commas between: NAME=FROM..TO/PLACES, as r3.length=280..320/9 [default: 11 places]";
-        columns_of_study = "Figures of the whole motion, with commas between: C.x.stroke, r4.angle.swing, C.x@60, transmission";
+        columns_of_study = "Figures of the whole motion, with commas between: C.x.stroke, r4.angle.swing, C.x@60, transmission; directions are counted on from the scene's own, beyond a turn too";
         designs_of_hypercube = "N designs of a Latin hypercube in place of the grid";
         seed_of_hypercube = "The seed of the hypercube; the same seed gives the same designs";
         part_of_study = "Only the k-th of n parts of the designs: 3/64";

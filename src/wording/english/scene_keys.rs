@@ -13,6 +13,7 @@ catalogue! {
         unit_of_every_length = "of every length: `\"mm\"`, `\"cm\"`, `\"m\"` or `\"in\"`";
         numbers_with_names = "numbers with names, of which formulas make others: `a = 100`, `b = \"2 * a + 5\"`";
         points_fixed_in_frame = "points fixed in the frame: `A = [x, y]`";
+        points_only_shown = "points that are only shown, and may stand in formulas: `T1 = [x, y]`";
         the_input = "the input: a link that is turned or a slide that is pushed";
         inputs_that_follow = "more inputs, which follow the driver, each by the name of its link or slide: `r7 = { ... }`";
         rigid_links = "rigid links, each a table: `r2 = { ... }`";

@@ -18,6 +18,8 @@ catalogue! {
         closing_bracket = "`)`";
         exponent_must_be_whole = "üs bir tam sayı olmalı ve 0 olmamalı";
         exponents_go_to(most: usize) = "`^` 1 ile {most} ve -1 ile -{most} arasını alır; kökü sqrt() alır";
+        of_plain_numbers_only(name: &str) =
+            "`{name}` yalnızca düz sayıları alır ([parameters] içinde olduğu gibi): hareket edenin bununla hızı yoktur";
         no_function(name: &str) = "`{name}` diye bir fonksiyon yok";
         functions_are(names: &str) = "fonksiyonlar: {names}";
         function_takes(name: &str, least: usize, most: usize, found: usize) = {

@@ -70,7 +70,7 @@ catalogue! {
         dwell_of_cycle = "Bir büyüklüğün ne kadar içinde duruyor sayıldığı, kendi biriminde [yoksa: strokun yüzde biri]";
         how_to_write_cycle = "Nasıl yazılacağı; CSV her büyüklük ve özellik için bir satır verir";
         values_of_study = "Değişen sayılar, virgülle ayrılmış: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";
-        columns_of_study = "Bütün hareketin büyüklükleri, virgülle ayrılmış: C.x.stroke, r4.angle.swing, C.x@60, transmission";
+        columns_of_study = "Bütün hareketin büyüklükleri, virgülle ayrılmış: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
         designs_of_hypercube = "Izgara yerine bir Latin hiperküpünün N tasarımı";
         seed_of_hypercube = "Hiperküpün tohumu; aynı tohum aynı tasarımları verir";
         part_of_study = "Tasarımların n parçasından yalnız k'inci: 3/64";

@@ -13,6 +13,7 @@ catalogue! {
         unit_of_every_length = "bütün boyların birimi: `\"mm\"`, `\"cm\"`, `\"m\"` ya da `\"in\"`";
         numbers_with_names = "formüllerin başkalarını çıkardığı, adı olan sayılar: `a = 100`, `b = \"2 * a + 5\"`";
         points_fixed_in_frame = "şasede sabit noktalar: `A = [x, y]`";
+        points_only_shown = "yalnızca gösterilen, formüllerde de geçebilen noktalar: `T1 = [x, y]`";
         the_input = "tahrik: döndürülen bir uzuv ya da itilen bir kızak";
         inputs_that_follow = "tahriki izleyen öteki girişler, her biri uzvunun ya da kızağının adıyla: `r7 = { ... }`";
         rigid_links = "rijit uzuvlar, her biri bir tablo: `r2 = { ... }`";
