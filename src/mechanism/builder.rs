@@ -20,6 +20,7 @@ pub struct Builder {
     slides: Vec<Slide>,
     driver: Option<Driver>,
     timed: Vec<TimedInput>,
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,
@@ -38,6 +39,7 @@ impl Default for Builder {
             slides: Vec::new(),
             driver: None,
             timed: Vec::new(),
+            turned_from: Vec::new(),
             start: Vec::new(),
             loads: Vec::new(),
             limits: Vec::new(),
@@ -221,6 +223,12 @@ impl Builder {
         ends.map(|[low, high]| self.limit(Limit { of, low, high }))
     }
 
+    /// Lets an input turn a link against another one instead of the ground: its motor sits on that, and the angle
+    /// between the two is its coordinate.
+    pub fn turned_from(&mut self, link: LinkId, from: LinkId) {
+        self.turned_from.push((link, from));
+    }
+
     /// A rough position of a moving point at the opening.
     pub fn start(&mut self, point: PointId, near: Vec2) {
         self.start.push((point, near));
@@ -281,6 +289,7 @@ impl Builder {
                     slides: self.slides,
                     driver,
                     timed: self.timed,
+                    turned_from: self.turned_from,
                     start: self.start,
                     loads: self.loads,
                     limits: self.limits,
@@ -446,13 +455,21 @@ impl Builder {
             }
             driven.push(timed.input);
         }
+        for &(link, from) in &self.turned_from {
+            if link == from {
+                found.push(Defect::TurnedFromItself { link });
+            }
+        }
     }
 
-    /// Whether what an input moves has a ground point to turn about, if it turns.
+    /// Whether what an input moves has a ground point to turn about, if it turns against the ground.
     fn has_pivot(&self, input: Input) -> bool {
         let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
         match input {
-            Input::Turn(link) => self.links[link.index()].members.iter().any(on_ground),
+            Input::Turn(link) => {
+                self.turned_from.iter().any(|(turned, _)| *turned == link)
+                    || self.links[link.index()].members.iter().any(on_ground)
+            }
             Input::Push(_) => true,
         }
     }

@@ -1,7 +1,8 @@
 //! Reads the inputs that follow the driver.
 
-use super::input::DraftInput;
+use super::input::{DraftInput, seat};
 use super::profile::{self, Knots};
+use super::rate::RateKind;
 use super::reader::{ByteSpan, Name, Reader};
 use super::resolve::Resolver;
 use crate::document::{Diagnostic, Entries, Lenient};
@@ -21,6 +22,7 @@ pub(super) struct TimedTable {
     ratio: Option<Lenient<f64>>,
     phase: Option<Lenient<f64>>,
     over: Option<Knots>,
+    from: Option<Lenient<String>>,
 }
 
 #[derive(Debug)]
@@ -28,6 +30,8 @@ pub(super) struct DraftTimed<'t> {
     /// The link or the slide that is driven.
     pub(super) name: Name<'t>,
     law: DraftLaw,
+    /// The link that its motor sits on, as it is written; none on the ground.
+    from: Option<&'t Lenient<String>>,
 }
 
 #[derive(Debug)]
@@ -61,7 +65,11 @@ fn input<'v>(
         Some(over) => by_table(reader, &of, value, over)?,
         None => in_proportion(reader, &of, table)?,
     };
-    Some(DraftTimed { name, law })
+    Some(DraftTimed {
+        name,
+        law,
+        from: table.from.as_ref(),
+    })
 }
 
 fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftLaw> {
@@ -107,8 +115,24 @@ impl<'t> Resolver<'_, '_, 't> {
                 continue;
             }
             let input = match self.slides.get(timed.name.text) {
-                Some(&slide) => Some(Input::Push(slide)),
-                None => self.driven_link(&of, &timed.name).map(Input::Turn),
+                Some(&slide) => {
+                    seat(
+                        self.reader,
+                        &of,
+                        RateKind::Push(self.draft.unit),
+                        timed.from,
+                    );
+                    Some(Input::Push(slide))
+                }
+                None => {
+                    let from = seat(self.reader, &of, RateKind::Turn, timed.from);
+                    if timed.from.is_some() && from.is_none() {
+                        continue;
+                    }
+                    let seat = words().key_of("from", &of);
+                    self.turned_link([&of, &seat], &timed.name, from.as_ref())
+                        .map(Input::Turn)
+                }
             };
             let Some(input) = input else { continue };
             let law = match &timed.law {
