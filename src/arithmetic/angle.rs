@@ -171,7 +171,12 @@ pub fn degrees(direction: Vec2) -> f64 {
 
 /// A direction as it is counted by whoever counts from another one: within half a turn of that, in degrees.
 pub(crate) fn beside(other: f64, direction: f64) -> f64 {
-    direction - TURN * ((direction - other) / TURN).round()
+    beside_within(TURN, other, direction)
+}
+
+/// The same of what comes round after a period of its own.
+pub(crate) fn beside_within(period: f64, other: f64, value: f64) -> f64 {
+    value - period * ((value - other) / period).round()
 }
 
 /// The same angle from 0 to below 360; one that rounds to 360 is 0.

@@ -11,6 +11,7 @@ mod constant;
 mod decimal;
 mod double;
 mod dual;
+mod exponential;
 mod halves;
 mod lanes;
 mod machine;

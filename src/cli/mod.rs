@@ -35,6 +35,7 @@ mod source;
 mod study;
 mod study_chart;
 mod sweep;
+mod synthesize;
 mod tolerance;
 #[cfg(feature = "tui")]
 mod workbench;
@@ -121,6 +122,7 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),
         Some(Command::Solve(args)) => solve::solve(args, screen),
+        Some(Command::Synthesize(args)) => synthesize::synthesize(args, screen),
         Some(Command::Start(args)) => commands::start(args),
         Some(Command::Cycle(args)) => cycle::cycle(args, screen),
         Some(Command::Export(args)) => export::export(args, screen),

@@ -7,18 +7,17 @@ use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::quantity::Catalogue;
-use crate::report::{BestReport, GoalReport};
-use crate::scene::Scene;
+use crate::report::{BestReport, GoalReport, no_best};
 use crate::study::{
     BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
-    PlanAxis,
 };
 use crate::wording::words;
 use std::thread;
 
 pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
-    let space = DesignSpace::new(&scene, &solver, values(&scene, &args.vary)?);
+    let space = DesignSpace::of_axes(&scene, &solver, &args.vary)
+        .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let catalogue = Catalogue::new(&scene);
     let goals = |texts: &[String], option| goals(texts, option, &catalogue);
     let (wished, kept) = (goals(&args.goal, "--goal")?, goals(&args.keep, "--keep")?);
@@ -38,21 +37,6 @@ pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure>
             optimise(args, &space, figure, &kept, screen)
         }
     }
-}
-
-/// The values that vary, each once.
-pub(super) fn values(
-    scene: &Scene,
-    axes: &[PlanAxis],
-) -> Result<Vec<crate::scene::Value>, Failure> {
-    for (i, axis) in axes.iter().enumerate() {
-        if axes[..i].iter().any(|other| other.name == axis.name) {
-            return Err(Failure::Usage(words().varies_twice(&axis.name)));
-        }
-    }
-    let value = |axis: &PlanAxis| scene.value_named(&axis.name);
-    let values = axes.iter().map(value).collect::<Result<_, _>>();
-    values.map_err(|why| Failure::Usage(words().of_option("--vary", &why)))
 }
 
 fn goals(texts: &[String], option: &str, catalogue: &Catalogue) -> Result<Vec<Goal>, Failure> {
@@ -137,13 +121,15 @@ fn optimise(
         true
     });
     progress.end();
-    let best = best.ok_or_else(|| Failure::Cannot(words().keeps_nothing().into()))?;
+    let given = figures.of(&space.given()).ok();
+    let best =
+        best.ok_or_else(|| Failure::Cannot(no_best(space, figures.figures(), given.as_deref())))?;
     let report = BestReport {
         space,
         figure: &figure,
         greatest: order.greatest,
         constraints: kept,
-        given: figures.of(&space.given()).ok(),
+        given,
         figures: figures.of(&best.numbers).unwrap_or_default(),
         best: &best,
     };

@@ -9,7 +9,6 @@ use super::source::SolvableScene;
 use crate::files::{GrowingFile, GrownFile};
 use crate::quantity::Catalogue;
 use crate::report::{DesignFormat, DesignSummary, DesignTable, MOST_ROWS};
-use crate::scene::{Scene, Value};
 use crate::study::{
     CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
 };
@@ -47,7 +46,8 @@ pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure>
     let digits = usize::from(args.digits);
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let axes = axes(args)?;
-    let space = DesignSpace::new(&scene, &solver, values(&scene, &axes)?);
+    let space = DesignSpace::of_axes(&scene, &solver, &axes)
+        .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let ready = ready(args, &axes, space)?;
     let format = match format {
         OutputFormat::Csv => DesignFormat::Csv(dialect),
@@ -90,20 +90,6 @@ fn axes(args: &StudyArgs) -> Result<Vec<PlanAxis>, Failure> {
         }
     });
     axes.collect()
-}
-
-/// The values of the scene that are meant, each once.
-fn values(scene: &Scene, axes: &[PlanAxis]) -> Result<Vec<Value>, Failure> {
-    let wrong = |why: String| Failure::Usage(words().of_option("--vary", &why));
-    let mut values: Vec<Value> = Vec::new();
-    for axis in axes {
-        let value = scene.value_named(&axis.name).map_err(wrong)?;
-        if values.iter().any(|other| other.name == value.name) {
-            return Err(wrong(words().value_twice(&axis.name)));
-        }
-        values.push(value);
-    }
-    Ok(values)
 }
 
 fn ready(args: &StudyArgs, axes: &[PlanAxis], space: DesignSpace) -> Result<ReadyStudy, Failure> {

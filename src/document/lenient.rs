@@ -43,7 +43,6 @@ pub(crate) enum Misplaced {
 
 impl Misplaced {
     /// The text that stands there, if it is one.
-    #[cfg(feature = "tui")]
     pub(crate) fn text(&self) -> Option<&str> {
         match self {
             Misplaced::Text(text) => Some(text),

@@ -1,35 +1,21 @@
 //! What a formula of plain numbers is worth.
-//!
-//! It is worked out in twice the digits, from the decimals as they are written, and every step keeps account of
-//! what it may have lost. What comes within that of nothing is nothing, and what comes within that of a decimal of up to
-//! 15 digits is that decimal: `0.1 + 0.2 - 0.3` is 0, and a third of 0.3 is 0.1.
 
 use super::dimension::METRE;
+use super::evaluated::{Evaluated, Measured};
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
 use super::{Dimension, LengthScale, Malformed};
+use crate::Double;
 use crate::arithmetic::Decimal;
 use crate::wording::words;
-use crate::{Double, Vec2};
 
-/// What an operation rounds by, with room to spare: sums and products are right to 2^-104.
-const ROUNDING: f64 = 7.888_609_052_210_118e-31;
 /// pi, to twice the digits.
 const PI: Double = Double {
     hi: std::f64::consts::PI,
     lo: 1.224_646_799_147_353_2e-16,
 };
 
-/// A figure, and by how much it may be off.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Evaluated {
-    pub(crate) value: Double,
-    error: f64,
-    /// What it measures, if a unit tells: plain numbers may stand for anything.
-    pub(crate) dimension: Option<Dimension>,
-}
-
 /// What a name is worth; else what would mend it.
-pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<Double, Option<String>>;
+pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<Measured, Option<String>>;
 
 /// Works a formula out. Units are converted: lengths to `length`, angles to degrees, all else to that of metres.
 ///
@@ -48,124 +34,6 @@ pub(crate) fn evaluate(
     };
     let found = evaluator.worth(tree)?;
     Ok(found.settled())
-}
-
-impl Evaluated {
-    fn exactly(value: f64) -> Evaluated {
-        Evaluated::of(Double::exactly(value), 0.0)
-    }
-
-    /// A figure of an operation, which is off by what it was made of and its own rounding.
-    fn of(value: Double, error: f64) -> Evaluated {
-        let figure = Evaluated {
-            value,
-            error,
-            dimension: None,
-        };
-        match value.hi.abs() <= error {
-            true => Evaluated {
-                value: Double::ZERO,
-                ..figure
-            },
-            false => figure,
-        }
-    }
-
-    /// The same with what an operation rounds by.
-    fn rounded(value: Double, error: f64) -> Evaluated {
-        Evaluated::of(value, error + ROUNDING * value.hi.abs())
-    }
-
-    fn measuring(self, dimension: Option<Dimension>) -> Evaluated {
-        Evaluated { dimension, ..self }
-    }
-
-    fn size(&self) -> f64 {
-        self.value.hi.abs()
-    }
-
-    /// The decimal of up to 15 digits that is meant, where one comes so near.
-    fn settled(self) -> Evaluated {
-        let short = format!("{:.14e}", self.value.hi).parse();
-        let decimal = Decimal::of(short.unwrap_or(self.value.hi)).value;
-        let is_meant = (decimal - self.value).hi.abs() <= self.error;
-        match is_meant {
-            true => Evaluated {
-                value: decimal,
-                ..self
-            },
-            false => self,
-        }
-    }
-
-    fn negative(self) -> Evaluated {
-        Evaluated {
-            value: -self.value,
-            ..self
-        }
-    }
-
-    fn plus(self, other: Evaluated) -> Evaluated {
-        Evaluated::rounded(self.value + other.value, self.error + other.error)
-    }
-
-    fn times(self, other: Evaluated) -> Evaluated {
-        let error = self.size() * other.error + (other.size() + other.error) * self.error;
-        Evaluated::rounded(self.value * other.value, error)
-    }
-
-    /// Over what is not nothing.
-    fn over(self, other: Evaluated) -> Evaluated {
-        let quotient = self.value / other.value;
-        let error = (self.error + quotient.hi.abs() * other.error) / other.size();
-        Evaluated::rounded(quotient, error)
-    }
-
-    /// Of what is not negative.
-    fn root(self) -> Evaluated {
-        let root = self.value.sqrt();
-        match root.hi == 0.0 {
-            true => Evaluated::of(root, self.error.sqrt()),
-            false => Evaluated::rounded(root, 0.5 * self.error / root.hi),
-        }
-    }
-
-    /// The root of both squares, without overflow on the way.
-    fn hypotenuse(self, other: Evaluated) -> Evaluated {
-        let (large, small) = match self.size() < other.size() {
-            true => (other, self),
-            false => (self, other),
-        };
-        if large.size() == 0.0 {
-            return large;
-        }
-        let part = small.over(large);
-        let root = part.times(part).plus(Evaluated::exactly(1.0)).root();
-        let length = large.times(root);
-        match length.value.hi < 0.0 {
-            true => length.negative(),
-            false => length,
-        }
-    }
-
-    /// Cosine and sine of an angle in degrees.
-    fn unit(self) -> [Evaluated; 2] {
-        let near = Double::unit(self.value.hi);
-        // The rest is so small that it is its own sine.
-        let rest = Double::exactly(self.value.lo) * Double::RADIAN;
-        let error = ROUNDING + self.error * Double::RADIAN.hi;
-        let part = |value| Evaluated::rounded(value, error);
-        [part(near.x - near.y * rest), part(near.y + near.x * rest)]
-    }
-
-    /// The direction of a place that is not the origin, in degrees.
-    fn direction(x: Evaluated, y: Evaluated) -> Evaluated {
-        let size = x.size().max(y.size());
-        let [along, across] = [x, y].map(|part| part.value / Double::exactly(size));
-        let error = (x.error + y.error) / size + ROUNDING;
-        let angle = Double::degrees(Vec2::new(along, across));
-        Evaluated::of(angle, 180.0 * error)
-    }
 }
 
 /// What a tree needs beside itself.
@@ -228,15 +96,28 @@ impl Evaluator<'_> {
                 found = product.over(Evaluated::exactly(over));
             }
         }
-        if unit.dimension == Dimension::RADIANS {
-            found = found.times(Evaluated::rounded(Double::DEGREES, 0.0));
+        let degrees = Evaluated::rounded(Double::DEGREES, 0.0);
+        let is_angle = unit.dimension == Dimension::RADIANS;
+        let turned = unit.degrees - i8::from(is_angle);
+        for _ in 0..turned.unsigned_abs() {
+            found = match turned > 0 {
+                true => found.over(degrees),
+                false => found.times(degrees),
+            };
         }
-        found.measuring(Some(unit.dimension))
+        found.measuring(match unit.dimension {
+            Dimension::NUMBER => None,
+            Dimension::RADIANS => Some(Dimension::DEGREES),
+            Dimension::LENGTH => Some(Dimension::LENGTH),
+            other => Some(other.in_metres()),
+        })
     }
 
     fn named(&self, name: &str, tree: &ExpressionTree) -> Result<Evaluated, Malformed> {
         let found = (self.names)(name);
-        let found = found.map(|value| Evaluated::rounded(value, 0.0));
+        let found = found.map(|Measured { value, dimension }| {
+            Evaluated::rounded(value, 0.0).measuring(dimension)
+        });
         found.map_err(|help| Malformed {
             help,
             ..Malformed::new(tree.span.clone(), words().no_parameter(name))
@@ -355,11 +236,11 @@ impl Evaluator<'_> {
                 found if found.value.hi < 0.0 => Ok(found.negative()),
                 found => Ok(found),
             },
-            MathFunction::Min => self.fold(given, |a, b| match is_below(b, a) {
+            MathFunction::Min => self.fold(given, |a, b| match Evaluated::is_below(b, a) {
                 true => b,
                 false => a,
             }),
-            MathFunction::Max => self.fold(given, |a, b| match is_below(a, b) {
+            MathFunction::Max => self.fold(given, |a, b| match Evaluated::is_below(a, b) {
                 true => b,
                 false => a,
             }),
@@ -384,6 +265,18 @@ impl Evaluator<'_> {
                     MathFunction::Asin => Evaluated::direction(rest.root(), part),
                     _ => Evaluated::direction(part, rest.root()),
                 })
+            }
+            MathFunction::Exp => {
+                let power = self.plain(first, name)?.exponential();
+                power.ok_or_else(|| self.nothing(tree))
+            }
+            MathFunction::Ln => {
+                let logarithm = self.plain(first, name)?.logarithm(Double::ln);
+                logarithm.ok_or_else(|| self.nothing(tree))
+            }
+            MathFunction::Log10 => {
+                let logarithm = self.plain(first, name)?.logarithm(Double::log10);
+                logarithm.ok_or_else(|| self.nothing(tree))
             }
             MathFunction::Atan2 => {
                 let [y, x] = given else {
@@ -433,10 +326,6 @@ impl Evaluator<'_> {
     }
 }
 
-fn is_below(one: Evaluated, other: Evaluated) -> bool {
-    (one.value - other.value).hi < 0.0
-}
-
 /// Whether two units measure the same: degrees and radians do, plain numbers and angles do not.
 fn are_alike(one: Dimension, other: Dimension) -> bool {
     one.adds_to(other)
@@ -452,12 +341,15 @@ mod tests {
         tenths_of_mm: 254.0,
     };
 
-    fn names(name: &str) -> Result<Double, Option<String>> {
-        match name {
-            "a" => Ok(Double::exactly(100.0)),
-            "third" => Ok(Double::ONE / Double::exactly(3.0)),
-            _ => Err(None),
-        }
+    fn names(name: &str) -> Result<Measured, Option<String>> {
+        let (value, dimension) = match name {
+            "a" => (Double::exactly(100.0), None),
+            "third" => (Double::ONE / Double::exactly(3.0), None),
+            "rod" => (Double::exactly(10.0), Some(Dimension::LENGTH)),
+            "lean" => (Double::exactly(30.0), Some(Dimension::DEGREES)),
+            _ => return Err(None),
+        };
+        Ok(Measured { value, dimension })
     }
 
     fn worth(text: &str) -> Result<f64, String> {
@@ -501,6 +393,11 @@ mod tests {
             ("min(3, -2, 7) + max(3, 8) + abs(-4)", 10.0),
             ("pi - 2 * pi / 2", 0.0),
             ("1 rad - 180 / pi", 0.0),
+            ("rod + 2.54 cm", 11.0),
+            ("rod / 5 in + sin(lean)", 2.5),
+            // All but lengths in metres, and of degrees only those that stand alone.
+            ("5 N/mm + 1 N/m", 5001.0),
+            ("1 N m/deg * pi - 180 N m", 0.0),
         ] {
             assert_eq!(worth(text), Ok(decimal), "{text}");
         }

@@ -54,10 +54,13 @@ pub(super) enum MathFunction {
     Asin,
     Acos,
     Atan2,
+    Exp,
+    Ln,
+    Log10,
 }
 
 impl MathFunction {
-    pub(super) const ALL: [MathFunction; 11] = [
+    pub(super) const ALL: [MathFunction; 14] = [
         MathFunction::Sqrt,
         MathFunction::Abs,
         MathFunction::Min,
@@ -69,6 +72,9 @@ impl MathFunction {
         MathFunction::Asin,
         MathFunction::Acos,
         MathFunction::Atan2,
+        MathFunction::Exp,
+        MathFunction::Ln,
+        MathFunction::Log10,
     ];
 
     pub(super) fn name(self) -> &'static str {
@@ -84,6 +90,9 @@ impl MathFunction {
             MathFunction::Asin => "asin",
             MathFunction::Acos => "acos",
             MathFunction::Atan2 => "atan2",
+            MathFunction::Exp => "exp",
+            MathFunction::Ln => "ln",
+            MathFunction::Log10 => "log10",
         }
     }
 
@@ -95,6 +104,13 @@ impl MathFunction {
             _ => (1, 1),
         }
     }
+}
+
+/// Whether a word is what a formula may call.
+pub(crate) fn is_function(word: &str) -> bool {
+    MathFunction::ALL
+        .iter()
+        .any(|function| function.name() == word)
 }
 
 impl ExpressionTree {

@@ -156,6 +156,12 @@ pub(crate) const TOPICS: &[Topic] = &[
         parts: &[chapter!("designs.md")],
     },
     Topic {
+        name: "synthesis",
+        turkish: "sentez",
+        about: <dyn Words>::about_synthesis,
+        parts: &[chapter!("synthesis.md")],
+    },
+    Topic {
         name: "forces",
         turkish: "kuvvetler",
         about: <dyn Words>::about_forces,

@@ -86,6 +86,15 @@ impl Mechanism {
         lengths
     }
 
+    /// The longest length of a link, or between its points, in the scene's unit; 1 where there is none.
+    pub(crate) fn reach(&self) -> f64 {
+        let members = self.links().iter().flat_map(|link| &link.members);
+        let longest = members
+            .map(|member| member.local.norm())
+            .fold(0.0, f64::max);
+        if longest > 0.0 { longest } else { 1.0 }
+    }
+
     /// How long a length is as it is given: of a coordinate its value, of what an angle takes a point across, how far
     /// that point is.
     #[must_use]
@@ -135,8 +144,8 @@ impl Mechanism {
         }
     }
 
-    /// By how much each of some lengths is longer in another mechanism of the same parts; `None` where that differs in
-    /// more: in an angle of a guide or of a point, or in a length that is not among these.
+    /// By how much each of all lengths is longer in another mechanism of the same parts; `None` where that moves
+    /// otherwise for more: for an angle of a guide or of a point, or for how an input follows the driver.
     pub(crate) fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
         let angles = |mechanism: &Mechanism| -> Vec<f64> {
             let guides = mechanism
@@ -150,7 +159,7 @@ impl Mechanism {
             let points = members.filter_map(|member| Some(member.polar?.angle));
             guides.chain(points).collect()
         };
-        let same = angles(self) == angles(other);
+        let same = angles(self) == angles(other) && self.timed() == other.timed();
         let by = lengths
             .iter()
             .map(|&length| other.measured(length) - self.measured(length));

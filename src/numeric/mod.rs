@@ -6,6 +6,7 @@
 //! ```text
 //! root       the root between two places where the signs differ, and all roots along many places
 //! turns      at which of many samples a function turns, by more than noise
+//! polynomial all real roots of a polynomial
 //! lowest     the minimum around a place, by values alone
 //! chance     numbers drawn by chance, the same for the same seed
 //! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
@@ -17,10 +18,12 @@
 mod chance;
 pub(crate) mod chebyshev;
 mod lowest;
+mod polynomial;
 mod root;
 mod turns;
 
 pub(crate) use chance::SeededChance;
 pub(crate) use lowest::{Unsettled, lowest};
+pub(crate) use polynomial::polynomial_roots;
 pub(crate) use root::{few_decimals, root, roots};
 pub(crate) use turns::turns;

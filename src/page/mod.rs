@@ -37,6 +37,7 @@ pub use line::{Line, Span, TextRole};
 pub use spelled::TextStyle;
 pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
+pub(crate) use table::with_unit;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
 #[cfg(feature = "tui")]
 pub(crate) use words::cut;

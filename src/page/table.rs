@@ -176,12 +176,23 @@ impl Table {
 }
 
 impl Head {
+    /// Of a name and a unit, which may be empty.
+    pub(crate) fn of(name: &str, unit: &str) -> Head {
+        let (name, unit) = (name.to_owned(), unit.to_owned());
+        Head { name, unit }
+    }
+
     /// As the name of a column is written in one line.
     pub(crate) fn whole(&self) -> String {
-        match self.unit.as_str() {
-            "" => self.name.clone(),
-            unit => format!("{} [{unit}]", self.name),
-        }
+        with_unit(&self.name, &self.unit)
+    }
+}
+
+/// A name with its unit in brackets, if it has one.
+pub(crate) fn with_unit(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
     }
 }
 

@@ -1,11 +1,12 @@
 //! The facts of `check`, to be read.
 
 use super::check::{
-    Check, ConditionFacts, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts,
-    ParameterFacts, RedundancyFacts, TransmissionFacts, limit_text,
+    Check, ConditionFacts, DriverFacts, DriverKind, GroupFacts, JointFacts, ParameterFacts,
+    RedundancyFacts, TransmissionFacts,
 };
 use super::motion_facts::MotionFacts;
 use super::number::concise;
+use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::wording::words;
@@ -97,7 +98,15 @@ impl Check {
         facts.tell(words().fact_transmission(), angles);
         let conditions = self.condition.iter().map(|c| condition_text(c, unit));
         facts.tell(words().fact_condition(), conditions);
-        facts.tell(words().fact_forces(), self.acting_text());
+        let dead = self.dead_knots.iter().map(|dead| {
+            let unit = self.driver_unit();
+            let at: Vec<String> = dead.at.iter().map(|at| place_text(*at, unit)).collect();
+            words().knots_outside(&dead.on, &at.join(", "))
+        });
+        facts.tell(
+            words().fact_forces(),
+            self.acting_text().into_iter().chain(dead),
+        );
         if !self.indeterminate.is_empty() {
             facts.tell(words().fact_open(), [self.open_text()]);
         }

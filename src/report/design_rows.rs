@@ -3,6 +3,7 @@
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::cycle_report::figure_reason;
 use super::number::{shortest, significant};
+use crate::page::with_unit;
 use crate::study::{DesignFigures, DesignRow};
 use crate::wording::words;
 use std::fmt::Write;
@@ -50,10 +51,7 @@ const BESIDE_DIGITS: usize = 7;
 
 impl DesignColumn {
     fn header(&self, units: bool) -> String {
-        match units && !self.unit.is_empty() {
-            true => format!("{} [{}]", self.name, self.unit),
-            false => self.name.clone(),
-        }
+        with_unit(&self.name, if units { &self.unit } else { "" })
     }
 
     /// A value of it, for people.
@@ -81,7 +79,7 @@ impl DesignTable {
             unit: unit.to_owned(),
         };
         let values = space.values().iter();
-        let values = values.map(|value| column(value.name.replace(' ', "."), value.unit));
+        let values = values.map(|value| column(value.dotted(), value.unit));
         let found = figures.figures().iter();
         let found = found.map(|figure| column(figure.name().to_owned(), figure.unit()));
         DesignTable {

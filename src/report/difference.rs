@@ -1,6 +1,7 @@
 //! Tables of differences: what one scene's figures are more than another's.
 
-use super::tables::{Entry, PlaneVector, PointRow, Tables, VectorColumn, seen, seen_bound};
+use super::entry::{Entry, PlaneVector, seen, seen_bound};
+use super::tables::{PointRow, Tables, VectorColumn};
 use crate::Vec2;
 use crate::angle::TURN;
 use std::collections::{HashMap, HashSet};

@@ -2,7 +2,7 @@
 //! alone, and apart from their way.
 
 use super::columns::{CellSource, Columns};
-use super::tables::{seen, seen_bound};
+use super::entry::{seen, seen_bound};
 use crate::quantity::{Derivatives, Quantity, Sensitivity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};

@@ -3,8 +3,9 @@
 
 use super::answers::Answers;
 use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::entry::{seen, seen_bound};
 use super::number::{direction, significant, upwards};
-use super::tables::{Tables, seen, seen_bound};
+use super::tables::Tables;
 use super::tables_data::{cell, number};
 use super::tables_page::{TableStyle, TablesWriter};
 use crate::Ball;

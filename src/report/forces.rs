@@ -1,8 +1,9 @@
 //! The forces of one state: what the driver must do, what joints and guides carry, what the frame feels,
 //! and how far the two checks miss.
 
+use super::entry::{Entry, PlaneVector};
 use super::least::Least;
-use super::tables::{Entry, PlaneVector, ProvedState};
+use super::tables::ProvedState;
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};

@@ -1,8 +1,8 @@
 //! The forces, to be read and for other programs.
 
+use super::entry::{Entry, PlaneVector};
 use super::forces::{Existence, Forces, GuideRow, JointRow, effort_word};
 use super::number::significant;
-use super::tables::{Entry, PlaneVector};
 use super::tables_data::number;
 use super::tables_page::{BOUND, TablesWriter, VECTOR_LABELS, point_labels, set};
 use crate::page::{Page, Setting, Table};

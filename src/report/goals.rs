@@ -1,11 +1,13 @@
 //! What a search for goals, or for the best design, came to.
 
-use super::number::{concise, significant};
-use crate::page::{Cell, Content, Facts, Page, Table, TextStyle};
+use super::cycle_report::figure_reason;
+use super::number::{concise, significant, trimmed};
+use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
+use crate::quantity::Catalogue;
 use crate::study::{
-    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoFigure, SearchOutcome,
+    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoDesign, NoFigure, SearchOutcome,
 };
-use crate::wording::words;
+use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
 
 /// Digits of what is read by eye, and of what meets a goal: as many as show that it does.
@@ -48,9 +50,19 @@ impl GoalReport<'_> {
         let wishes = self.goals.iter().map(written);
         facts.tell(words().to_be_met(), wishes);
         facts.tell(words().designs_found(), [self.verdict()]);
+        let lacks = self.lacks(words()).into_iter();
+        let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
+        let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
+        facts.tell(words().given_lacks(), unopened.into_iter().chain(lacks));
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
+    }
+
+    /// The figures that the given design has not, each with the reason.
+    fn lacks(&self, told: &dyn Words) -> Vec<(String, String)> {
+        let asked = self.goals.iter().map(|goal| &goal.figure);
+        lacks(self.space, asked, self.given.as_deref(), told)
     }
 
     fn verdict(&self) -> String {
@@ -64,8 +76,10 @@ impl GoalReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let numbered = match self.outcome.solutions.is_empty() {
-            true => vec![words().nearest_design().to_owned()],
+        let numbered: Vec<String> = match self.outcome.solutions.is_empty() {
+            true => (self.outcome.nearest.iter())
+                .map(|_| words().nearest_design().to_owned())
+                .collect(),
             false => (1..=self.outcome.solutions.len().min(MOST_SHOWN))
                 .map(|n| n.to_string())
                 .collect(),
@@ -76,7 +90,7 @@ impl GoalReport<'_> {
             let numbers = self
                 .told()
                 .take(MOST_SHOWN)
-                .map(|found| number(found.numbers[i]));
+                .map(|found| trimmed(found.numbers[i], FINE));
             let given = concise(value.number, FINE);
             table.row(
                 self.name(i),
@@ -100,7 +114,7 @@ impl GoalReport<'_> {
     /// A value that varies, as it is named on the command line, and its unit.
     fn name(&self, value: usize) -> String {
         let value = &self.space.values()[value];
-        with_unit(&value.name.replace(' ', "."), value.unit)
+        with_unit(&value.dotted(), value.unit)
     }
 
     /// All that was found, for programs.
@@ -117,6 +131,11 @@ impl GoalReport<'_> {
             "scene": self.space.scene().name,
             "goals": self.goals.iter().map(written).collect::<Vec<_>>(),
             "given": named(self.space, &self.space.given()),
+            "lacks": Value::Object(
+                (self.lacks(for_programs()).into_iter())
+                    .map(|(name, why)| (name, json!(why)))
+                    .collect()
+            ),
             "starts": self.outcome.starts,
             "solutions": self.outcome.solutions.iter().map(design).collect::<Vec<_>>(),
             "nearest": self.outcome.nearest.as_ref().map(design),
@@ -129,6 +148,34 @@ impl GoalReport<'_> {
             pairs.map(|(goal, value)| (goal.figure.name().to_owned(), json!(value.as_ref().ok())));
         Value::Object(pairs.collect::<Map<_, _>>())
     }
+}
+
+/// The figures that a design has not, each with the reason.
+fn lacks<'f>(
+    space: &DesignSpace,
+    asked: impl Iterator<Item = &'f CycleFigure>,
+    found: Option<&[Result<f64, NoFigure>]>,
+    told: &dyn Words,
+) -> Vec<(String, String)> {
+    let driver = Catalogue::new(space.scene()).driver().unit.clone();
+    let found = found.unwrap_or_default().iter();
+    let lacks = asked.zip(found).filter_map(|(figure, value)| {
+        let why = value.err()?;
+        Some((figure.name().to_owned(), figure_reason(why, &driver, told)))
+    });
+    lacks.collect()
+}
+
+/// Why there is no best design: the figures that the given one has not.
+#[must_use]
+pub fn no_best(
+    space: &DesignSpace,
+    figures: &[CycleFigure],
+    given: Option<&[Result<f64, NoFigure>]>,
+) -> String {
+    let lacks = lacks(space, figures.iter(), given, words()).into_iter();
+    let lacks = lacks.map(|(name, why)| format!("; {name}: {why}"));
+    words().keeps_nothing().to_owned() + &lacks.collect::<String>()
 }
 
 /// The best design.
@@ -181,8 +228,8 @@ impl BestReport<'_> {
         let mut table = Table::new("", heads);
         let values = self.space.values().iter().zip(&self.best.numbers);
         for (value, number) in values {
-            let name = with_unit(&value.name.replace(' ', "."), value.unit);
-            let cells = [concise(value.number, FINE), self::number(*number)];
+            let name = with_unit(&value.dotted(), value.unit);
+            let cells = [concise(value.number, FINE), trimmed(*number, FINE)];
             table.row(name, cells.map(Cell::sure));
         }
         let asked =
@@ -217,7 +264,7 @@ impl BestReport<'_> {
 
 fn named(space: &DesignSpace, numbers: &[f64]) -> Value {
     let pairs = space.values().iter().zip(numbers);
-    let pairs = pairs.map(|(value, number)| (value.name.replace(' ', "."), json!(number)));
+    let pairs = pairs.map(|(value, number)| (value.dotted(), json!(number)));
     Value::Object(pairs.collect::<Map<_, _>>())
 }
 
@@ -238,22 +285,6 @@ fn figure(found: Option<&Result<f64, NoFigure>>) -> String {
     }
 }
 
-/// A number of a design, without noughts at its end.
-fn number(value: f64) -> String {
-    let text = significant(value, FINE);
-    match text.contains('.') && !text.contains('e') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
-
 fn titled(figure: &CycleFigure) -> String {
     with_unit(figure.name(), figure.unit())
-}
-
-fn with_unit(name: &str, unit: &str) -> String {
-    match unit {
-        "" => name.to_owned(),
-        unit => format!("{name} [{unit}]"),
-    }
 }

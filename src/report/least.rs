@@ -1,7 +1,7 @@
 //! The reactions of least norm, for those that a redundant linkage leaves open.
 
+use super::entry::{Entry, PlaneVector};
 use super::forces::{GuideRow, JointRow, plane_figures};
-use super::tables::{Entry, PlaneVector};
 use crate::scene::Scene;
 use crate::solver::{Indeterminate, LeastNorm, Solver, State};
 

@@ -21,6 +21,7 @@ mod cycle_report;
 mod design_rows;
 mod design_summary;
 mod difference;
+mod entry;
 mod errors;
 mod exercise;
 mod figure_list;
@@ -35,11 +36,13 @@ mod motor;
 mod motor_page;
 mod number;
 mod paper;
+mod range_text;
 mod rows;
 mod slide_facts;
 mod steps;
 mod stop_facts;
 mod sweep;
+mod synthesis;
 mod tables;
 mod tables_data;
 mod tables_page;
@@ -58,7 +61,7 @@ pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{
     Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
-    NearMissFacts, TransmissionFacts, limits_text, near_misses, range_text,
+    NearMissFacts, TransmissionFacts, near_misses,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
@@ -68,6 +71,7 @@ pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
 pub use design_rows::{DesignColumn, DesignFormat, DesignTable};
 pub use design_summary::DesignSummary;
 pub use difference::Pairing;
+pub use entry::{Entry, PlaneVector};
 pub use errors::Missing;
 pub use exercise::{
     AnswerFile, AnsweredRow, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers,
@@ -75,17 +79,19 @@ pub use exercise::{
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
-pub use goals::{BestReport, GoalReport};
+pub use goals::{BestReport, GoalReport, no_best};
 pub use input_facts::InputFacts;
 pub use least::Least;
 pub use motion_facts::{MotionFacts, StepFacts};
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
+pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
-pub use stop_facts::{StopFacts, stops};
+pub use stop_facts::{StopFacts, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
-pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
+pub use synthesis::SynthesisReport;
+pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};

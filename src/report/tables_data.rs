@@ -2,9 +2,10 @@
 
 use super::answers::Answers;
 use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::entry::Entry;
 use super::forces::Forces;
 use super::number::shortest;
-use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
+use super::tables::{ORDERS, PointRow, Tables, VectorColumn};
 use super::tables_page::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
 use crate::solver::Order;

@@ -1,7 +1,8 @@
 //! The tables, to be read.
 
+use super::entry::Entry;
 use super::number::{concise, direction, significant, upwards};
-use super::tables::{Entry, ORDERS, Tables, VectorColumn};
+use super::tables::{ORDERS, Tables, VectorColumn};
 use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
 use crate::solver::Order;

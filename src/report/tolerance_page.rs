@@ -3,7 +3,7 @@
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{concise, significant};
 use super::tables_data::{cell, number};
-use crate::page::{Content, Facts, Page, Setting, Table, TextStyle};
+use crate::page::{Content, Facts, Page, Setting, Table, TextStyle, with_unit};
 use crate::quantity::{Catalogue, Quantity, length_name, state_word};
 use crate::scene::Scene;
 use crate::solver::Condition;
@@ -163,10 +163,7 @@ impl ToleranceReport {
 
     fn add_figure(&self, told: &ToldTolerance, page: &mut Page) {
         let mut facts = Facts::default();
-        let header = match told.unit.as_str() {
-            "" => told.name.clone(),
-            unit => format!("{} [{unit}]", told.name),
-        };
+        let header = with_unit(&told.name, &told.unit);
         let Some(found) = &told.found else {
             facts.tell(&header, ["-".to_owned()]);
             page.add(Content::Facts(facts));

@@ -5,6 +5,7 @@ use super::number::significant;
 use super::steps::Steps;
 use super::tables_data::{cell, number};
 use super::tolerance_page::{closes_word, worst_word};
+use crate::page::with_unit;
 use crate::quantity::{Catalogue, Quantity, state_word};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
@@ -228,10 +229,7 @@ impl ToleranceCell {
 }
 
 fn header((name, unit): &(String, String)) -> String {
-    match unit.as_str() {
-        "" => name.clone(),
-        unit => format!("{name} [{unit}]"),
-    }
+    with_unit(name, unit)
 }
 
 fn write_line<'c>(

@@ -89,7 +89,7 @@ impl Verdict {
 
 /// What stops the driver, if anything does.
 fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
-    let met = stops(scene, solver).into_iter().map(|stop| stop.name);
+    let met = stops(scene, solver).into_iter().map(|stop| stop.called());
     let mut names: Vec<String> = met.collect();
     match names.as_slice() {
         [] => None,
@@ -104,7 +104,7 @@ fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
 /// The same, and where, if that is not where both ends are.
 fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) -> Option<String> {
     match stops(scene, solver).as_slice() {
-        [stop] => Some(words().stop_in_verdict(&stop.name, &place(stop.at))),
+        [stop] => Some(words().stop_in_verdict(&stop.called(), &place(stop.at))),
         _ => stops_named(scene, solver),
     }
 }

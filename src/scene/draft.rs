@@ -21,6 +21,7 @@ use crate::document::{Diagnostic, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use serde::Deserialize;
+use std::collections::HashSet;
 
 /// A scene as its file writes it.
 #[derive(Debug, Deserialize)]
@@ -33,6 +34,7 @@ pub(super) struct SceneFile {
     tolerance: Option<Lenient<f64>>,
     clearance: Option<Lenient<f64>>,
     ground: Option<Points>,
+    marks: Option<Points>,
     driver: Option<Lenient<input::DriverTable>>,
     inputs: Option<TimedInputs>,
     links: Option<Links>,
@@ -59,7 +61,10 @@ pub(super) struct SceneDraft<'t> {
     pub(super) note: Option<String>,
     pub(super) unit: Unit,
     pub(super) parameters: Vec<DraftParameter<'t>>,
+    /// The points of the ground, the marks among them.
     pub(super) ground: Vec<PlacedPoint<'t>>,
+    /// Those that nothing need refer to, by their names.
+    pub(super) marks: HashSet<&'t str>,
     pub(super) links: Vec<DraftLink<'t>>,
     pub(super) links_key: Option<ByteSpan>,
     pub(super) slides: Vec<DraftSlide<'t>>,
@@ -138,6 +143,12 @@ impl<'v> SceneDraft<'v> {
             self.ground = places(reader, "[ground]", words().ground_point(), value);
             self.unreadable |= value.get().is_none();
         }
+        if let Some(value) = &file.marks {
+            let marks = places(reader, "[marks]", words().mark(), value);
+            self.unreadable |= value.get().is_none();
+            self.marks = marks.iter().map(|mark| mark.name.text).collect();
+            self.ground.extend(marks);
+        }
         if let Some(value) = &file.start {
             self.start = places(reader, "[start]", words().start_of(), value);
             self.unreadable |= value.get().is_none();
@@ -201,14 +212,18 @@ impl<'v> SceneDraft<'v> {
 }
 
 /// A text of one line: white space runs become one space.
-fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
+pub(crate) fn line(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&Lenient<String>>,
+) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
     let parts: Vec<&str> = text.split_whitespace().collect();
     let shown = super::sanitized(&parts.join(" "), false);
     (!shown.is_empty()).then_some(shown)
 }
 
-fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
+pub(crate) fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
     let name = value.and_then(|value| reader.string("`unit`", value));
     let Some(name) = name else {
         return Unit::default();

@@ -83,6 +83,7 @@ mod values;
 mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub(crate) use draft::{line, unit};
 pub use figures::NamedFormula;
 pub(crate) use input::coordinate_key;
 pub use keys::reference;
@@ -91,8 +92,10 @@ pub use motor::Motor;
 pub(crate) use names::{is_figure_name, reserved_for_figures};
 pub(crate) use numeral::{are_thousands, with_point};
 pub use parameters::Parameter;
+pub(crate) use retell::toml_string;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
+pub(crate) use syntax::mend;
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
@@ -136,6 +139,7 @@ pub struct Scene {
     pub(crate) slide_names: Vec<String>,
     /// The limits by their names, with the places of their ends in the text.
     limits: limits::LimitPlaces,
+    marks: Vec<String>,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -210,6 +214,7 @@ impl Scene {
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
+                marks: draft.marks.into_iter().map(str::to_owned).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
                 parameters: parameters::told(&reader.named, draft.parameters),
@@ -272,6 +277,20 @@ impl Scene {
         self.point_names[point.index()].as_deref()
     }
 
+    /// Whether a point is one of `[marks]`, which is only shown.
+    #[must_use]
+    pub fn is_mark(&self, point: PointId) -> bool {
+        let name = self.point_name(point);
+        name.is_some_and(|name| self.marks.iter().any(|mark| mark == name))
+    }
+
+    /// The points that tables list: those that have a name and are no marks, in the order of the file.
+    pub fn listed_points(&self) -> impl Iterator<Item = (PointId, &str)> {
+        let named = |point| Some((point, self.point_name(point)?));
+        let all = self.mechanism.point_ids().filter_map(named);
+        all.filter(|(point, _)| !self.is_mark(*point))
+    }
+
     /// A link's name.
     #[must_use]
     pub fn link_name(&self, link: LinkId) -> &str {
@@ -310,7 +329,7 @@ impl Scene {
 }
 
 /// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
-fn too_large(origin: &str) -> Diagnostics {
+pub(crate) fn too_large(origin: &str) -> Diagnostics {
     let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
     Diagnostics {
         origin: origin.to_owned(),
@@ -320,7 +339,7 @@ fn too_large(origin: &str) -> Diagnostics {
 }
 
 /// The name of a file without folder and ending.
-fn stem(origin: &str) -> String {
+pub(crate) fn stem(origin: &str) -> String {
     let stem = Path::new(origin).file_stem();
     let stem = stem.map(|s| s.to_string_lossy().into_owned());
     sanitized(&stem.unwrap_or_else(|| origin.to_owned()), false)

@@ -332,7 +332,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         used.extend(links.chain(pins).map(|name| name.text));
         for place in &self.draft.ground {
             let name = &place.name;
-            if used.contains(name.text) || place.read.is_none() {
+            let is_used = used.contains(name.text) || self.draft.marks.contains(name.text);
+            if is_used || place.read.is_none() {
                 continue;
             }
             let moving = self.names.points().map(|(name, _)| name);

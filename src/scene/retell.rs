@@ -19,8 +19,8 @@ impl Scene {
         for (key, text) in texts {
             let value = root.as_ref().and_then(|root| root.get_ref().get(key));
             match value {
-                Some(value) => edits.replace(value.span(), quoted(text)),
-                None => front += &format!("{key} = {}\n", quoted(text)),
+                Some(value) => edits.replace(value.span(), toml_string(text)),
+                None => front += &format!("{key} = {}\n", toml_string(text)),
             }
         }
         let told = front + &edits.made_in(self.text());
@@ -32,16 +32,16 @@ impl Scene {
 }
 
 /// A text as a basic string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
+pub(crate) fn toml_string(text: &str) -> String {
+    let mut string = String::from("\"");
     for c in text.chars() {
         match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if c.is_control() => quoted += &format!("\\u{:04x}", u32::from(c)),
-            c => quoted.push(c),
+            '"' | '\\' => string.extend(['\\', c]),
+            c if c.is_control() => string += &format!("\\u{:04x}", u32::from(c)),
+            c => string.push(c),
         }
     }
-    quoted + "\""
+    string + "\""
 }
 
 #[cfg(test)]
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn what_toml_forbids_is_escaped() {
-        assert_eq!(quoted("a\n\"\u{7}\\"), r#""a\u000a\"\u0007\\""#);
+        assert_eq!(toml_string("a\n\"\u{7}\\"), r#""a\u000a\"\u0007\\""#);
     }
 
     #[test]

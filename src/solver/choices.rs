@@ -199,6 +199,18 @@ impl Solver {
         Solver::open(changed, changed.driver().start, &present.near, &picks)
     }
 
+    /// The same mechanism with other dimensions in the assembly that this one is in at `at`: as it opens by itself
+    /// where that is this assembly, else carried over, and then true beside it.
+    ///
+    /// # Errors
+    /// As those of [`Solver::carried_over`].
+    pub fn kept(&self, at: f64, changed: &Mechanism) -> Result<(Solver, bool), Fault> {
+        match Solver::new(changed) {
+            Ok(plain) if self.has_sides_of(at, &plain) => Ok((plain, false)),
+            _ => Ok((self.carried_over(at, changed)?, true)),
+        }
+    }
+
     /// Whether every dyad is at `at` on the side on which it is in another solver, of the same mechanism with
     /// other dimensions, where that opens. False too where a group is coupled and no side tells it.
     #[must_use]

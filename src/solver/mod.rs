@@ -120,6 +120,19 @@ pub struct Demand {
     pub forces: bool,
 }
 
+impl Demand {
+    /// All that moves, and no forces.
+    #[must_use]
+    pub fn of_motion(mechanism: &Mechanism) -> Demand {
+        Demand {
+            points: mechanism.point_ids().collect(),
+            links: mechanism.link_ids().collect(),
+            slides: mechanism.slide_ids().collect(),
+            forces: false,
+        }
+    }
+}
+
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone)]
 pub struct Solver {

@@ -203,13 +203,15 @@ impl Varied {
     }
 
     /// A solver of the lengths as they are now, of a mechanism that has them, where all is plain: the driver turns
-    /// fully, the motion has no change point and comes near to none, nothing is coupled, and from degree to degree no
-    /// group comes near to its limits. Otherwise `None`: then a solver is to be made.
+    /// fully, nothing has stops, the motion has no change point and comes near to none, nothing is coupled, and from
+    /// degree to degree no group comes near to its limits. Otherwise `None`: then a solver is to be made.
     ///
     /// It solves and reads as any other; bounds and assemblies it does not know.
     pub(crate) fn plain(&mut self, mechanism: &Mechanism) -> Option<Solver> {
         let motion = &self.nominal.motion;
+        // Stops that the given lengths stay between may be met by others.
         let is_plain = motion.range == Range::Full { period: TURN }
+            && mechanism.limits().is_empty()
             && motion.passages.is_empty()
             && motion.near_misses.is_empty()
             && self.engine.program.coupled.is_empty();
@@ -344,16 +346,6 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::{CoordinateAxis, Mechanism};
 
-    /// Everything is read.
-    fn all(mechanism: &Mechanism) -> Demand {
-        Demand {
-            points: mechanism.point_ids().collect(),
-            links: mechanism.link_ids().collect(),
-            slides: mechanism.slide_ids().collect(),
-            forces: false,
-        }
-    }
-
     fn size(mechanism: &Mechanism) -> f64 {
         let sizes = mechanism.links().iter().flat_map(|l| &l.members);
         sizes.map(|m| m.local.norm()).fold(0.0, f64::max)
@@ -369,7 +361,7 @@ mod tests {
             let mechanism = &scene.mechanism;
             let solver = Solver::new(mechanism).unwrap();
             let lengths = mechanism.lengths();
-            let Some(mut varied) = solver.varied(&lengths, &all(mechanism)) else {
+            let Some(mut varied) = solver.varied(&lengths, &Demand::of_motion(mechanism)) else {
                 assert!(!solver.engine.program.watches.is_empty(), "{}", preset.name);
                 continue;
             };
@@ -447,7 +439,9 @@ mod tests {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let lengths = scene.mechanism.lengths();
-        let mut varied = solver.varied(&lengths, &all(&scene.mechanism)).unwrap();
+        let mut varied = solver
+            .varied(&lengths, &Demand::of_motion(&scene.mechanism))
+            .unwrap();
         let mut state = solver.state();
         let at: [f64; LANES] = std::array::from_fn(|i| 40.0 * i as f64 + 1.0);
         for by in [0.25, 0.0] {
@@ -479,7 +473,9 @@ mod tests {
         let solver = Solver::new(&scene.mechanism).unwrap();
         let pivot = scene.mechanism.point_ids().next().unwrap();
         let length = Length::Ground(pivot, CoordinateAxis::Y);
-        let mut varied = solver.varied(&[length], &all(&scene.mechanism)).unwrap();
+        let mut varied = solver
+            .varied(&[length], &Demand::of_motion(&scene.mechanism))
+            .unwrap();
         varied.change(&[2.0]);
         assert_eq!(varied.solve(60.0, Order::Position), Condition::Ok);
         assert_eq!(varied.state().position(pivot), Some(Vec2::new(0.0, 2.0)));

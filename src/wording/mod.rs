@@ -54,6 +54,7 @@ pub(crate) trait Words:
     + ReadingWords
     + ReportingWords
     + SceneKeysWords
+    + TasksWords
     + TerminalsWords
     + TolerancesWords
     + TourWords

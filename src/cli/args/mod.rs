@@ -11,6 +11,7 @@ mod report;
 mod solve;
 mod spreadsheet;
 mod study;
+mod synthesize;
 mod tolerance;
 mod workbench;
 
@@ -27,6 +28,7 @@ pub(super) use report::ReportArgs;
 pub(super) use solve::{FoundFormat, SolveArgs};
 pub(super) use spreadsheet::CsvArgs;
 pub(super) use study::{StudyArgs, StudyFormat};
+pub(super) use synthesize::SynthesizeArgs;
 pub(super) use tolerance::{BandChoice, ToleranceArgs};
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, ThemeChoice};
@@ -101,6 +103,8 @@ pub(super) enum Command {
     Motor(MotorArgs),
     #[command(about = words().does_solve(), after_help = words().examples_of_solve())]
     Solve(SolveArgs),
+    #[command(about = words().does_synthesize(), after_help = words().examples_of_synthesize())]
+    Synthesize(SynthesizeArgs),
     #[command(about = words().does_tolerance(), after_help = words().examples_of_tolerance())]
     Tolerance(ToleranceArgs),
     #[command(about = words().does_start(), after_help = words().examples_of_start())]

@@ -15,6 +15,7 @@
 use super::ticks::{TickStyle, Ticks};
 use super::{Axis, Panel, Plot, PlotCurve};
 use crate::Vec2;
+use crate::page::with_unit;
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -114,7 +115,7 @@ impl GridMap {
         let height = usize::from(rows)
             .saturating_sub(ABOVE_AND_BELOW)
             .max(LEAST_SIDE);
-        let mut text = format!("{}\n{}\n", bracketed(&self.title), self.up.title());
+        let mut text = format!("{}\n{}\n", self.titled(), self.up.title());
         for line in 0..height {
             let row = self.up.nearest(height - 1 - line, height);
             let label = match line {
@@ -215,7 +216,7 @@ impl GridMap {
         let levels = self.levels();
         let curve = |(k, (level, label)): (usize, (f64, String))| PlotCurve {
             name: match k {
-                0 => format!("{}: {label}", bracketed(&self.title)),
+                0 => format!("{}: {label}", self.titled()),
                 _ => label,
             },
             figure: None,
@@ -304,6 +305,13 @@ impl GridMap {
     }
 }
 
+impl GridMap {
+    fn titled(&self) -> String {
+        let [name, unit] = &self.title;
+        with_unit(name, unit)
+    }
+}
+
 impl GridAxis {
     fn ends(&self) -> [f64; 2] {
         let first = self.places.first().copied().unwrap_or(0.0);
@@ -311,7 +319,7 @@ impl GridAxis {
     }
 
     fn title(&self) -> String {
-        bracketed(&[self.name.clone(), self.unit.clone()])
+        with_unit(&self.name, &self.unit)
     }
 
     fn style(&self) -> TickStyle {
@@ -349,13 +357,6 @@ fn walk(start: GridEdge, ways: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<Gri
         here = next;
     }
     line
-}
-
-fn bracketed([name, unit]: &[String; 2]) -> String {
-    match unit.is_empty() {
-        true => name.clone(),
-        false => format!("{name} [{unit}]"),
-    }
 }
 
 #[cfg(test)]

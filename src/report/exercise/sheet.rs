@@ -3,7 +3,7 @@
 use crate::page::{Content, Facts, Page, Table};
 use crate::report::check::DriverKind;
 use crate::report::input_facts::InputFacts;
-use crate::report::number::concise;
+use crate::report::number::{concise, without_noughts};
 use crate::report::paper::{Report, ReportedState};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Order, Solver, State};
@@ -38,7 +38,7 @@ impl Report {
         page.text(words().name_and_number());
         reported.drawing(&mut page);
         page.part(words().given_part());
-        page.add(Content::Facts(given(scene, state, &reported)));
+        page.add(Content::Facts(given(scene, solver, state, &reported)));
         page.part(words().asked_part());
         page.text(words().what_is_asked());
         if reported.has_loops() {
@@ -118,7 +118,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
 }
 
 /// All dimensions, and how the driver moves.
-fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
+fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState<'_>) -> Facts {
     let mechanism = &scene.mechanism;
     let mut facts = Facts::default();
     let unit = scene.unit.symbol();
@@ -134,8 +134,8 @@ fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
         facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
     let (kind, _) = DriverKind::of(scene, mechanism.driver().input);
-    let inputs = InputFacts::of(scene);
-    let inputs = inputs.iter().map(|input| input.text(kind, unit));
+    let inputs = InputFacts::of(scene, solver.motion().range);
+    let inputs = inputs.iter().map(|input| input.given(kind, unit));
     facts.tell(
         words().driver(),
         [driver_told(scene, state)].into_iter().chain(inputs),
@@ -183,11 +183,7 @@ fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> S
 
 /// A given figure, with all digits that anybody has typed.
 fn figure(value: f64) -> String {
-    let text = concise(value, MOST_DIGITS);
-    match text.contains('.') && !text.contains('e') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+    without_noughts(concise(value, MOST_DIGITS))
 }
 
 /// A place by its coordinates.

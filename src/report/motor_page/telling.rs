@@ -3,7 +3,7 @@
 use super::DIGITS;
 use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
 use crate::report::motor::NOTHING;
-use crate::report::number::{concise, significant};
+use crate::report::number::{self, concise, significant};
 use crate::study::motor::{
     Cycle, DriveEffort, LARGEST_FLUCTUATION, MotorDemand, Rule, SMALL_FLUCTUATION,
 };
@@ -72,12 +72,7 @@ pub(super) fn figure(value: Option<f64>) -> String {
 
 /// To all digits, without zeros at the end: a speed comes back from radians as it was given.
 pub(super) fn trimmed(value: f64) -> String {
-    let text = significant(value, DIGITS);
-    if text.contains('.') && !text.contains('e') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
+    number::trimmed(value, DIGITS)
 }
 
 /// 0 for what rounding has left of figures of a size.

@@ -46,7 +46,7 @@ pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: 
     }
 }
 
-/// `pull = k*(L - L0) + c*dL/dt`, with the lengths in m.
+/// By the law of [`Load::Spring`], in its symbols.
 fn pull(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -72,7 +72,7 @@ fn pull(
     });
 }
 
-/// `pull = c*dL/dt - p`, the push p from the line between two knots.
+/// By the law of [`Load::GasSpring`], the push p from the line between two knots.
 fn push(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -104,7 +104,7 @@ fn push(
     });
 }
 
-/// `M = M0 - k*θ - c*ω`: what a torsion spring does to its link.
+/// By the law of [`Load::TorsionSpring`]: what it does to its link, θ from the free angle.
 fn turn_back(
     context: &Context<'_>,
     draft: &mut Draft,

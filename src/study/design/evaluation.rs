@@ -4,6 +4,7 @@ use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
 use crate::scene::{Measure, Scene, Value};
 use crate::solver::{Demand, Solver, Varied};
+use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
 
@@ -13,6 +14,7 @@ use crate::{Length, Mechanism};
 pub struct DesignFigures {
     space: DesignSpace,
     figures: CycleFigures,
+    seams: FigureSeams,
     names: Vec<String>,
     /// Whether a figure is made of others by a formula, which may have the numbers of a design in it.
     has_formulas: bool,
@@ -47,11 +49,14 @@ impl DesignFigures {
             .map(|figure| figure.name().to_owned())
             .collect();
         let has_forces = figures.iter().any(CycleFigure::is_of_forces);
+        let has_formulas = figures.iter().any(CycleFigure::is_derived);
+        let figures = CycleFigures::new(figures, dwell);
         DesignFigures {
+            seams: FigureSeams::of(&figures, space.solver()),
             quick: QuickDesigns::new(space).filter(|_| !has_forces),
             names,
-            has_formulas: figures.iter().any(CycleFigure::is_derived),
-            figures: CycleFigures::new(figures, dwell),
+            has_formulas,
+            figures,
             space: space.clone(),
         }
     }
@@ -78,6 +83,17 @@ impl DesignFigures {
         }
         let design = self.space.open(numbers)?;
         Ok(self.of_design(&design))
+    }
+
+    /// The same beside those of other designs: directions, and places in a motion that comes round, are counted from
+    /// those of the given one, so that they do not jump by a turn from design to design.
+    ///
+    /// # Errors
+    /// Where there is no such design.
+    pub fn in_row(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
+        let mut found = self.of(numbers)?;
+        self.seams.count(&mut found);
+        Ok(found)
     }
 
     /// The figures of a design that has been opened.
@@ -139,13 +155,7 @@ impl QuickDesigns {
         let (solver, scene) = (space.solver(), space.scene());
         let mechanism = &scene.mechanism;
         let lengths = mechanism.lengths();
-        let all = Demand {
-            points: mechanism.point_ids().collect(),
-            links: mechanism.link_ids().collect(),
-            slides: mechanism.slide_ids().collect(),
-            forces: false,
-        };
-        let varied = solver.varied(&lengths, &all)?;
+        let varied = solver.varied(&lengths, &Demand::of_motion(mechanism))?;
         let values = space.values().iter();
         let plain = values.map(|value| length_of(value, scene, &lengths));
         Some(QuickDesigns {

@@ -111,9 +111,10 @@ impl Goal {
         }
     }
 
-    /// By how much a value is more than the number; of a direction and of a place in a turn the short way.
+    /// By how much a value is more than the number: the short way to what a direction or a place in a turn is to be
+    /// equal to. What it is to be more or less than it is compared with as both are told.
     fn over(&self, value: f64) -> f64 {
-        match self.figure.is_round() {
+        match self.sense == GoalSense::Equal && self.figure.is_round() {
             true => crate::angle::beside(0.0, value - self.number),
             false => value - self.number,
         }

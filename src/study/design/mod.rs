@@ -31,6 +31,7 @@ pub use solve::{FoundDesign, GoalSearch, SearchOutcome};
 
 use crate::scene::{Diagnostics, Scene, Value};
 use crate::solver::{Condition, Fault, Order, Solver};
+use crate::wording::words;
 
 /// Some values of a scene that vary.
 #[derive(Clone, Debug)]
@@ -69,6 +70,26 @@ impl DesignSpace {
             solver: solver.clone(),
             values,
         }
+    }
+
+    /// Of the values that axes name.
+    ///
+    /// # Errors
+    /// In words: one has no such value, or the value of another one.
+    pub fn of_axes(
+        scene: &Scene,
+        solver: &Solver,
+        axes: &[PlanAxis],
+    ) -> Result<DesignSpace, String> {
+        let mut values: Vec<Value> = Vec::new();
+        for axis in axes {
+            let value = scene.value_named(&axis.name)?;
+            if values.iter().any(|other| other.name == value.name) {
+                return Err(words().value_twice(&axis.name));
+            }
+            values.push(value);
+        }
+        Ok(DesignSpace::new(scene, solver, values))
     }
 
     /// The scene as it was given.
@@ -114,21 +135,13 @@ impl DesignSpace {
         let scene = Scene::parse(&text, self.scene.origin())
             .map_err(|faults| NoDesign::Unread(Box::new(faults)))?;
         let at = self.seen_at(&scene);
-        let plain = Solver::new(&scene.mechanism);
-        match plain {
-            Ok(solver) if self.solver.has_sides_of(at, &solver) => Ok(Design {
+        match self.solver.kept(at, &scene.mechanism) {
+            Ok((solver, is_held)) => Ok(Design {
                 scene,
                 solver,
-                is_held: false,
+                is_held,
             }),
-            _ => match self.solver.carried_over(at, &scene.mechanism) {
-                Ok(solver) => Ok(Design {
-                    scene,
-                    solver,
-                    is_held: true,
-                }),
-                Err(fault) => Err(NoDesign::Unsolved(Box::new(scene), Box::new(fault))),
-            },
+            Err(fault) => Err(NoDesign::Unsolved(Box::new(scene), Box::new(fault))),
         }
     }
 

@@ -31,7 +31,8 @@ pub struct DesignRow {
     pub state: DesignState,
     /// Why it is none, in words; empty where it is one.
     pub reason: String,
-    /// The figures, each or why there is none; empty where it is no design.
+    /// The figures, each or why there is none; empty where it is no design. Directions are counted from those of the
+    /// given design, and so are places in a motion that comes round: they may be negative, or a turn and more.
     pub figures: Vec<Result<f64, NoFigure>>,
 }
 
@@ -64,7 +65,7 @@ impl DesignRow {
     /// The row of a design with these numbers.
     #[must_use]
     pub fn of(numbers: Vec<f64>, figures: &mut DesignFigures) -> DesignRow {
-        let (state, reason, figures) = match figures.of(&numbers) {
+        let (state, reason, figures) = match figures.in_row(&numbers) {
             Ok(found) => (DesignState::Ok, String::new(), found),
             Err(none) => {
                 let state = match &none {

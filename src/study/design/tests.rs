@@ -13,7 +13,12 @@ fn opened(name: &str) -> (Scene, Solver) {
 }
 
 fn space(name: &str, values: &[&str]) -> DesignSpace {
-    let (scene, solver) = opened(name);
+    space_of(presets::find(name).unwrap().text, values)
+}
+
+fn space_of(text: &str, values: &[&str]) -> DesignSpace {
+    let scene = Scene::parse(text, "design.toml").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
     let all = scene.values();
     let value = |name: &&str| {
         all.iter()
@@ -81,7 +86,63 @@ fn designs_have_the_stroke_of_the_closed_formula() {
     assert!(quick > 40, "only {quick} of 75 in place");
 }
 
-/// In place the figures are those of the scene that is opened with these numbers, of several mechanisms at random.
+/// A five-bar whose second crank follows the first at a ratio.
+const TIMED: &str = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+E = [400, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "1 rad/s"
+[inputs]
+r5 = { ratio = 2, phase = 30 }
+[links]
+r2 = { from = "A", to = "B", length = 50 }
+r3 = { from = "B", to = "C", length = 300 }
+r4 = { from = "D", to = "C", length = 320 }
+r5 = { from = "E", to = "D", length = 40 }
+[start]
+C = [250, 200]
+"#;
+
+/// By how much, and at least, figures that are made in two ways are apart through rounding.
+const ROUNDED: f64 = 1e-9;
+
+/// How many of 40 designs around the given one have figures in place; all have those of the scene that is opened.
+fn held_in_place(space: &DesignSpace, names: &[&str], part: f64) -> u32 {
+    let mut found = figures(space, names);
+    let given = space.given();
+    let around = |v: &f64| PlanAxis {
+        name: String::new(),
+        ends: Some([(1.0 - part) * v, (1.0 + part) * v]),
+        count: None,
+    };
+    let axes: Vec<PlanAxis> = given.iter().map(around).collect();
+    let plan = DesignPlan::latin(&axes, &given, 40, 7);
+    let mut quick = 0;
+    for k in 0..plan.count() {
+        let numbers = plan.numbers(k);
+        let Some(one) = found.quickly(&numbers) else {
+            continue;
+        };
+        let other = found.of_design(&space.open(&numbers).unwrap());
+        for (one, other) in one.iter().zip(&other) {
+            let (one, other) = (one.unwrap(), other.unwrap());
+            let name = &space.scene().name;
+            assert!(
+                (one - other).abs() <= ROUNDED * other.abs().max(1.0),
+                "{name} {numbers:?}: {one} {other}"
+            );
+        }
+        quick += 1;
+    }
+    quick
+}
+
+/// In place the figures are those of the scene that is opened with these numbers, of several mechanisms at random; with
+/// stops and with further inputs too.
 #[test]
 fn designs_in_place_are_those_that_are_opened() {
     for (name, names) in [
@@ -100,34 +161,39 @@ fn designs_in_place_are_those_that_are_opened() {
             .filter(|name| name.ends_with(" length"))
             .take(4)
             .collect();
-        let space = space(name, &values);
-        let mut found = figures(&space, &names);
-        let given = space.given();
-        let around = |v: &f64| PlanAxis {
-            name: String::new(),
-            ends: Some([0.97 * v, 1.03 * v]),
-            count: None,
-        };
-        let axes: Vec<PlanAxis> = given.iter().map(around).collect();
-        let plan = DesignPlan::latin(&axes, &given, 40, 7);
-        let mut quick = 0;
-        for k in 0..plan.count() {
-            let numbers = plan.numbers(k);
-            let Some(one) = found.quickly(&numbers) else {
-                continue;
-            };
-            let other = found.of_design(&space.open(&numbers).unwrap());
-            for (one, other) in one.iter().zip(&other) {
-                let (one, other) = (one.unwrap(), other.unwrap());
-                assert!(
-                    (one - other).abs() <= 1e-9 * other.abs().max(1.0),
-                    "{name} {numbers:?}: {one} {other}"
-                );
-            }
-            quick += 1;
-        }
+        let quick = held_in_place(&space(name, &values), &names, 0.03);
         assert!(quick > 10, "{name}: only {quick} in place");
     }
+    // A second crank: its length in place, its ratio and its phase not.
+    let figures = ["C.x@60", "C.y.greatest"];
+    let quick = held_in_place(&space_of(TIMED, &["r5 length"]), &figures, 0.03);
+    assert!(quick > 10, "only {quick} with a second crank");
+    for values in [["r5 length", "r5 phase"], ["r5 length", "r5 ratio"]] {
+        let quick = held_in_place(&space_of(TIMED, &values), &figures, 0.03);
+        assert_eq!(quick, 0, "{values:?}");
+    }
+}
+
+/// A rocker that stays between its stops as it is given, and with other lengths comes to one: then the range ends there,
+/// whichever way the design is looked at.
+#[test]
+fn a_design_in_place_passes_no_stop() {
+    let preset = presets::find("four-bar").unwrap().text;
+    let (low, high) = {
+        let space = space_of(preset, &["r2 length"]);
+        let swing = figures(&space, &["r4.angle.least", "r4.angle.greatest"]).of(&[100.0]);
+        let swing = swing.unwrap();
+        (swing[0].unwrap(), swing[1].unwrap())
+    };
+    let text = format!("{preset}\n[limits]\nr4 = [{}, {}]\n", low - 2.0, high + 2.0);
+    let space = space_of(&text, &["r2 length"]);
+    let mut found = figures(&space, &["range"]);
+    assert_eq!(found.of(&[100.0]).unwrap(), [Ok(360.0)]);
+    let opened = space.open(&[115.0]).unwrap();
+    let known = found.of_design(&opened)[0].unwrap();
+    assert!(known < 330.0, "{known}");
+    assert_eq!(found.of(&[115.0]).unwrap(), [Ok(known)]);
+    held_in_place(&space, &["range"], 0.15);
 }
 
 /// A design that does not assemble is none, and says why; it is never another assembly.
@@ -330,6 +396,63 @@ fn a_direction_is_brought_to_nought_the_short_way() {
             "{wish}: {outcome:?} {known}"
         );
     }
+}
+
+/// Rows of a study go on without a jump where a direction passes a full turn: with the coupler just below it as given,
+/// on both sides of it with other lengths.
+#[test]
+fn directions_of_a_study_do_not_jump_at_a_full_turn() {
+    let space = space("four-bar", &["r2 length"]);
+    // With r3 level C stands at (350, 50 sqrt 3), and D 250 from there on the ground.
+    let level = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt() - 1e-3;
+    let text = space
+        .scene()
+        .text()
+        .replace("D = [400, 0]", &format!("D = [{level}, 0]"));
+    let space = space_of(&text, &["r2 length"]);
+    let names = ["r3.angle@60", "C.y.least.at"];
+    let figures = figures(&space, &names);
+    let plan = DesignPlan::grid(&axes(&["r2=99..101/21"]), &space.given());
+    let run = DesignRun {
+        figures: &figures,
+        plan: &plan,
+        designs: 0..21,
+        threads: 2,
+    };
+    let mut rows = Vec::new();
+    let _ = run.each(&mut |some| {
+        rows.extend(some);
+        Ok::<(), ()>(())
+    });
+    assert_eq!(rows.len(), 21);
+    for (figure, name) in names.iter().enumerate() {
+        let values: Vec<f64> = rows.iter().map(|row| row.figure(figure).unwrap()).collect();
+        let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        assert!(steps.fold(0.0, f64::max) < 1.0, "{name}: {values:?}");
+    }
+    let told: Vec<f64> = rows.iter().map(|row| row.figure(0).unwrap()).collect();
+    let sides = [0.0, 360.0].map(|turn| {
+        told.iter().any(|value| *value < turn) && told.iter().any(|value| *value > turn)
+    });
+    assert!(sides.contains(&true), "{told:?}");
+}
+
+/// The short way is for what is to be equal: a direction that is held against a bound is compared as it is told.
+#[test]
+fn a_bound_of_a_direction_is_compared_as_it_is_told() {
+    let space = space("four-bar", &["D x"]);
+    let all = goals(
+        &space,
+        &[
+            "r4.angle@60 = 10",
+            "r4.angle@60 >= 10",
+            "r4.angle@60 <= 350",
+        ],
+    );
+    let missed = |value: f64| [0, 1, 2].map(|i: usize| all[i].miss(value));
+    assert_eq!(missed(300.0), [-70.0, 0.0, 0.0]);
+    assert_eq!(missed(355.0), [-15.0, 0.0, 5.0]);
+    assert_eq!(missed(5.0), [-5.0, -5.0, 0.0]);
 }
 
 /// What is given counts no more than any other place where it lies outside of the ends.

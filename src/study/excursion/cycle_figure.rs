@@ -134,19 +134,33 @@ impl CycleFigure {
 
     /// Whether it is a direction, or a place in a turn: whole turns away it is the same.
     pub(crate) fn is_round(&self) -> bool {
+        self.is_direction() || self.is_place() && self.unit == "deg"
+    }
+
+    /// Whether it is a direction.
+    pub(super) fn is_direction(&self) -> bool {
         let CycleFigureSource::Of(of, property) = &self.source else {
             return false;
         };
-        match property {
-            FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest => {
-                of.is_direction()
-            }
+        let is_value = matches!(
+            property,
+            FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest
+        );
+        is_value && of.is_direction()
+    }
+
+    /// Whether it is a coordinate of the driver at which something is.
+    pub(super) fn is_place(&self) -> bool {
+        let CycleFigureSource::Of(_, property) = &self.source else {
+            return false;
+        };
+        matches!(
+            property,
             FigureProperty::LeastAt
-            | FigureProperty::GreatestAt
-            | FigureProperty::FastestAt
-            | FigureProperty::HardestAt => self.unit == "deg",
-            _ => false,
-        }
+                | FigureProperty::GreatestAt
+                | FigureProperty::FastestAt
+                | FigureProperty::HardestAt
+        )
     }
 
     /// Its unit; empty for a number.

@@ -8,6 +8,7 @@
 //! strokes       from the turning places: which way takes how long, and where the figure stays
 //! cycle_figure  the names of all that, as goals and columns have them: `C.x.stroke`, `swing.ratio`
 //! evaluated     the figures of those names, of many mechanisms of one kind
+//! seam          from where directions of these are counted, so that none of them jumps at a full turn
 //! ```
 //!
 //! A slope by the coordinate is the rate at a driver's speed of 1, so that extrema are as good as the coordinate
@@ -19,6 +20,7 @@ mod cycle_figure;
 mod evaluated;
 mod quickest;
 mod sampler;
+mod seam;
 mod strokes;
 #[cfg(test)]
 mod tests;
@@ -26,6 +28,7 @@ mod turning;
 
 pub use cycle_figure::{CycleFigure, UnknownCycleFigure};
 pub use evaluated::CycleFigures;
+pub(crate) use seam::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
 use crate::quantity::Quantity;

@@ -1,10 +1,10 @@
 //! Figures and their slopes by the driver's coordinate.
 
 use super::NoFigure;
-use crate::angle::{TURN, radians};
+use crate::angle::{self, TURN, radians};
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
-use crate::{Driver, Input, LANES, Lanes, Mechanism};
+use crate::{Driver, Input, LANES, Lanes};
 
 /// Places in a turn, or in a limited range.
 const PLACES: usize = 360;
@@ -111,7 +111,7 @@ impl MotionSampler {
             lanes: solver.lanes(),
             source,
             driver: *driver,
-            reach: reach(mechanism),
+            reach: mechanism.reach(),
             solver,
         }
     }
@@ -209,7 +209,7 @@ impl MotionSampler {
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.is_direction(column) {
-            true => near(value, beside),
+            true => angle::beside(beside, value),
             false => value,
         };
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
@@ -322,7 +322,7 @@ impl SampledFigure {
             let way = slope * (self.at[k] - before.at);
             let expected = before.value + if way.is_finite() { way } else { 0.0 };
             let value = &mut self.by_degree[0][k];
-            *value = near(*value, expected);
+            *value = angle::beside(expected, *value);
         }
     }
 
@@ -348,11 +348,6 @@ fn lesser(a: f64, b: f64) -> f64 {
     if a.abs() < b.abs() { a } else { b }
 }
 
-/// A direction within half a turn of another one.
-pub(super) fn near(direction: f64, other: f64) -> f64 {
-    direction - TURN * ((direction - other) / TURN).round()
-}
-
 /// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns; the last place
 /// of a period is the first one of the next.
 fn places(range: Range) -> Vec<f64> {
@@ -375,13 +370,4 @@ fn places(range: Range) -> Vec<f64> {
             first.chain(between).chain([high - inside, high]).collect()
         }
     }
-}
-
-/// The longest length of a link, or between its points; 1 where there is none.
-fn reach(mechanism: &Mechanism) -> f64 {
-    let members = mechanism.links().iter().flat_map(|link| &link.members);
-    let longest = members
-        .map(|member| member.local.norm())
-        .fold(0.0, f64::max);
-    if longest > 0.0 { longest } else { 1.0 }
 }

@@ -33,7 +33,7 @@ impl BoxGrid {
     }
 
     /// Where a place lies along a side, from -1 to 1.
-    pub(super) fn level(&self, place: usize, side: usize) -> f64 {
+    fn level(&self, place: usize, side: usize) -> f64 {
         match place.checked_sub(self.corners()) {
             Some(face) if face / 2 == side => [-1.0, 1.0][face % 2],
             Some(_) => 0.0,
@@ -42,6 +42,13 @@ impl BoxGrid {
                 let level = place / stride % self.levels;
                 2.0 * level as f64 / (self.levels - 1) as f64 - 1.0
             }
+        }
+    }
+
+    /// Makes the lengths that are the sides off as far as a place lies from the middle; `limits` are those of all.
+    pub(super) fn fill(&self, place: usize, sides: &[usize], limits: &[f64], by: &mut [f64]) {
+        for (side, &length) in sides.iter().enumerate() {
+            by[length] = self.level(place, side) * limits[length];
         }
     }
 

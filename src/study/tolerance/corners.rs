@@ -115,9 +115,7 @@ impl ToleranceStudy {
         let mut values = nominal.to_vec();
         let mut fails = false;
         for place in 0..grid.count() {
-            for (side, &length) in acting.iter().enumerate() {
-                by[length] = grid.level(place, side) * self.off.limits[length];
-            }
+            grid.fill(place, acting, &self.off.limits, &mut by);
             self.varied.change(&by);
             if self.is_solved(at) {
                 self.read(&mut values, Some(nominal));

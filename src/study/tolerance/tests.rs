@@ -420,3 +420,65 @@ fn a_worst_case_inside_the_box_is_an_estimate() {
         WorstKind::Corners
     );
 }
+
+/// The four-bar turned in the plane by so much, in degrees; its driver too.
+fn turned(by: f64) -> String {
+    let turn = |x: f64, y: f64| {
+        let (sin, cos) = by.to_radians().sin_cos();
+        format!("[{}, {}]", x * cos - y * sin, x * sin + y * cos)
+    };
+    FOUR_BAR
+        .replace("[3.5, 0]", &turn(3.5, 0.0))
+        .replace("[3, 2]", &turn(3.0, 2.0))
+        .replace("angle = 60", &format!("angle = {}", 60.0 + by))
+}
+
+/// A machine that is turned in the plane has the same tolerances: what used to jump by 360 deg where a direction or a
+/// place of the nominal machine is told just beside the seam of a turn. The nominal figures are 0.001 to either side.
+#[test]
+fn tolerances_of_directions_do_not_jump_at_a_full_turn() {
+    let study = |by: f64, name: &str| {
+        let (scene, solver) = opened(&turned(by));
+        let figure = crate::study::CycleFigure::parse(name, &Catalogue::new(&scene)).unwrap();
+        let mut study = WholeTolerance::new(&solver, &links(&scene, 0.02), vec![figure]).unwrap();
+        let order = SampleOrder {
+            count: 50,
+            seed: 3,
+            distribution: Distribution::Even,
+        };
+        let found = study.found().remove(0).unwrap();
+        (found, study.sampled(order).figures[0].unwrap())
+    };
+    for name in [
+        "rocker.angle.greatest",
+        "rocker.angle.least.at",
+        "coupler.angle@0",
+    ] {
+        let (still, spread) = study(0.0, name);
+        for beside in [-1e-3, 1e-3] {
+            let by = beside - still.nominal;
+            let name = name.replace("@0", &format!("@{by}"));
+            let (found, samples) = study(by, &name);
+            let off = crate::angle::beside(0.0, found.nominal - beside);
+            assert!(off.abs() < 1e-6, "{name}: {found:?}");
+            for (one, other) in [
+                (
+                    found.worst.low - found.nominal,
+                    still.worst.low - still.nominal,
+                ),
+                (
+                    found.worst.high - found.nominal,
+                    still.worst.high - still.nominal,
+                ),
+                (samples.deviation, spread.deviation),
+                (
+                    found.root_sum_square.unwrap(),
+                    still.root_sum_square.unwrap(),
+                ),
+            ] {
+                assert!((one - other).abs() < 1e-4, "{name}: {one} {other}");
+                assert!(one.abs() > 0.01, "{name}: {one}");
+            }
+        }
+    }
+}

@@ -11,6 +11,7 @@ use super::{NoTolerance, SampleOrder, Samples, ToleranceFigure};
 use crate::numeric::SeededChance;
 use crate::quantity::demand;
 use crate::solver::{Demand, Solver, Varied};
+use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures};
 use crate::{Mechanism, Tolerances};
 
@@ -23,6 +24,7 @@ const DIFFERENCE: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub struct WholeTolerance {
     figures: CycleFigures,
+    seams: FigureSeams,
     solver: Solver,
     /// The lengths in place, where nothing is redundant.
     varied: Varied,
@@ -44,8 +46,10 @@ impl WholeTolerance {
             return Err(NoTolerance::Forces);
         }
         let varied = solver.varied(&off.given, &needed(solver.mechanism(), &figures));
+        let figures = CycleFigures::new(figures, None);
         Ok(WholeTolerance {
-            figures: CycleFigures::new(figures, None),
+            seams: FigureSeams::of(&figures, solver),
+            figures,
             solver: solver.clone(),
             varied: varied.ok_or(NoTolerance::Redundant)?,
             off,
@@ -111,10 +115,14 @@ impl WholeTolerance {
         self.varied.change(by);
         let solver = match self.varied.plain(&mechanism) {
             Some(solver) => solver,
-            None => opened(&self.solver, &mechanism)?,
+            None => {
+                let at = mechanism.driver().start;
+                self.solver.kept(at, &mechanism).ok()?.0
+            }
         };
-        let found = self.figures.of(&solver).into_iter();
-        Some(found.map(Result::ok).collect())
+        let mut found = self.figures.of(&solver);
+        self.seams.count(&mut found);
+        Some(found.into_iter().map(Result::ok).collect())
     }
 
     /// Figure by figure the derivatives by everything that is off; `None` where one does not exist.
@@ -167,9 +175,7 @@ impl WholeTolerance {
         let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
         let mut by = self.off.nothing();
         for place in 0..grid.count() {
-            for (side, &length) in acting.iter().enumerate() {
-                by[length] = grid.level(place, side) * self.off.limits[length];
-            }
+            grid.fill(place, acting, &self.off.limits, &mut by);
             let values = self.made(&by).unwrap_or_default();
             for (i, found) in found.iter_mut().enumerate() {
                 found.push(values.get(i).copied().flatten().unwrap_or(f64::NAN));
@@ -225,13 +231,4 @@ fn needed(mechanism: &Mechanism, figures: &[CycleFigure]) -> Demand {
     let pins = needed.links.iter().flat_map(|&link| mechanism.pins(link));
     needed.points.extend(pins.collect::<Vec<_>>());
     needed
-}
-
-/// A mechanism in the assembly that another one means.
-fn opened(solver: &Solver, mechanism: &Mechanism) -> Option<Solver> {
-    let at = mechanism.driver().start;
-    match Solver::new(mechanism) {
-        Ok(plain) if solver.has_sides_of(at, &plain) => Some(plain),
-        _ => solver.carried_over(at, mechanism).ok(),
-    }
 }

@@ -10,13 +10,6 @@ use crate::tui::figures::format::coordinate;
 use crate::wording::words;
 use std::time::Duration;
 
-/// What was typed: goals, and which values may change.
-struct GoalWish {
-    goals: Vec<Goal>,
-    axes: Vec<PlanAxis>,
-    values: Vec<Value>,
-}
-
 /// Digits of what is found, and decimals of what is said of it.
 const DIGITS: i32 = 12;
 const DECIMALS: usize = 3;
@@ -53,13 +46,9 @@ impl App {
 
     /// The values that meet what was typed; in words why there are none.
     fn values_for(&self, typed: &str) -> Result<Vec<(Value, String)>, String> {
-        let GoalWish {
-            goals,
-            axes,
-            values,
-        } = self.wish(typed)?;
+        let (goals, axes) = self.wish(typed)?;
         let open_scene = &self.player.open_scene;
-        let space = DesignSpace::new(open_scene.scene(), open_scene.solver(), values);
+        let space = DesignSpace::of_axes(open_scene.scene(), open_scene.solver(), &axes)?;
         let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
         let figures = DesignFigures::new(&space, figures, None);
         let outcome = GoalSearch::new(figures, goals.clone(), &axes).run(0, 0, &mut |_| true);
@@ -77,7 +66,7 @@ impl App {
     }
 
     /// Goals, divided by `;`, and behind `by` the values; without it the one under the cursor.
-    fn wish(&self, typed: &str) -> Result<GoalWish, String> {
+    fn wish(&self, typed: &str) -> Result<(Vec<Goal>, Vec<PlanAxis>), String> {
         let (goals, names) = match typed.split_once(" by ") {
             Some((goals, names)) => (goals, Some(names)),
             None => (typed, None),
@@ -86,26 +75,17 @@ impl App {
         let catalogue = Catalogue::new(scene);
         let goals = goals.split(';').map(|goal| Goal::parse(goal, &catalogue));
         let goals = goals.collect::<Result<Vec<_>, _>>();
-        let under_cursor = || {
-            self.document
-                .editor
-                .value()
-                .map(|value| value.name.replace(' ', "."))
-        };
+        let under_cursor = || self.document.editor.value().map(Value::dotted);
         let names = names
             .map(str::to_owned)
             .or_else(under_cursor)
             .unwrap_or_default();
         let axes = names.split(',').map(str::parse::<PlanAxis>);
-        let axes = axes
-            .collect::<Result<Vec<_>, _>>()
-            .map_err(|why| why.to_string())?;
-        let values = axes.iter().map(|axis| scene.value_named(&axis.name));
-        Ok(GoalWish {
-            goals: goals.map_err(|why| why.to_string())?,
-            values: values.collect::<Result<_, _>>()?,
-            axes,
-        })
+        let axes = axes.collect::<Result<Vec<_>, _>>();
+        Ok((
+            goals.map_err(|why| why.to_string())?,
+            axes.map_err(|why| why.to_string())?,
+        ))
     }
 }
 

@@ -9,10 +9,8 @@ pub(crate) fn subject_of(scene: &Scene, part: SheetPart, row: usize) -> Option<S
     let mechanism = &scene.mechanism;
     match part {
         SheetPart::Points => {
-            let mut named = mechanism
-                .point_ids()
-                .filter(|&p| scene.point_name(p).is_some());
-            named.nth(row).map(Subject::Point)
+            let (point, _) = scene.listed_points().nth(row)?;
+            Some(Subject::Point(point))
         }
         SheetPart::Vectors => match scene.vectors.get(row) {
             Some(vector) => Some(vector.kind.into()),

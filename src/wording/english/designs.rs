@@ -50,8 +50,8 @@ catalogue! {
         no_goal_given = "say what is to be met with --goal, or what is to be the best with --minimize or --maximize";
         goals_and_best = "a goal is met, or a figure is the best: give --goal, or --minimize or --maximize with --keep";
         free_without_ends(name: &str) = "`{name}` needs ends here: write `{name}=LOW..HIGH`";
-        varies_twice(name: &str) = "`{name}` varies twice";
         no_such_design(number: usize, count: usize) = "there is no design {number}: {count} were found";
+        given_lacks = "given has no";
         goals_not_met = "no design was found that meets all goals";
         keeps_nothing = "no design was found that keeps all of that";
         start_was_written = "the text alone would open in another assembly: its [start] was written anew";

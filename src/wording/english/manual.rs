@@ -12,6 +12,7 @@ catalogue! {
         about_keys = "every key of the workbench, and how to choose others";
         about_columns = "figures by name: units, bounds, sensitivity, ranges";
         about_designs = "many designs of a scene: grids, samples, charts, long runs";
+        about_synthesis = "from a motion that is wanted to linkages: tasks, wishes, defects";
         about_forces = "what acts, what the joints bear, what the motor must do";
         about_tolerances = "what lengths that are off and loose pins do to figures";
         about_drawings = "drawings and plots, for the terminal and for a report";

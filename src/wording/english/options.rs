@@ -60,7 +60,7 @@ catalogue! {
         format_png = "Pixels, for a slide";
         format_gif = "A turn in pixels";
         scale_on_paper = "The scale at which an SVG prints, as 1:2 [default: as large as suits a screen]";
-        scale_is_meant = "a scale is meant, as 1:2 or 5:1";
+        scale_is_meant(most: f64) = "a scale is meant, as 1:2 or 5:1, between 1:{most} and {most}:1";
         width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
         on_a_dark_ground = "An SVG, PNG or GIF on a dark ground, whatever the reader prefers";
         seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back [default: 6]";
@@ -69,7 +69,7 @@ catalogue! {
         dwell_of_cycle = "Within how much a figure counts as staying, in its own unit [default: a hundredth of the stroke]";
         how_to_write_cycle = "How to write it; CSV has a line for each figure and property";
         values_of_study = "Numbers that vary, with commas between: NAME=FROM..TO/PLACES, as r3.length=280..320/9 [default: 11 places]";
-        columns_of_study = "Figures of the whole motion, with commas between: C.x.stroke, r4.angle.swing, C.x@60, transmission";
+        columns_of_study = "Figures of the whole motion, with commas between: C.x.stroke, r4.angle.swing, C.x@60, transmission; directions are counted on from the scene's own, beyond a turn too";
         designs_of_hypercube = "N designs of a Latin hypercube in place of the grid";
         seed_of_hypercube = "The seed of the hypercube; the same seed gives the same designs";
         part_of_study = "Only the k-th of n parts of the designs: 3/64";

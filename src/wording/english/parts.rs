@@ -13,6 +13,7 @@ catalogue! {
         the_ground_as_body = "the ground";
         point_in(of: &str) = "{of}: point";
         ground_point = "ground point";
+        mark = "mark";
         start_of = "start of";
         tail_of(what: &str) = "the tail of {what}";
         head_of(what: &str) = "the head of {what}";

@@ -12,6 +12,7 @@ catalogue! {
         about_keys = "tezgâhın her tuşu ve başkasını seçmek";
         about_columns = "adlarıyla büyüklükler: birim, sınır, duyarlık, aralık";
         about_designs = "bir sahnenin birçok tasarımı: ızgara, örnek, çizim, uzun çalışma";
+        about_synthesis = "istenen bir hareketten mekanizmalara: görevler, dilekler, kusurlar";
         about_forces = "etki edenler, mafsallar, motorun yapması gereken";
         about_tolerances = "sapan boyların ve boşluklu pimlerin etkisi";
         about_drawings = "terminal ve rapor için çizimler ve grafikler";

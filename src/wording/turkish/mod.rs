@@ -39,6 +39,7 @@ mod reading;
 mod reporting;
 mod scene_keys;
 mod syntax;
+mod tasks;
 mod terminals;
 mod tolerances;
 mod tour;

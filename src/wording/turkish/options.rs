@@ -61,7 +61,7 @@ catalogue! {
         format_png = "Pikseller, bir sunu için";
         format_gif = "Piksellerle bir tur";
         scale_on_paper = "SVG'nin basılacağı ölçek, 1:2 gibi [yoksa: ekrana uygun büyüklük]";
-        scale_is_meant = "ölçek 1:2 ya da 5:1 gibi yazılır";
+        scale_is_meant(most: f64) = "ölçek 1:2 ya da 5:1 gibi, 1:{most} ile {most}:1 arasında yazılır";
         width_in_pixels = "PNG ya da GIF için piksel olarak genişlik [yoksa: 1600, GIF için 800]";
         on_a_dark_ground = "Okuyan ne isterse istesin koyu zeminde SVG, PNG ya da GIF";
         seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün süresi [yoksa: 6]";
@@ -70,7 +70,7 @@ catalogue! {
         dwell_of_cycle = "Bir büyüklüğün ne kadar içinde duruyor sayıldığı, kendi biriminde [yoksa: strokun yüzde biri]";
         how_to_write_cycle = "Nasıl yazılacağı; CSV her büyüklük ve özellik için bir satır verir";
         values_of_study = "Değişen sayılar, virgülle ayrılmış: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";
-        columns_of_study = "Bütün hareketin büyüklükleri, virgülle ayrılmış: C.x.stroke, r4.angle.swing, C.x@60, transmission";
+        columns_of_study = "Bütün hareketin büyüklükleri, virgülle ayrılmış: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
         designs_of_hypercube = "Izgara yerine bir Latin hiperküpünün N tasarımı";
         seed_of_hypercube = "Hiperküpün tohumu; aynı tohum aynı tasarımları verir";
         part_of_study = "Tasarımların n parçasından yalnız k'inci: 3/64";

@@ -13,6 +13,7 @@ catalogue! {
         the_ground_as_body = "şase";
         point_in(of: &str) = "{of}: nokta";
         ground_point = "sabit nokta";
+        mark = "işaret";
         start_of = "başlangıç";
         tail_of(what: &str) = "kuyruğu ({what})";
         head_of(what: &str) = "ucu ({what})";

@@ -19,7 +19,7 @@ pub(super) struct LineSpring {
 /// With what it pulls at a length.
 #[derive(Clone, Debug)]
 enum SpringLaw {
-    /// k (L - L0) + F0, in the solver's lengths; k in N/m.
+    /// Of [`Load::Spring`](crate::Load::Spring), in the solver's lengths; the stiffness in N/m.
     Straight {
         stiffness: Constant,
         length: Constant,

@@ -1,5 +1,6 @@
 //! What the line tells, part by part.
 
+use crate::report::stop_name;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
@@ -148,7 +149,7 @@ pub(super) fn near(app: &App) -> Option<String> {
     let (scene, motion) = (open_scene.scene(), open_scene.solver().motion());
     let mut stops = motion.stops.iter();
     if let Some(stop) = stops.find(|stop| stop.at == open_scene.at()) {
-        return Some(words().stop_of(scene.limit_name(stop.limit)));
+        return Some(words().stop_of(&stop_name(scene, stop.limit)));
     }
     let ahead = ahead(
         open_scene.driver_range(),

@@ -2,6 +2,7 @@
 
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
+use crate::scene::Value;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::key::Key;
@@ -60,10 +61,7 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 
 /// How a goal is typed: of the value under the cursor, where no other is named.
 fn goal_example(app: &App) -> String {
-    let name = app
-        .editor()
-        .value()
-        .map(|value| value.name.replace(' ', "."));
+    let name = app.editor().value().map(Value::dotted);
     words().goals_are_typed(&name.unwrap_or_default())
 }
 

@@ -1,0 +1,127 @@
+//! `krank synthesize`: linkages that do a task, each a scene that was driven through it.
+
+use super::args::{OutputFormat, SynthesizeArgs};
+use super::failure::{Failure, note};
+use super::output::{write_text, write_to};
+use super::progress::Progress;
+use super::screen::TextScreen;
+use crate::files::{limited, read_any};
+use crate::nearest::nearest;
+use crate::report::SynthesisReport;
+use crate::scene::LARGEST_FILE;
+use crate::synthesis::{Synthesis, SynthesisOrder};
+use crate::task_file::{ExampleTask, TaskFile};
+use crate::wording::words;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf, is_separator};
+use std::thread;
+
+/// What is done at the end of the search, in parts of a thousand.
+const WHOLE: u64 = 1000;
+
+pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.csv.dialect(args.format)?;
+    if args
+        .tolerance
+        .is_some_and(|tolerance| !(tolerance >= 0.0 && tolerance.is_finite()))
+    {
+        return Err(Failure::Usage(words().tolerance_is_no_length().into()));
+    }
+    let file = read(&args.task)?;
+    let order = SynthesisOrder {
+        seed: args.seed,
+        threads: thread::available_parallelism().map_or(1, usize::from),
+    };
+    let mut progress = Progress::new(WHOLE, words().parts(), screen, false);
+    let found = Synthesis::run(&file.task, order, &mut |part| {
+        progress.tell((part.clamp(0.0, 1.0) * WHOLE as f64) as u64);
+        true
+    });
+    progress.end();
+    let report = SynthesisReport {
+        file: &file,
+        found: &found,
+        top: usize::from(args.top),
+    };
+    match args.format {
+        OutputFormat::Text => write_text(None, &report.to_text(screen.ascii))?,
+        OutputFormat::Json => write_text(None, &format!("{:#}\n", report.to_json()))?,
+        OutputFormat::Csv => write_to(None, |out| report.write_csv(dialect, out))?,
+    }
+    if let Some(folder) = &args.output {
+        save(folder, &report, args, screen)?;
+    }
+    match found.good.is_empty() {
+        true => Err(Failure::Cannot(words().nothing_does_the_task().into())),
+        false => Ok(()),
+    }
+}
+
+/// The task that the command line names: an example, a file, or standard input.
+fn read(name: &Path) -> Result<TaskFile, Failure> {
+    let unreadable =
+        |what: &str, error: &std::io::Error| Failure::Usage(words().cannot_read(what, error));
+    let text = name.to_str().unwrap_or("");
+    let file = if text == "-" {
+        let bytes = limited(std::io::stdin(), LARGEST_FILE);
+        let bytes = bytes.map_err(|e| unreadable(words().standard_input(), &e))?;
+        TaskFile::read(&bytes, "stdin")
+    } else if let Some(example) = ExampleTask::find(text) {
+        TaskFile::parse(example.text, example.name)
+    } else {
+        let is_path = text.contains(is_separator) || text.ends_with(".toml");
+        let shown = name.display().to_string();
+        if !is_path && !text.is_empty() && !name.exists() {
+            return Err(unknown(&shown));
+        }
+        let bytes = read_any(name, LARGEST_FILE);
+        let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
+        TaskFile::read(&bytes, &shown)
+    };
+    file.map_err(Failure::Scene)
+}
+
+fn unknown(name: &str) -> Failure {
+    let names = || ExampleTask::all().iter().map(|task| task.name);
+    let near = nearest(name, names()).map(str::to_owned);
+    let all = names().collect::<Vec<_>>().join(", ");
+    Failure::Usage(words().no_task_and_no_file(name, &near.unwrap_or(all)))
+}
+
+/// Writes a scene for each candidate that is told; another text in its place is not written over.
+fn save(
+    folder: &Path,
+    report: &SynthesisReport<'_>,
+    args: &SynthesizeArgs,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let mut files: Vec<(PathBuf, String)> = Vec::new();
+    for (number, candidate) in (1..).zip(report.told()) {
+        let titles = report.titles(number, args.tolerance);
+        let Some(text) = candidate.scene(&report.file.task, &titles) else {
+            continue;
+        };
+        files.push((folder.join(format!("candidate-{number}.toml")), text));
+    }
+    for (path, text) in &files {
+        let is_lost = match read_any(path, LARGEST_FILE) {
+            Ok(bytes) => bytes != text.as_bytes(),
+            Err(error) => error.kind() != ErrorKind::NotFound,
+        };
+        if is_lost {
+            return Err(Failure::Cannot(
+                words().would_be_lost(&path.display().to_string()),
+            ));
+        }
+    }
+    let unwritable = |e| Failure::Output(Some(folder.to_owned()), e);
+    std::fs::create_dir_all(folder).map_err(unwritable)?;
+    for (path, text) in &files {
+        write_text(Some(path), text)?;
+    }
+    note(
+        &words().candidates_written(files.len(), &folder.display().to_string()),
+        screen,
+    );
+    Ok(())
+}

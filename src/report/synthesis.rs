@@ -1,0 +1,318 @@
+//! What came of a task: linkages that do it, and those that do not with the reason.
+
+use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::number::{shortest, significant};
+use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
+use crate::synthesis::{
+    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
+};
+use crate::task_file::TaskFile;
+use crate::wording::words;
+use serde_json::{Value, json};
+use std::io;
+
+/// Digits of lengths, and of misses and angles.
+const DIGITS: usize = 6;
+const FEW: usize = 3;
+/// Defective ones that are told at most.
+const MOST_DEFECTIVE: usize = 10;
+
+/// What came of a task.
+#[derive(Clone, Copy, Debug)]
+pub struct SynthesisReport<'a> {
+    /// The task.
+    pub file: &'a TaskFile,
+    /// What came of it.
+    pub found: &'a Synthesis,
+    /// How many candidates are told.
+    pub top: usize,
+}
+
+impl SynthesisReport<'_> {
+    /// Those that are told: the best of what does the task.
+    #[must_use]
+    pub fn told(&self) -> &[Candidate] {
+        &self.found.good[..self.found.good.len().min(self.top)]
+    }
+
+    /// What the scene of a candidate says of itself; candidates are counted from 1.
+    #[must_use]
+    pub fn titles(&self, number: usize, tolerance: Option<f64>) -> SceneTitles {
+        let candidate = &self.found.good[number - 1];
+        let unit = self.miss_unit();
+        let note = words().note_of_candidate(
+            &significant(candidate.figures.miss, FEW),
+            unit,
+            &significant(candidate.figures.transmission, FEW),
+        );
+        SceneTitles {
+            name: words().candidate_called(&self.file.name, number),
+            source: words().candidate_made_by(&self.file.name),
+            note,
+            unit: self.file.unit.symbol().to_owned(),
+            tolerance,
+        }
+    }
+
+    /// As text for a person.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// What was wanted and what was found.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&self.file.name);
+        let mut facts = Facts::default();
+        facts.tell(words().wanted_motion(), [self.wanted()]);
+        facts.tell(words().designs_found(), [self.verdict()]);
+        page.add(Content::Facts(facts));
+        if !self.told().is_empty() {
+            page.table(self.table());
+        }
+        let reasons = self.found.defective.iter().take(MOST_DEFECTIVE);
+        if reasons.len() > 0 {
+            let mut facts = Facts::default();
+            let rest = self.found.defective.len().saturating_sub(MOST_DEFECTIVE);
+            let lines = reasons
+                .map(|candidate| format!("{}: {}", self.brief(candidate), self.reasons(candidate)));
+            let rest = (rest > 0).then(|| words().and_more(rest));
+            facts.tell(words().defective_ones(), lines.chain(rest));
+            page.add(Content::Facts(facts));
+        }
+        page
+    }
+
+    fn wanted(&self) -> String {
+        match &self.file.task.kind {
+            TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
+            TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
+            TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
+        }
+    }
+
+    fn verdict(&self) -> String {
+        let found = self.found;
+        words().candidates_found(
+            found.good.len(),
+            self.told().len(),
+            found.defective.len(),
+            found.is_complete,
+        )
+    }
+
+    /// The unit of what is missed.
+    fn miss_unit(&self) -> &'static str {
+        match &self.file.task.kind {
+            TaskKind::Function(task) if task.output == Output::Angle => "deg",
+            _ => self.file.unit.symbol(),
+        }
+    }
+
+    fn table(&self) -> Table {
+        let length = self.file.unit.symbol();
+        // A slide is no link, and no column is empty.
+        let links = ["r2", "r3", "r4", "r1"].into_iter().enumerate();
+        let has = |link: usize| self.told().iter().any(|c| lengths(c)[link].is_some());
+        let links: Vec<(usize, &str)> = links.filter(|(link, _)| has(*link)).collect();
+        let lacks = self.told().iter().any(|c| !c.missed.is_empty());
+        let mut heads: Vec<Head> = links
+            .iter()
+            .map(|(_, name)| Head::of(name, length))
+            .collect();
+        heads.extend([
+            Head::of(words().head_transmission(), "deg"),
+            Head::of(words().head_miss(), self.miss_unit()),
+            Head::of(words().head_turns(), ""),
+        ]);
+        heads.extend(lacks.then(|| Head::of(words().head_lacks(), "")));
+        let mut table = Table::new("", heads.iter().map(Head::whole));
+        for (number, candidate) in (1..).zip(self.told()) {
+            let figures = &candidate.figures;
+            let own = lengths(candidate);
+            let length = |link: usize| match own[link] {
+                Some(length) => significant(length, DIGITS),
+                None => "-".to_owned(),
+            };
+            let turns = match figures.full_turn {
+                true => words().turns_fully_shortly(),
+                false => words().swings_shortly(),
+            };
+            let mut cells: Vec<String> = links.iter().map(|(link, _)| length(*link)).collect();
+            cells.extend([
+                significant(figures.transmission, FEW),
+                significant(figures.miss, FEW),
+                turns.to_owned(),
+            ]);
+            cells.extend(lacks.then(|| lacking(&candidate.missed)));
+            table.row(number.to_string(), cells.into_iter().map(Cell::sure));
+        }
+        table
+    }
+
+    /// A candidate in a few figures.
+    fn brief(&self, candidate: &Candidate) -> String {
+        let lengths = lengths(candidate).into_iter().flatten();
+        let lengths: Vec<String> = lengths.map(|length| significant(length, 4)).collect();
+        lengths.join(", ")
+    }
+
+    fn reasons(&self, candidate: &Candidate) -> String {
+        let reasons = candidate.defects.iter().map(reason);
+        reasons.collect::<Vec<_>>().join("; ")
+    }
+
+    /// All that was found, for programs.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let candidate = |candidate: &Candidate| {
+            let pivot = candidate.proposal.pivot;
+            let held = match candidate.proposal.partner {
+                Partner::Rocker(d) => json!({ "D": [d.x, d.y] }),
+                Partner::Slide(angle) => json!({ "guide": angle }),
+            };
+            let [crank, coupler, rocker, _] = lengths(candidate);
+            let figures = &candidate.figures;
+            let first = candidate.proposal.places.first();
+            json!({
+                "A": [pivot.x, pivot.y],
+                "partner": held,
+                "B": first.map(|place| [place[0].x, place[0].y]),
+                "C": first.map(|place| [place[1].x, place[1].y]),
+                "P": candidate.proposal.tracer.map(|p| [p.x, p.y]),
+                "r2": crank,
+                "r3": coupler,
+                "r4": rocker,
+                "driver": candidate.at,
+                "full_turn": figures.full_turn,
+                "transmission": figures.transmission,
+                "ratio": figures.ratio,
+                "miss": figures.miss,
+                "rms": figures.rms,
+                "angle_miss": figures.angle_miss,
+                "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
+                "defects": candidate.defects.iter().map(reason).collect::<Vec<_>>(),
+            })
+        };
+        json!({
+            "task": self.file.name,
+            "unit": self.file.unit.symbol(),
+            "complete": self.found.is_complete,
+            "candidates": self.told().iter().map(candidate).collect::<Vec<_>>(),
+            "defective": self.found.defective.iter().map(candidate).collect::<Vec<_>>(),
+        })
+    }
+
+    /// A row for each candidate, the defective ones behind the others.
+    ///
+    /// # Errors
+    /// Those of writing.
+    pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
+        const HEADS: [&str; 15] = [
+            "candidate",
+            "A.x",
+            "A.y",
+            "D.x",
+            "D.y",
+            "guide",
+            "B.x",
+            "B.y",
+            "C.x",
+            "C.y",
+            "transmission [deg]",
+            "ratio",
+            "miss",
+            "rms",
+            "state",
+        ];
+        let mut rows = CsvSheet::new(dialect, to);
+        rows.record(HEADS)?;
+        let all = self.told().iter().chain(&self.found.defective);
+        for (number, candidate) in (1..).zip(all) {
+            let proposal = &candidate.proposal;
+            let (d, guide) = match proposal.partner {
+                Partner::Rocker(d) => (Some(d), None),
+                Partner::Slide(angle) => (None, Some(angle)),
+            };
+            let first = proposal.places.first();
+            let (b, c) = (first.map(|place| place[0]), first.map(|place| place[1]));
+            let figures = &candidate.figures;
+            let numbers = [
+                Some(proposal.pivot.x),
+                Some(proposal.pivot.y),
+                d.map(|d| d.x),
+                d.map(|d| d.y),
+                guide,
+                b.map(|b| b.x),
+                b.map(|b| b.y),
+                c.map(|c| c.x),
+                c.map(|c| c.y),
+                Some(figures.transmission),
+                Some(figures.ratio),
+                Some(figures.miss),
+                Some(figures.rms),
+            ];
+            let cell = |number: Option<f64>| {
+                let mut cell = String::new();
+                if let Some(number) = number {
+                    shortest(number, &mut cell);
+                }
+                cell
+            };
+            let state = match candidate.does_it() {
+                true => "ok".to_owned(),
+                false => self.reasons(candidate),
+            };
+            let cells = std::iter::once(number.to_string())
+                .chain(numbers.map(cell))
+                .chain([state]);
+            rows.record(cells)?;
+        }
+        rows.finish()
+    }
+}
+
+/// Crank, coupler, rocker and the distance of the pivots.
+fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
+    let proposal = &candidate.proposal;
+    let Some((crank, coupler, rocker)) = proposal.lengths() else {
+        return [None; 4];
+    };
+    let ground = match proposal.partner {
+        Partner::Rocker(d) => Some((d - proposal.pivot).norm()),
+        Partner::Slide(_) => None,
+    };
+    [Some(crank), Some(coupler), rocker, ground]
+}
+
+/// A defect in words; points are counted from 1.
+fn reason(defect: &TaskDefect) -> String {
+    match *defect {
+        TaskDefect::Unopened => words().stands_in_dead_point().into(),
+        TaskDefect::Branch { from, to } => words().branch_between(from + 1, to + 1),
+        TaskDefect::Circuit { from, to } => words().circuit_between(from + 1, to + 1),
+        TaskDefect::Order { from, to } => words().order_between(from + 1, to + 1),
+        TaskDefect::Missed { point } => words().point_missed(point + 1),
+    }
+}
+
+fn lacking(missed: &[MissedWish]) -> String {
+    let names: Vec<&str> = missed.iter().map(wish).collect();
+    match names.is_empty() {
+        true => "-".into(),
+        false => names.join(", "),
+    }
+}
+
+/// As the task file names it.
+fn wish(wish: &MissedWish) -> &'static str {
+    match wish {
+        MissedWish::FullTurn => "full-turn",
+        MissedWish::Transmission => "transmission",
+        MissedWish::Inside => "inside",
+        MissedWish::Ratio => "ratio",
+        MissedWish::Sense => "direction",
+    }
+}

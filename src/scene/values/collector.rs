@@ -1,0 +1,374 @@
+//! Finds the values of a scene in its text.
+
+use super::{Value, ValueOwner};
+use crate::Input;
+use crate::document::{Lenient, Misplaced, NamedNumbers};
+use crate::scene::keys::{self, KeyKind, NumberMeasure, SceneKey};
+use crate::scene::measure::{Measure, MeasureUnits};
+use crate::scene::rate::{self, Degree, WrittenRate};
+use crate::scene::reader::number_of;
+use crate::scene::{Scene, Unit};
+use serde::Deserialize;
+use std::collections::HashMap;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+type SpannedValue<'t> = Spanned<DeValue<'t>>;
+
+/// All values of a scene, in the order of the file.
+pub(super) fn values(scene: &Scene) -> Vec<Value> {
+    let Ok(root) = DeTable::parse(scene.text()) else {
+        // It was read once before.
+        return Vec::new();
+    };
+    let turns = matches!(scene.mechanism.driver().input, Input::Turn(_));
+    let mut collector = Collector {
+        text: scene.text(),
+        unit: scene.unit,
+        slides: &scene.slide_names,
+        turns,
+        driver_turns: turns,
+        is_torsion: false,
+        owner: ValueOwner::Scene,
+        met: HashMap::new(),
+        found: Vec::new(),
+        named: &scene.named,
+    };
+    collector.table(keys::SCENE, "", root.get_ref(), "");
+    collector.found
+}
+
+/// Walks through a scene that was read before: what does not fit is passed over.
+struct Collector<'t> {
+    text: &'t str,
+    unit: Unit,
+    slides: &'t [String],
+    /// Whether a link is driven, and no slide.
+    turns: bool,
+    /// The same of the driver, also in the table of another input.
+    driver_turns: bool,
+    /// Whether the table at hand is that of a torsion spring.
+    is_torsion: bool,
+    /// What the values that are found now belong to.
+    owner: ValueOwner,
+    /// How often each load and each spring was met.
+    met: HashMap<String, usize>,
+    found: Vec<Value>,
+    /// What formulas may name.
+    named: &'t Arc<NamedNumbers>,
+}
+
+impl Collector<'_> {
+    /// The values of a table that is called `of`.
+    fn table(&mut self, keys: &'static [SceneKey], of: &str, table: &DeTable<'_>, again: &str) {
+        for (key, value) in table {
+            if let Some(key) = keys::find(keys, key.get_ref()) {
+                self.value(key, (of, key.name), value, again);
+            }
+        }
+    }
+
+    /// The values of a key: of what, and how they are called; `again` stands behind their names.
+    fn value(
+        &mut self,
+        key: &SceneKey,
+        (of, name): (&str, &str),
+        value: &SpannedValue<'_>,
+        again: &str,
+    ) {
+        let name = join(of, name);
+        match key.kind {
+            KeyKind::Text | KeyKind::Vectors | KeyKind::Formulas => {}
+            KeyKind::Number(size) => self.number(name + again, size, value),
+            KeyKind::Parameters => each(value, |parameter, at| {
+                let size = NumberMeasure::Of(Measure::Parameter);
+                self.of(ValueOwner::Parameter(parameter.to_owned()), |its| {
+                    its.number(parameter.to_owned(), size, at);
+                });
+            }),
+            KeyKind::Ends(size) => self.ends(&name, again, size, value),
+            KeyKind::Limits(keys) => each(value, |name, value| self.limit(keys, name, value)),
+            // A point by its name has no coordinates here.
+            KeyKind::Pair(size) => self.pair(&name, again, size, value),
+            KeyKind::Rate(degree) => self.rate(&name, degree, value),
+            KeyKind::Place => self.place(&name, again, value),
+            KeyKind::Places => each(value, |point, at| {
+                let name = join(of, point);
+                self.of(ValueOwner::Element(point.to_owned()), |its| {
+                    its.place(&name, again, at);
+                });
+            }),
+            KeyKind::Steps(keys) => {
+                for (number, step) in items(value).enumerate() {
+                    let called = format!("{of} step {}", number + 1);
+                    self.inner(keys, &called, step);
+                }
+            }
+            KeyKind::Knots(sizes, called) => self.knots(&name, again, (sizes, called), value),
+            KeyKind::Numbers(size) => {
+                // `[tolerances]` has a tolerance for each point.
+                let called = key.name.trim_end_matches('s');
+                each(value, |point, number| {
+                    let name = join(point, called);
+                    self.of(ValueOwner::Element(point.to_owned()), |its| {
+                        its.number(name, size, number);
+                    });
+                });
+            }
+            KeyKind::Points(size) => {
+                // Where a point starts is not where it is.
+                let start = if key.name == "start" { " start" } else { "" };
+                each(value, |point, at| {
+                    let name = join(of, point) + start;
+                    self.of(ValueOwner::Element(point.to_owned()), |its| {
+                        its.pair(&name, "", size, at);
+                    });
+                });
+            }
+            KeyKind::Table(keys) => {
+                let owner = match key.name {
+                    "driver" => ValueOwner::Driver,
+                    _ => ValueOwner::Scene,
+                };
+                self.of(owner, |its| its.inner(keys, key.name, value));
+            }
+            KeyKind::Each(keys) => each(value, |name, value| {
+                let turns = self.turns;
+                if key.name == "inputs" {
+                    self.turns = !self.slides.iter().any(|slide| slide == name);
+                }
+                self.of(ValueOwner::Element(name.to_owned()), |its| {
+                    its.inner(keys, name, value);
+                });
+                self.turns = turns;
+            }),
+            KeyKind::List(keys) => {
+                let tables = items(value).filter_map(|item| item.get_ref().as_table());
+                tables.for_each(|table| self.acting(keys, table));
+            }
+        }
+    }
+
+    /// A limit of a slide or a link that it is named after, or of the angle of a link.
+    fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
+        let called = format!("{name} limit");
+        if let Some(table) = value.get_ref().as_table() {
+            let link = table.get("link").and_then(|link| link.get_ref().as_str());
+            let owner = ValueOwner::Element(link.unwrap_or(name).to_owned());
+            return self.of(owner, |its| its.table(keys, &called, table, ""));
+        }
+        let measure = match self.slides.iter().any(|slide| slide == name) {
+            true => Measure::Coordinate,
+            false => Measure::Angle,
+        };
+        self.of(ValueOwner::Element(name.to_owned()), |its| {
+            its.ends(&called, "", NumberMeasure::Of(measure), value);
+        });
+    }
+
+    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
+        for (end, item) in ["low", "high"].into_iter().zip(items(value)) {
+            self.number(format!("{name} {end}{behind}"), size, item);
+        }
+    }
+
+    /// What is found meanwhile belongs to this.
+    fn of(&mut self, owner: ValueOwner, find: impl FnOnce(&mut Self)) {
+        let before = std::mem::replace(&mut self.owner, owner);
+        find(self);
+        self.owner = before;
+    }
+
+    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
+        if let Some(table) = value.get_ref().as_table() {
+            self.table(keys, name, table, "");
+        }
+    }
+
+    /// The values of a spring or a load: it has no name, but what it acts on has.
+    fn acting(&mut self, keys: &'static [SceneKey], table: &DeTable<'_>) {
+        let name = |key| table.get(key)?.get_ref().as_str();
+        if let (Some(from), Some(to)) = (name("from"), name("to")) {
+            let of = format!("spring {from}-{to}");
+            let again = self.again(&of);
+            let owner = ValueOwner::Between(from.to_owned(), to.to_owned());
+            return self.of(owner, |its| its.table(keys, &of, table, &again));
+        }
+        if let (Some(link), false) = (name("link"), table.contains_key("torque")) {
+            let of = format!("spring {link}-{}", name("to").unwrap_or("ground"));
+            let again = self.again(&of);
+            let owner = ValueOwner::Element(link.to_owned());
+            self.is_torsion = true;
+            self.of(owner, |its| its.table(keys, &of, table, &again));
+            self.is_torsion = false;
+            return;
+        }
+        let on = ["point", "link", "slide"].into_iter().find_map(name);
+        let mut sizes = ["force", "torque", "press"].into_iter();
+        let (Some(on), Some(size)) = (on, sizes.find(|size| table.contains_key(*size))) else {
+            return;
+        };
+        let what = join(on, size);
+        let again = self.again(&what);
+        self.of(ValueOwner::Element(on.to_owned()), |its| {
+            for (key, value) in table {
+                if let Some(key) = keys::find(keys, key.get_ref()) {
+                    // The factors of a load are called by its size.
+                    let called = if key.name == "over" { size } else { key.name };
+                    its.value(key, (on, called), value, &again);
+                }
+            }
+        });
+    }
+
+    /// Knots, counted from 1: where each lies, and what is there.
+    fn knots(
+        &mut self,
+        what: &str,
+        again: &str,
+        (sizes, called): ([NumberMeasure; 2], &str),
+        list: &SpannedValue<'_>,
+    ) {
+        for (i, knot) in items(list).enumerate() {
+            let parts = items(knot).zip(["at", called]).zip(sizes);
+            for ((item, part), size) in parts {
+                let name = format!("{what} knot {} {part}{again}", i + 1);
+                self.number(name, size, item);
+            }
+        }
+    }
+
+    /// Several loads may act on the same point: every number of the second ends with ` (2)`.
+    fn again(&mut self, what: &str) -> String {
+        let times = self.met.entry(what.to_owned()).or_default();
+        *times += 1;
+        match *times {
+            1 => String::new(),
+            times => format!(" ({times})"),
+        }
+    }
+
+    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
+        for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
+            self.number(format!("{name} {axis}{behind}"), size, item);
+        }
+    }
+
+    /// A place on a link: coordinates, or a length and an angle.
+    fn place(&mut self, name: &str, again: &str, value: &SpannedValue<'_>) {
+        match value.get_ref().as_table() {
+            Some(table) => self.table(keys::PLACE, name, table, again),
+            None => self.pair(name, again, NumberMeasure::Of(Measure::Coordinate), value),
+        }
+    }
+
+    fn number(&mut self, name: String, size: NumberMeasure, value: &SpannedValue<'_>) {
+        let Ok(read) = Lenient::deserialize(ValueDeserializer::from(value.clone())) else {
+            return;
+        };
+        let place = value.span();
+        let (number, formula, dimension) = match number_of(self.text, &read) {
+            Ok(number) => (number, None, None),
+            Err(Misplaced::Text(text)) => {
+                let Ok(found) = self.named.worth_of_text(text) else {
+                    return;
+                };
+                let number = found.value.hi + 0.0;
+                (number, Some(text.clone()), found.dimension)
+            }
+            Err(_) => return,
+        };
+        let turns = match size {
+            NumberMeasure::DriverItself => self.driver_turns,
+            NumberMeasure::Of(_) | NumberMeasure::Driver | NumberMeasure::Effort => self.turns,
+        };
+        let measure = match (size.measure(turns), self.is_torsion) {
+            (measure, true) => measure.of_torsion(),
+            (measure, false) => measure,
+        };
+        let written = || self.text[place.clone()].to_owned();
+        self.found.push(Value {
+            name,
+            owner: self.owner.clone(),
+            measure,
+            number,
+            literal: formula.clone().unwrap_or_else(written),
+            formula,
+            unit: measure.unit(self.unit),
+            place,
+            scene: self.unit,
+            quotes: false,
+            dimension,
+            named: Arc::clone(self.named),
+        });
+    }
+
+    /// A number and a unit in quotes. The quotes stay as they are, unless what is between them is
+    /// written with escapes.
+    fn rate(&mut self, name: &str, degree: Degree, value: &SpannedValue<'_>) {
+        let measure = Measure::of_rate(degree, self.turns);
+        let (Some(text), MeasureUnits::Rate(kind, degree)) =
+            (value.get_ref().as_str(), measure.units(self.unit))
+        else {
+            return;
+        };
+        let whole = value.span();
+        let inner = whole.start + 1..whole.end.saturating_sub(1);
+        let quotes = self.text.get(inner.clone()) != Some(text);
+        let WrittenRate { number, unit } = WrittenRate::of(text);
+        let mut units = rate::units(kind, degree).iter();
+        let unit = units.find(|known| **known == unit);
+        let (parsed, literal, formula, unit) = match (number.parse(), unit) {
+            (Ok(parsed), Some(unit)) => (parsed, number.into_owned(), None, *unit),
+            _ => {
+                let Some((formula, unit)) = rate::formula(text, kind, degree) else {
+                    return;
+                };
+                let Ok(found) = self.named.worth_of_text(formula) else {
+                    return;
+                };
+                let formula = formula.to_owned();
+                (found.value.hi + 0.0, formula.clone(), Some(formula), unit)
+            }
+        };
+        self.found.push(Value {
+            name: name.to_owned(),
+            owner: self.owner.clone(),
+            measure,
+            number: parsed,
+            literal,
+            formula,
+            unit,
+            place: if quotes { whole } else { inner },
+            scene: self.unit,
+            quotes,
+            dimension: None,
+            named: Arc::clone(self.named),
+        });
+    }
+}
+
+/// The items of a list, if it is one.
+fn items<'v>(value: &'v SpannedValue<'v>) -> impl Iterator<Item = &'v SpannedValue<'v>> {
+    let items = value.get_ref().as_array();
+    items.into_iter().flat_map(|items| items.iter())
+}
+
+/// The name of what belongs to something, which itself may have none.
+fn join(of: &str, name: &str) -> String {
+    if of.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{of} {name}")
+    }
+}
+
+/// The entries of a table, if it is one.
+fn each<'v>(value: &'v SpannedValue<'v>, mut take: impl FnMut(&str, &'v SpannedValue<'v>)) {
+    if let DeValue::Table(table) = value.get_ref() {
+        for (key, value) in table {
+            take(key.get_ref(), value);
+        }
+    }
+}

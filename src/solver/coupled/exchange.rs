@@ -1,0 +1,101 @@
+//! What a coupled group puts into states, and takes from them.
+
+use super::{Base, Coupled, Moving, Room, Spot};
+use crate::solver::state::{LinkState, PointState, State};
+use crate::{Number, PointId, Vec2};
+
+impl Coupled {
+    /// Puts what the group places into the state.
+    pub(in crate::solver) fn write<T: Number>(
+        &self,
+        q: T,
+        state: &mut State<T>,
+        room: &Room<'_, T>,
+    ) {
+        for (i, (&link, &turn)) in self.turning.iter().zip(&self.turns).enumerate() {
+            let at = 2 * (self.free + i);
+            let d = Vec2::new(room.z[at], room.z[at + 1]);
+            let (w, a) = (
+                room.first[2 * self.free + i],
+                room.second[2 * self.free + i],
+            );
+            state.links[link.index()] = LinkState {
+                d: d.turned(Vec2::of(turn)),
+                w,
+                a,
+            };
+        }
+        for (point, spot) in &self.spots {
+            let Moving { p, v, a } = self.moving(spot, q, state, room);
+            state.points[point.index()] = PointState { p, v, a };
+        }
+    }
+
+    /// A rough z: joints at `guess`, and directions.
+    pub(in crate::solver) fn set_guess(
+        &self,
+        z: &mut [f64],
+        joints: impl Fn(PointId) -> Vec2,
+        directions: &[Vec2],
+    ) {
+        for (point, spot) in &self.spots {
+            if let Spot {
+                base: Base::Free(i),
+                arm: None,
+                ..
+            } = *spot
+            {
+                let at = joints(*point);
+                (z[2 * i], z[2 * i + 1]) = (at.x, at.y);
+            }
+        }
+        for (i, d) in directions.iter().enumerate() {
+            let at = 2 * (self.free + i);
+            (z[at], z[at + 1]) = (d.x, d.y);
+        }
+    }
+
+    /// Takes z from what the group has placed: the inverse of writing it.
+    pub(in crate::solver) fn read<T: Number>(&self, state: &State<T>, z: &mut [T]) {
+        self.read_as(state, z, |number| number);
+    }
+
+    /// The same in an arithmetic of more digits.
+    pub(super) fn read_as<S: Number, T>(
+        &self,
+        state: &State<S>,
+        z: &mut [T],
+        exactly: impl Fn(S) -> T,
+    ) {
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let Vec2 { x, y } = state.points[point.index()].p;
+                (z[2 * i], z[2 * i + 1]) = (exactly(x), exactly(y));
+            }
+        }
+        for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
+            let at = 2 * (self.free + i);
+            let d = state.links[link.index()].d;
+            let Vec2 { x, y } = d.turned(Vec2::of(turn.conj()));
+            (z[at], z[at + 1]) = (exactly(x), exactly(y));
+        }
+    }
+
+    /// Takes z' and z'' from what the group has placed, as far as that has been solved.
+    pub(super) fn read_rates<T: Number>(&self, state: &State, first: &mut [T], second: &mut [T]) {
+        let mut put = |i: usize, v: f64, a: f64| {
+            (first[i], second[i]) = (T::exactly(v), T::exactly(a));
+        };
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let PointState { v, a, .. } = state.points[point.index()];
+                put(2 * i, v.x, a.x);
+                put(2 * i + 1, v.y, a.y);
+            }
+        }
+        for (i, link) in self.turning.iter().enumerate() {
+            let link = &state.links[link.index()];
+            put(2 * self.free + i, link.w, link.a);
+        }
+    }
+}

@@ -1,0 +1,375 @@
+//! A proposal that was driven through its task.
+
+use super::defects::{TaskDefect, crank_way};
+use super::functions::FunctionRun;
+use super::machine::{SceneTitles, scene_text};
+use super::{FunctionTask, Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
+use crate::Vec2;
+use crate::angle::{TURN, beside, degrees, unit};
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Range, Solver};
+
+/// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage.
+const SAME: f64 = 1e-7;
+/// Linkages that differ by less than this part of their size are one.
+const ONE: f64 = 1e-6;
+
+/// A linkage, and what it makes of its task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The linkage, with the driven crank on A.
+    pub proposal: Proposal,
+    /// The crank's angle at every point, in degrees, counted on in the order of the task.
+    pub at: Vec<f64>,
+    /// Why it does not do its task; none where it does.
+    pub defects: Vec<TaskDefect>,
+    /// Which wishes it does not keep.
+    pub missed: Vec<MissedWish>,
+    /// What else is to be said of it.
+    pub figures: CandidateFigures,
+}
+
+/// Figures of a candidate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CandidateFigures {
+    /// Whether the crank turns fully.
+    pub full_turn: bool,
+    /// The least transmission angle from the first point to the last, in degrees.
+    pub transmission: f64,
+    /// The longest length over the shortest, the ground's among them.
+    pub ratio: f64,
+    /// By how much the led point, or the output, misses at worst, and by root mean square.
+    pub miss: f64,
+    /// The same, by root mean square.
+    pub rms: f64,
+    /// By how much the body's angle misses at worst, in degrees; of poses only.
+    pub angle_miss: f64,
+}
+
+/// A wish that is not kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MissedWish {
+    /// The crank does not turn fully.
+    FullTurn,
+    /// The transmission angle is less.
+    Transmission,
+    /// A pivot lies outside.
+    Inside,
+    /// Lengths are too unlike.
+    Ratio,
+    /// The crank turns the other way.
+    Sense,
+}
+
+impl Candidate {
+    /// Drives a proposal through the task: as it is, and at its other pivot; the better one.
+    #[must_use]
+    pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
+        let own = Candidate::driven(task, proposal.clone());
+        let is_whole = own.defects.is_empty() && own.missed.is_empty();
+        // Of a function the crank is the one that is given.
+        let is_given = matches!(task.kind, TaskKind::Function(_));
+        match proposal.swapped() {
+            Some(swapped) if !is_whole && !is_given => {
+                let other = Candidate::driven(task, swapped);
+                match other.standing() < own.standing() {
+                    true => other,
+                    false => own,
+                }
+            }
+            _ => own,
+        }
+    }
+
+    fn driven(task: &Task, proposal: Proposal) -> Candidate {
+        let opened = opened(task, &proposal);
+        let Some((scene, solver)) = opened else {
+            return Candidate {
+                at: Vec::new(),
+                defects: vec![TaskDefect::Unopened],
+                missed: Vec::new(),
+                figures: CandidateFigures::default(),
+                proposal,
+            };
+        };
+        let range = solver.motion().range;
+        let (at, mut defects) = crank_way(&proposal, range, &task.wishes);
+        let mut figures = CandidateFigures {
+            full_turn: matches!(range, Range::Full { .. }),
+            transmission: least_transmission(&proposal, &at),
+            ratio: ratio(&proposal),
+            ..CandidateFigures::default()
+        };
+        // What lies in another assembly was named.
+        let reach = defects.iter().filter_map(TaskDefect::place).min();
+        let points = reach.unwrap_or(at.len());
+        let drive = TaskDrive {
+            task,
+            proposal: &proposal,
+            scene: &scene,
+            solver: &solver,
+        };
+        if let Err(point) = drive.measure(&at[..points], &mut figures) {
+            defects.push(TaskDefect::Missed { point });
+        }
+        let missed = missed(&task.wishes, &proposal, &at, &figures);
+        Candidate {
+            proposal,
+            at,
+            defects,
+            missed,
+            figures,
+        }
+    }
+
+    /// Whether it does its task.
+    #[must_use]
+    pub fn does_it(&self) -> bool {
+        self.defects.is_empty()
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self, task: &Task, titles: &SceneTitles) -> Option<String> {
+        scene_text(&self.proposal, task, titles)
+    }
+
+    /// How many defects, and wishes that are not kept; and the less transmission the worse.
+    fn standing(&self) -> (usize, usize, f64) {
+        let transmission = self.figures.transmission;
+        (self.defects.len(), self.missed.len(), -transmission)
+    }
+
+    /// Whether two are one but for rounding.
+    #[must_use]
+    pub fn is_same(&self, other: &Candidate) -> bool {
+        let same = |a: &Proposal, b: &Proposal| {
+            let slack = ONE * size(a).max(size(b));
+            let near = |a: Vec2, b: Vec2| (a - b).norm() <= slack;
+            let held = match (a.partner, b.partner) {
+                (Partner::Rocker(a), Partner::Rocker(b)) => near(a, b),
+                (Partner::Slide(a), Partner::Slide(b)) => (unit(a).cross(unit(b))).abs() <= ONE,
+                _ => false,
+            };
+            let first = a.places.first().zip(b.places.first());
+            held && near(a.pivot, b.pivot)
+                && first.is_some_and(|(a, b)| near(a[0], b[0]) && near(a[1], b[1]))
+        };
+        same(&self.proposal, &other.proposal)
+            || other
+                .proposal
+                .swapped()
+                .is_some_and(|other| same(&self.proposal, &other))
+    }
+}
+
+impl TaskDefect {
+    /// The first point that is not come to.
+    #[must_use]
+    pub fn place(&self) -> Option<usize> {
+        match self {
+            TaskDefect::Unopened => Some(0),
+            TaskDefect::Branch { to, .. } | TaskDefect::Circuit { to, .. } => Some(*to),
+            TaskDefect::Missed { point } => Some(*point),
+            TaskDefect::Order { .. } => None,
+        }
+    }
+}
+
+/// A linkage on its way.
+struct TaskDrive<'a> {
+    task: &'a Task,
+    proposal: &'a Proposal,
+    scene: &'a Scene,
+    solver: &'a Solver,
+}
+
+impl TaskDrive<'_> {
+    /// By how much it misses each point, by the solver's figures alone.
+    ///
+    /// # Errors
+    /// The point at which the solver does not find the linkage where it was proposed.
+    fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<(), usize> {
+        let mechanism = self.solver.mechanism();
+        let named = |name: &str| {
+            let mut points = mechanism.point_ids();
+            points.find(|id| self.scene.point_name(*id) == Some(name))
+        };
+        let coupler = mechanism.link_ids().nth(1);
+        let mut state = self.solver.state();
+        let size = size(self.proposal);
+        let mut turned_from = 0.0;
+        let mut squares = 0.0;
+        let mut weights = 0.0;
+        for (point, &at) in at.iter().enumerate() {
+            if self.solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+                return Err(point);
+            }
+            let place = |name: &str| named(name).and_then(|id| state.position(id));
+            let c = place("C").ok_or(point)?;
+            if !((c - self.proposal.places[point][1]).norm() <= SAME * size) {
+                return Err(point);
+            }
+            let angle = coupler.and_then(|link| state.angle(link)).ok_or(point)?;
+            if point == 0 {
+                turned_from = angle;
+            }
+            let (miss, angle_miss, weight) = match &self.task.kind {
+                TaskKind::Poses(PoseTask { poses, .. }) => {
+                    let wanted = poses[point].angle - poses[0].angle;
+                    let off = beside(0.0, angle - turned_from - wanted).abs();
+                    let p = place("P").ok_or(point)?;
+                    ((p - poses[point].at).norm(), off, 1.0)
+                }
+                TaskKind::Path(PathTask {
+                    points, weights, ..
+                }) => {
+                    let p = place("P").ok_or(point)?;
+                    let weight = weights.get(point).copied().unwrap_or(1.0);
+                    ((p - points[point]).norm(), 0.0, weight)
+                }
+                // Told of the whole range, below.
+                TaskKind::Function(_) => (0.0, 0.0, 1.0),
+            };
+            figures.miss = figures.miss.max(miss);
+            figures.angle_miss = figures.angle_miss.max(angle_miss);
+            squares += weight * miss * miss;
+            weights += weight;
+        }
+        figures.rms = if weights > 0.0 {
+            (squares / weights).sqrt()
+        } else {
+            0.0
+        };
+        if let TaskKind::Function(task) = &self.task.kind {
+            // On the way it does not close: there it comes to no pair.
+            let (miss, rms) = output_misses(task, self.proposal).ok_or(at.len())?;
+            (figures.miss, figures.rms) = (miss, rms);
+        }
+        Ok(())
+    }
+}
+
+/// The scene of a proposal, opened.
+fn opened(task: &Task, proposal: &Proposal) -> Option<(Scene, Solver)> {
+    let text = scene_text(proposal, task, &SceneTitles::default())?;
+    let scene = Scene::parse(&text, "").ok()?;
+    let solver = Solver::new(&scene.mechanism).ok()?;
+    Some((scene, solver))
+}
+
+/// The largest distance in a linkage.
+pub(super) fn size(proposal: &Proposal) -> f64 {
+    let all = lengths(proposal);
+    all.into_iter().fold(0.0, f64::max)
+}
+
+fn lengths(proposal: &Proposal) -> Vec<f64> {
+    let Some((crank, coupler, rocker)) = proposal.lengths() else {
+        return Vec::new();
+    };
+    let ground = match proposal.partner {
+        Partner::Rocker(d) => Some((d - proposal.pivot).norm()),
+        Partner::Slide(_) => None,
+    };
+    [Some(crank), Some(coupler), rocker, ground]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+fn ratio(proposal: &Proposal) -> f64 {
+    let all = lengths(proposal);
+    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    all.iter().copied().fold(0.0, f64::max) / least
+}
+
+/// The least angle between coupler and rocker, or between coupler and the normal of the guide, over the crank's way: it
+/// turns at the ends, and where the crank lies on the line of the pivots or stands square to the guide.
+fn least_transmission(proposal: &Proposal, at: &[f64]) -> f64 {
+    let Some((crank, coupler, rocker)) = proposal.lengths() else {
+        return 0.0;
+    };
+    let low = at.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let line = match proposal.partner {
+        Partner::Rocker(d) => degrees(d - proposal.pivot),
+        Partner::Slide(angle) => angle + TURN / 4.0,
+    };
+    let turns = (0..2).flat_map(|half| {
+        let first = ((low - line) / TURN * 2.0).ceil();
+        let place = line + (first + f64::from(half)) * TURN / 2.0;
+        (place <= high).then_some(place)
+    });
+    let angle = |at: f64| {
+        let b = proposal.pivot + unit(at) * crank;
+        let cosine = match (proposal.partner, rocker) {
+            (Partner::Rocker(d), Some(rocker)) => {
+                let across = (d - b).norm2();
+                (coupler * coupler + rocker * rocker - across) / (2.0 * coupler * rocker)
+            }
+            (Partner::Slide(angle), _) => {
+                let c = proposal.places.first().map_or(b, |place| place[1]);
+                (c - b).cross(unit(angle)) / coupler
+            }
+            (Partner::Rocker(_), None) => 1.0,
+        };
+        cosine.abs().min(1.0).acos().to_degrees()
+    };
+    turns.chain([low, high]).map(angle).fold(90.0, f64::min)
+}
+
+fn missed(
+    wishes: &Wishes,
+    proposal: &Proposal,
+    at: &[f64],
+    figures: &CandidateFigures,
+) -> Vec<MissedWish> {
+    let mut missed = Vec::new();
+    let mut wish = |kept: bool, wish: MissedWish| {
+        if !kept {
+            missed.push(wish);
+        }
+    };
+    wish(!wishes.full_turn || figures.full_turn, MissedWish::FullTurn);
+    let least = wishes.transmission.unwrap_or(0.0);
+    wish(figures.transmission >= least, MissedWish::Transmission);
+    if let Some(corners) = wishes.inside {
+        let within = |p: Vec2| is_inside(corners, p);
+        let pivot = match proposal.partner {
+            Partner::Rocker(d) => within(d),
+            Partner::Slide(_) => true,
+        };
+        wish(within(proposal.pivot) && pivot, MissedWish::Inside);
+    }
+    let most = wishes.ratio.unwrap_or(f64::INFINITY);
+    wish(figures.ratio <= most, MissedWish::Ratio);
+    if let (Some(sense), Some(first), Some(last)) = (wishes.sense, at.first(), at.last()) {
+        let turns = match sense {
+            Sense::CounterClockwise => last >= first,
+            Sense::Clockwise => last <= first,
+        };
+        wish(turns, MissedWish::Sense);
+    }
+    missed
+}
+
+/// By how much the output misses its pairs and what is wanted between them, at worst and by root mean square.
+fn output_misses(task: &FunctionTask, proposal: &Proposal) -> Option<(f64, f64)> {
+    let run = FunctionRun::of(task, proposal)?;
+    let mut worst = 0.0_f64;
+    for [x, y] in task.pairs.iter().chain(&task.between) {
+        worst = worst.max(run.error(*x, *y)?.abs());
+    }
+    let mut squares = 0.0;
+    for [x, y] in &task.pairs {
+        squares += run.error(*x, *y)?.powi(2);
+    }
+    Some((worst, (squares / task.pairs.len() as f64).sqrt()))
+}
+
+/// Whether a place lies in the box of two opposite corners.
+pub(crate) fn is_inside([one, other]: [Vec2; 2], p: Vec2) -> bool {
+    let between = |v: f64, a: f64, b: f64| a.min(b) <= v && v <= a.max(b);
+    between(p.x, one.x, other.x) && between(p.y, one.y, other.y)
+}

@@ -1,0 +1,234 @@
+//! Angle to slide: a slider-crank with an offset, crank 1 long at the angle f, coupler b, the slide at (t, e).
+//!
+//! ```text
+//! t^2 - 2 t cos f - 2 e sin f + 1 + e^2 - b^2 = 0
+//! ```
+//!
+//! With t = T + q, where q is the wanted travel and T the free datum, it is linear in T, e and the rest,
+//!
+//! ```text
+//! q^2 - 2 q cos f + 2 T (q - cos f) - 2 e sin f + m = 0,   m = 1 + e^2 + T^2 - b^2
+//! ```
+//!
+//! so that three pairs have one solution. Where the crank's datum is free as well, f = p + a, four pairs have one where
+//! the determinant of these rows, a trigonometric polynomial of a of the third degree, is 0: at most six.
+//!
+//! Where the output's scale is free lengths are counted in y: the crank is z, complex, with the crank's datum as its
+//! argument, and V = (T - i e) z,
+//!
+//! ```text
+//! y^2 + 2 T y - 2 y Re(z e^ip) - 2 Re(V e^ip) + m = 0,   m = |z|^2 + e^2 + T^2 - b^2
+//! ```
+//!
+//! linear in T, z, V and m, with the condition Re(V z*) = T |z|^2 of the third degree: five pairs have three solutions
+//! at most, four with a given datum of the crank two. Where T is given as part of the crank, T = d |z|, three pairs with
+//! a given datum of the crank are linear in |z|, |z|^2, |z| e and m.
+
+use super::lines::{SAMPLES, solved};
+use super::linkage::FunctionLinkage;
+use super::refine::FunctionDesign;
+use super::trigonometric::zeros;
+use super::wanted::{FunctionLaw, WantedFunction};
+use super::{ExactDesigns, law_angles};
+use nalgebra::{Complex, DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// Rows are singular where the smallest singular value is this part of the largest.
+const SINGULAR: f64 = 1e-12;
+
+/// As [`super::angle::exact`]. `None` where it is not known how: the crank's scale free, or its datum and the output's
+/// scale without the output's datum.
+pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
+    match wanted.given {
+        [_, None, ..] => None,
+        [Some(_), _, _, Some(_)] => Some(turned_by(wanted, 0.0)),
+        [None, _, _, Some(_)] => Some(turned(wanted)),
+        [_, _, None, None] => Some(in_y(wanted)),
+        [Some(_), _, Some(datum), None] => Some(from_datum(wanted, datum)),
+        [None, _, Some(_), None] => None,
+    }
+}
+
+/// The rows at a turn of the crank: of T where it is free, e, m, and what is known.
+fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
+    let (angles, ..) = law_angles(wanted)?;
+    let is_free = wanted.given[2].is_none();
+    let row = |[p, q]: &[f64; 2]| {
+        let (sin, cos) = (p + turn).sin_cos();
+        let mut row = Vec::with_capacity(4);
+        if is_free {
+            row.push(2.0 * (q - cos));
+        }
+        row.extend([-2.0 * sin, 1.0, q * q - 2.0 * q * cos]);
+        row
+    };
+    Some(angles.iter().map(row).collect())
+}
+
+/// The solution, or of many pairs the one of least squares, where the crank's datum is this much more.
+fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
+    let found = || {
+        let rows = rows_at(wanted, turn)?;
+        let width = rows.first()?.len() - 1;
+        let matrix = DMatrix::from_fn(rows.len(), width, |i, j| rows[i][j]);
+        let known = DVector::from_fn(rows.len(), |i, _| -rows[i][width]);
+        let decomposed = nalgebra::SVD::try_new(matrix, true, true, f64::EPSILON, 200)?;
+        let values = &decomposed.singular_values;
+        let is_regular = values.len() == width && values.min() > SINGULAR * values.max();
+        // Of solutions without number the shortest.
+        let solution = decomposed.solve(&known, SINGULAR * values.max()).ok()?;
+        let (t, e, m) = match *solution.as_slice() {
+            [t, e, m] => (t, e, m),
+            [e, m] => (0.0, e, m),
+            _ => return None,
+        };
+        let lengths = [1.0, (1.0 + e * e + t * t - m).sqrt(), e];
+        Some((lengths, t, is_regular))
+    };
+    let Some((lengths, datum, is_complete)) = found() else {
+        return ExactDesigns::default();
+    };
+    let law = |scale: f64| FunctionLaw {
+        crank: [
+            wanted.given[0].unwrap_or(0.0) + turn,
+            wanted.given[1].unwrap_or(1.0),
+        ],
+        output: [wanted.given[2].unwrap_or(datum), scale],
+    };
+    let law = law(wanted.given[3].unwrap_or(1.0));
+    ExactDesigns {
+        designs: design(wanted, lengths, law).into_iter().collect(),
+        is_complete,
+    }
+}
+
+/// The crank's datum is free: where the rows with what is known have no rank of their own.
+fn turned(wanted: &WantedFunction) -> ExactDesigns {
+    let width = rows_at(wanted, 0.0).map_or(0, |rows| rows.first().map_or(0, Vec::len));
+    let determinant = |turn: f64| {
+        let rows = rows_at(wanted, turn)?;
+        Some(DMatrix::from_fn(width, width, |i, j| rows[i][j]).determinant())
+    };
+    let (turns, is_complete) = if wanted.pairs.len() == width {
+        // Each column but the one of m is of the first degree in cos and sin.
+        match zeros(width - 1, |turn| determinant(turn).unwrap_or(f64::NAN)) {
+            Some(turns) => (turns, true),
+            None => (grid(), false),
+        }
+    } else {
+        (grid(), false)
+    };
+    let mut all = ExactDesigns {
+        is_complete,
+        ..ExactDesigns::default()
+    };
+    for turn in turns {
+        let exact = turned_by(wanted, turn);
+        all.is_complete &= exact.is_complete;
+        all.designs.extend(exact.designs);
+    }
+    all
+}
+
+fn grid() -> Vec<f64> {
+    let step = TAU / SAMPLES as f64;
+    (0..SAMPLES).map(|k| k as f64 * step).collect()
+}
+
+/// Both the output's datum and its scale are free.
+fn in_y(wanted: &WantedFunction) -> ExactDesigns {
+    let is_free = wanted.given[0].is_none();
+    let (datum, scale) = (
+        wanted.given[0].unwrap_or(0.0),
+        wanted.given[1].unwrap_or(1.0),
+    );
+    let row = |[x, y]: &[f64; 2]| {
+        let (sin, cos) = (datum + scale * x).sin_cos();
+        let mut row = vec![y * y, 2.0 * y, 1.0, -2.0 * y * cos];
+        if is_free {
+            row.push(2.0 * y * sin);
+        }
+        row.extend([-2.0 * cos, 2.0 * sin]);
+        row
+    };
+    let rows: Vec<Vec<f64>> = wanted.pairs.iter().map(row).collect();
+    // h, T, m, z, V.
+    let parts = |v: &DVector<f64>| {
+        let (imaginary, at) = if is_free { (v[4], 5) } else { (0.0, 4) };
+        let z = Complex::new(v[3], imaginary);
+        (v[0], v[1], v[2], z, Complex::new(v[at], v[at + 1]))
+    };
+    let condition = |v: &DVector<f64>| {
+        let (h, t, _, z, big) = parts(v);
+        (big * z.conj()).re * h - t * z.norm_sqr()
+    };
+    let solved = solved(&rows, 2, condition);
+    let designs = solved.vectors.iter().filter_map(|v| {
+        let (h, t, m, z, big) = parts(v);
+        let (t, m, z, big) = (t / h, m / h, z / h, big / h);
+        let e = -(big / z).im;
+        let size = if is_free { z.norm() } else { z.re };
+        let coupler = (z.norm_sqr() + e * e + t * t - m).sqrt();
+        let crank = if is_free { z.arg() } else { datum };
+        // The crank is 1: a negative one turns what is counted in it.
+        let law = FunctionLaw {
+            crank: [crank, scale],
+            output: [t / size, 1.0 / size],
+        };
+        design(wanted, [1.0, coupler / size.abs(), e / size], law)
+    });
+    ExactDesigns {
+        designs: designs.collect(),
+        is_complete: solved.is_complete,
+    }
+}
+
+/// The output's scale is free, and its datum so many cranks.
+fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
+    let (angle, turn) = (
+        wanted.given[0].unwrap_or(0.0),
+        wanted.given[1].unwrap_or(1.0),
+    );
+    // h, |z|, |z|^2, |z| e, m.
+    let row = |[x, y]: &[f64; 2]| {
+        let (sin, cos) = (angle + turn * x).sin_cos();
+        let linear = 2.0 * y * (datum - cos);
+        vec![y * y, linear, -2.0 * datum * cos, -2.0 * sin, 1.0]
+    };
+    let rows: Vec<Vec<f64>> = wanted.pairs.iter().map(row).collect();
+    let solved = solved(&rows, 2, |v| (v[2] * v[0] - v[1] * v[1]) * v[1]);
+    let designs = solved.vectors.iter().filter_map(|v| {
+        let (z, e, m) = (v[1] / v[0], v[3] / v[1], v[4] / v[0]);
+        let coupler = (z * z * (1.0 + datum * datum) + e * e - m).sqrt();
+        let law = FunctionLaw {
+            crank: [angle, turn],
+            output: [datum, 1.0 / z],
+        };
+        design(wanted, [1.0, coupler / z.abs(), e / z], law)
+    });
+    ExactDesigns {
+        designs: designs.collect(),
+        is_complete: solved.is_complete,
+    }
+}
+
+fn design(
+    wanted: &WantedFunction,
+    [crank, coupler, third]: [f64; 3],
+    law: FunctionLaw,
+) -> Option<FunctionDesign> {
+    let linkage = FunctionLinkage {
+        output: wanted.output,
+        crank,
+        coupler,
+        third,
+    };
+    let [x, y] = *wanted.pairs.first()?;
+    let is_number = (law.crank.iter().chain(&law.output)).all(|v| v.is_finite());
+    let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
+    (linkage.is_sound() && is_number).then(|| FunctionDesign {
+        linkage,
+        law,
+        side: linkage.side(at(law.crank, x), at(law.output, y)),
+    })
+}

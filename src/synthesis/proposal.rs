@@ -1,0 +1,73 @@
+//! A linkage that a method proposes.
+
+use crate::Vec2;
+
+/// What holds the second moving pin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Partner {
+    /// A link on a pivot of the ground.
+    Rocker(Vec2),
+    /// A slide on the ground through the pin, at this angle in degrees.
+    Slide(f64),
+}
+
+/// A four-bar or a slider-crank with crank A-B, coupler B-C, and a rocker C-D or a slide at C, by where its moving pins
+/// are to be at every point of the task. All lengths follow from the first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proposal {
+    /// A: the crank's pivot.
+    pub pivot: Vec2,
+    /// What holds C.
+    pub partner: Partner,
+    /// B and C at every point of the task, in the task's order.
+    pub places: Vec<[Vec2; 2]>,
+    /// The point of the coupler that is led, at the first point: of a pose its origin. A function leads none.
+    pub tracer: Option<Vec2>,
+}
+
+/// A link between a pivot of the ground and a pin of the body that is led, or a slide of such a pin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PosedDyad {
+    /// What holds the pin.
+    pub held: Partner,
+    /// The pin, where it is at the first point of the task.
+    pub pin: Vec2,
+}
+
+/// What a method proposes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proposals {
+    /// The linkages, in any order.
+    pub found: Vec<Proposal>,
+    /// Whether there are no others: a search with many starts proves nothing.
+    pub is_complete: bool,
+    /// Of four poses the pieces of the curves on which every pivot and its pin lie, in the order of the curve.
+    pub curves: Vec<Vec<PosedDyad>>,
+}
+
+impl Proposal {
+    /// The lengths: crank, coupler, and rocker where there is one.
+    #[must_use]
+    pub fn lengths(&self) -> Option<(f64, f64, Option<f64>)> {
+        let [b, c] = *self.places.first()?;
+        let rocker = match self.partner {
+            Partner::Rocker(d) => Some((c - d).norm()),
+            Partner::Slide(_) => None,
+        };
+        Some(((b - self.pivot).norm(), (c - b).norm(), rocker))
+    }
+
+    /// The same linkage, driven at its other pivot; a slide drives nothing.
+    #[must_use]
+    pub fn swapped(&self) -> Option<Proposal> {
+        let Partner::Rocker(d) = self.partner else {
+            return None;
+        };
+        Some(Proposal {
+            pivot: d,
+            partner: Partner::Rocker(self.pivot),
+            places: self.places.iter().map(|[b, c]| [*c, *b]).collect(),
+            tracer: self.tracer,
+        })
+    }
+}

@@ -1,0 +1,116 @@
+//! A task, all that a method proposes, and what of it does the task.
+
+use super::candidate::Candidate;
+use super::{PathSearch, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
+use std::cmp::Ordering;
+use std::thread;
+
+/// How a synthesis is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SynthesisOrder {
+    /// From which chance follows, where a search begins at many places.
+    pub seed: u64,
+    /// Threads.
+    pub threads: usize,
+}
+
+/// What came of a task.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Synthesis {
+    /// Those that do it, the best first; those that keep every wish before the others.
+    pub good: Vec<Candidate>,
+    /// Those that do not, each with the reason.
+    pub defective: Vec<Candidate>,
+    /// Whether there are no others.
+    pub is_complete: bool,
+    /// Of four poses the pieces of the curves on which every pivot and its pin lie.
+    pub curves: Vec<Vec<PosedDyad>>,
+}
+
+impl Synthesis {
+    /// Proposes, drives and judges. `watch` is told the part that is done, and stops a search by answering false: what was
+    /// found until then is judged.
+    #[must_use]
+    pub fn run(
+        task: &Task,
+        order: SynthesisOrder,
+        watch: &mut dyn FnMut(f64) -> bool,
+    ) -> Synthesis {
+        let proposals = match &task.kind {
+            TaskKind::Poses(poses) => poses::propose(
+                poses,
+                task.four_bars,
+                task.slider_cranks,
+                task.wishes.inside,
+            ),
+            TaskKind::Function(function) => functions::propose(function),
+            TaskKind::Path(path) => PathSearch {
+                task: path,
+                four_bars: task.four_bars,
+                slider_cranks: task.slider_cranks,
+                seed: order.seed,
+                threads: order.threads,
+                starts: PathSearch::STARTS,
+            }
+            .run(watch),
+        };
+        let found = Synthesis::of(task, proposals, order.threads);
+        watch(1.0);
+        found
+    }
+
+    /// Judges all that is proposed.
+    #[must_use]
+    pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {
+        let judged = judged(task, &proposals.found, threads);
+        let mut kept: Vec<Candidate> = Vec::new();
+        let mut order: Vec<Candidate> = judged;
+        order.sort_by(|one, other| better(task, one, other));
+        for candidate in order {
+            if !kept.iter().any(|before| before.is_same(&candidate)) {
+                kept.push(candidate);
+            }
+        }
+        let (good, defective) = kept.into_iter().partition(Candidate::does_it);
+        Synthesis {
+            good,
+            defective,
+            is_complete: proposals.is_complete,
+            curves: proposals.curves,
+        }
+    }
+}
+
+/// All of them, in their order, on several cores.
+fn judged(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Candidate> {
+    let share = proposals.len().div_ceil(threads.max(1)).max(1);
+    thread::scope(|scope| {
+        let parts: Vec<_> = proposals
+            .chunks(share)
+            .map(|part| {
+                scope.spawn(move || part.iter().map(|p| Candidate::judge(task, p)).collect())
+            })
+            .collect();
+        // A judge does not panic; who did would have judged nothing.
+        let part =
+            |part: thread::ScopedJoinHandle<'_, Vec<Candidate>>| part.join().unwrap_or_default();
+        parts.into_iter().flat_map(part).collect()
+    })
+}
+
+/// Those without defects first, then those that keep more wishes; then the smaller miss, as far as it is more than rounding;
+/// then the greater transmission angle.
+fn better(task: &Task, one: &Candidate, other: &Candidate) -> Ordering {
+    let count = |c: &Candidate| (c.defects.len(), c.missed.len());
+    let floor = 1e-9 * task.size();
+    let miss = |c: &Candidate| c.figures.rms.max(floor);
+    count(one)
+        .cmp(&count(other))
+        .then(miss(one).total_cmp(&miss(other)))
+        .then(
+            other
+                .figures
+                .transmission
+                .total_cmp(&one.figures.transmission),
+        )
+}

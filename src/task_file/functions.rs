@@ -1,0 +1,217 @@
+//! Functions: pairs, or a formula over a range.
+
+use super::{Reader, WrittenTask, lacks, rows};
+use crate::document::{Diagnostic, Lenient, Misplaced};
+use crate::expression::Measured;
+use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
+use crate::wording::words;
+use serde::Deserialize;
+
+const PAIRS: &str = "pairs = [[0, 0], [30, 42], [60, 71]]";
+const FUNCTION: &str = r#"{ y = "log10(x)", from = 1, to = 2, points = 3 }"#;
+const SIDE: &str = "{ swing = 60, start = 45 }";
+/// Where a formula is looked at between its pairs.
+const DENSE: u32 = 180;
+/// Pairs at most.
+const MOST: usize = 1000;
+
+/// `function` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct WrittenFunction {
+    y: Option<Lenient<String>>,
+    from: Option<Lenient<f64>>,
+    to: Option<Lenient<f64>>,
+    points: Option<Lenient<f64>>,
+}
+
+/// `crank` or `output` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct WrittenSide {
+    start: Option<Lenient<f64>>,
+    swing: Option<Lenient<f64>>,
+    scale: Option<Lenient<f64>>,
+}
+
+/// The pairs, and what lies between them.
+#[derive(Default)]
+struct FunctionCourse {
+    pairs: Vec<[f64; 2]>,
+    between: Vec<[f64; 2]>,
+}
+
+pub(super) fn function(
+    reader: &mut Reader<'_>,
+    file: &WrittenTask,
+    slides: bool,
+) -> Option<FunctionTask> {
+    let course = match (&file.pairs, &file.function) {
+        (Some(written), None) => pairs(reader, written)?,
+        (None, Some(written)) => formula(reader, written)?,
+        (None, None) => return lacks(reader, "function", "pairs", PAIRS),
+        (Some(_), Some(written)) => {
+            reader
+                .report(Diagnostic::new(words().pairs_and_function()).at(written.span.clone(), ""));
+            return None;
+        }
+    };
+    let spans = [0, 1].map(|k| span(course.pairs.iter().chain(&course.between), k));
+    let crank = side(reader, "crank", file.crank.as_ref(), spans[0])?;
+    let output = side(reader, "output", file.output.as_ref(), spans[1])?;
+    let size = match &file.size {
+        None => 100.0,
+        Some(value) => {
+            let size = reader.number("`size`", value)?;
+            if !(size > 0.0) {
+                reader.report(
+                    Diagnostic::new(words().must_be(
+                        "`size`",
+                        words().positive_number(),
+                        &reader.literal(&value.span),
+                    ))
+                    .at(
+                        value.span.clone(),
+                        words().expected(words().positive_number()),
+                    ),
+                );
+            }
+            size
+        }
+    };
+    let output_kind = if slides { Output::Slide } else { Output::Angle };
+    Some(FunctionTask {
+        pairs: course.pairs,
+        between: course.between,
+        output: output_kind,
+        crank_datum: crank.0,
+        crank_scale: crank.1,
+        output_datum: output.0,
+        output_scale: output.1,
+        size,
+    })
+}
+
+fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
+    let rows = rows::<2>(reader, "pairs", ("[x, y]", "[30, 42]"), written)?;
+    if !(3..=MOST).contains(&rows.len()) {
+        reader.report(
+            Diagnostic::new(words().count_of_pairs(rows.len(), MOST))
+                .at(written.span.clone(), "")
+                .help(words().for_example(PAIRS)),
+        );
+        return None;
+    }
+    for (k, two) in rows.windows(2).enumerate() {
+        if !(two[1].0[0] > two[0].0[0]) {
+            reader.report(
+                Diagnostic::new(words().pairs_not_in_order(k + 2))
+                    .at(two[1].1.clone(), words().not_further_on())
+                    .help(words().pairs_by_growing_x()),
+            );
+            return None;
+        }
+    }
+    Some(FunctionCourse {
+        pairs: rows.into_iter().map(|(row, _)| row).collect(),
+        between: Vec::new(),
+    })
+}
+
+fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<FunctionCourse> {
+    let table = reader.table("`function`", FUNCTION, value)?;
+    reader.only("`function`", value);
+    let mut number = |key: &str, given: Option<&Lenient<f64>>| match given {
+        Some(given) => reader.number(&words().key_of(key, "`function`"), given),
+        None => lacks(reader, "function", key, &format!("function = {FUNCTION}")),
+    };
+    let (from, to) = (
+        number("from", table.from.as_ref()),
+        number("to", table.to.as_ref()),
+    );
+    let count = match &table.points {
+        Some(count) => reader.number(&words().key_of("points", "`function`"), count),
+        None => Some(3.0),
+    };
+    let Some(y) = &table.y else {
+        return lacks(reader, "function", "y", &format!("function = {FUNCTION}"));
+    };
+    let y = reader.string(&words().key_of("y", "`function`"), y)?;
+    let (from, to, count) = (from?, to?, count?);
+    let points = usize::try_from(count as i64).unwrap_or(0);
+    if !(to > from) || !(3..=MOST).contains(&points) || points as f64 != count {
+        reader.report(Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""));
+        return None;
+    }
+    let mut at = |x: f64| {
+        let worth = Measured {
+            value: crate::Double::exactly(x),
+            dimension: None,
+        };
+        reader.named.worth.insert("x".to_owned(), Some(worth));
+        let y = reader.worked_out(&words().key_of("y", "`function`"), y.text, &y.span)?;
+        Some([x, y.value.hi + 0.0])
+    };
+    let places = chebyshev_pairs(Some, [from, to], points)?;
+    let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(|[x, _]| at(x)).collect();
+    let dense = (0..=DENSE).map(|k| from + (to - from) * f64::from(k) / f64::from(DENSE));
+    let pairs = pairs?;
+    let between: Option<Vec<[f64; 2]>> = dense.map(&mut at).collect();
+    reader.named.worth.remove("x");
+    Some(FunctionCourse {
+        pairs,
+        between: between?,
+    })
+}
+
+/// From where to where the x, or the y, of a course go.
+fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> (f64, f64) {
+    points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
+        (low.min(point[part]), high.max(point[part]))
+    })
+}
+
+/// Datum and scale of one side. What is not said of the scale is 1; of the start, that it may be anything.
+fn side(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&Lenient<WrittenSide>>,
+    (low, high): (f64, f64),
+) -> Option<(Given, Given)> {
+    let Some(value) = value else {
+        return Some((Given::Free, Given::Value(1.0)));
+    };
+    let of = format!("`{key}`");
+    let table = reader.table(&of, SIDE, value)?;
+    reader.only(&of, value);
+    if let (Some(_), Some(scale)) = (&table.swing, &table.scale) {
+        reader.report(Diagnostic::new(words().swing_and_scale()).at(scale.span.clone(), ""));
+        return None;
+    }
+    let mut number =
+        |key: &str, given: &Lenient<f64>| reader.number(&words().key_of(key, &of), given);
+    let scale = match (&table.swing, &table.scale) {
+        (Some(swing), _) => Given::Value(number("swing", swing)? / (high - low)),
+        (None, Some(scale)) => match &scale.read {
+            Err(Misplaced::Text(text)) if text == "free" => Given::Free,
+            _ => Given::Value(number("scale", scale)?),
+        },
+        (None, None) => Given::Value(1.0),
+    };
+    let start = match &table.start {
+        Some(start) => Some(number("start", start)?),
+        None => None,
+    };
+    match (start, scale) {
+        (None, scale) => Some((Given::Free, scale)),
+        (Some(start), Given::Value(scale)) if scale != 0.0 && scale.is_finite() => {
+            Some((Given::Value(start - scale * low), Given::Value(scale)))
+        }
+        (Some(_), scale) => {
+            let rule = match scale {
+                Given::Free => words().start_wants_scale(),
+                Given::Value(_) => words().scale_is_nought(),
+            };
+            reader.report(Diagnostic::new(rule).at(value.span.clone(), ""));
+            None
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Poses and paths.
+
+use super::{ByteSpan, Reader, WrittenTask, lacks, numbers, points, rows, same_twice};
+use crate::Vec2;
+use crate::document::{Diagnostic, Lenient};
+use crate::synthesis::{PathTask, Pose, PoseTask};
+use crate::wording::words;
+
+const POSES: &str = "poses = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]";
+const POINTS: &str = "points = [[20, 20], [20, 25], [20, 30]]";
+/// Poses that a method takes.
+const FEWEST: usize = 3;
+const MOST: usize = 5;
+/// Points of a path that a method takes.
+const MOST_POINTS: usize = 1000;
+
+pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseTask> {
+    let Some(written) = &file.poses else {
+        return lacks(reader, "poses", "poses", POSES);
+    };
+    let form = ("[x, y, angle]", "[120, 40, 35]");
+    let read = rows::<3>(reader, "poses", form, written);
+    let pivots = points(reader, "pivots", file.pivots.as_ref());
+    let pins = points(reader, "pins", file.pins.as_ref());
+    let (read, pivots, pins) = (read?, pivots?, pins?);
+    if !(FEWEST..=MOST).contains(&read.len()) {
+        reader.report(
+            Diagnostic::new(words().count_of_poses(read.len()))
+                .at(written.span.clone(), "")
+                .help(words().poses_that_methods_take()),
+        );
+        return None;
+    }
+    let mut are_apart = true;
+    for (again, (row, place)) in read.iter().enumerate() {
+        let first = read[..again]
+            .iter()
+            .position(|(before, _)| same_pose(before, row));
+        if let Some(first) = first {
+            same_twice(
+                reader,
+                (first, &read[first].1),
+                (again, place),
+                words().take_out_one_pose(),
+            );
+            are_apart = false;
+        }
+    }
+    let given: Vec<&(Vec2, ByteSpan)> = pivots.iter().chain(&pins).collect();
+    let most = if read.len() == FEWEST { 2 } else { 0 };
+    if let Some((_, place)) = given.get(most) {
+        reader.report(
+            Diagnostic::new(words().too_much_given(read.len(), given.len()))
+                .at(place.clone(), words().one_too_many())
+                .help(words().what_poses_leave_free()),
+        );
+        return None;
+    }
+    let bare = |all: Vec<(Vec2, ByteSpan)>| all.into_iter().map(|(at, _)| at).collect();
+    are_apart.then(|| PoseTask {
+        poses: read
+            .iter()
+            .map(|([x, y, angle], _)| Pose {
+                at: Vec2::new(*x, *y),
+                angle: *angle,
+            })
+            .collect(),
+        pivots: bare(pivots),
+        pins: bare(pins),
+    })
+}
+
+/// A turn more is the same pose.
+fn same_pose(one: &[f64; 3], other: &[f64; 3]) -> bool {
+    let turned = crate::angle::wrapped(one[2]) == crate::angle::wrapped(other[2]);
+    one[..2] == other[..2] && turned
+}
+
+pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTask> {
+    let Some(written) = &file.points else {
+        return lacks(reader, "path", "points", POINTS);
+    };
+    let read = points(reader, "points", Some(written));
+    let pivots = points(reader, "pivots", file.pivots.as_ref());
+    let closed = file.closed.as_ref();
+    let closed = closed.and_then(|closed| reader.boolean("`closed`", closed));
+    let (read, pivots) = (read?, pivots?);
+    if read.len() < 2 || read.len() > MOST_POINTS {
+        reader.report(
+            Diagnostic::new(words().count_of_points(read.len(), MOST_POINTS))
+                .at(written.span.clone(), "")
+                .help(words().for_example(POINTS)),
+        );
+        return None;
+    }
+    // Points may come again, as where a curve crosses itself; the next one to each is another.
+    for (k, pair) in read.windows(2).enumerate() {
+        if pair[0].0 == pair[1].0 {
+            let help = words().take_out_one_point();
+            same_twice(reader, (k, &pair[0].1), (k + 1, &pair[1].1), help);
+        }
+    }
+    if let Some((_, place)) = pivots.get(2) {
+        reader.report(
+            Diagnostic::new(words().more_than_two_pivots())
+                .at(place.clone(), words().one_too_many()),
+        );
+    }
+    let turns = match &file.turns {
+        None => None,
+        Some(written) => Some(as_many(reader, "turns", written, read.len())?),
+    };
+    if let (Some(turns), Some(written)) = (&turns, &file.turns) {
+        first_is_nought(reader, turns, written);
+    }
+    let weights = match &file.weights {
+        None => vec![1.0; read.len()],
+        Some(written) => {
+            let weights = as_many(reader, "weights", written, read.len())?;
+            if !weights.iter().all(|weight| *weight > 0.0) {
+                reader.report(
+                    Diagnostic::new(words().weights_are_positive()).at(written.span.clone(), ""),
+                );
+            }
+            weights
+        }
+    };
+    reader.found.is_empty().then(|| PathTask {
+        points: read.iter().map(|(at, _)| *at).collect(),
+        closed: closed.unwrap_or(false),
+        turns,
+        pivots: pivots.into_iter().map(|(at, _)| at).collect(),
+        weights,
+    })
+}
+
+/// As many numbers as there are points.
+fn as_many(
+    reader: &mut Reader<'_>,
+    key: &str,
+    written: &super::NumberList,
+    count: usize,
+) -> Option<Vec<f64>> {
+    let read = numbers(reader, key, written)?;
+    if read.len() == count {
+        return Some(read);
+    }
+    reader.report(
+        Diagnostic::new(words().one_for_each_point(key, count, read.len()))
+            .at(written.span.clone(), ""),
+    );
+    None
+}
+
+/// The crank's turns count from the first point.
+fn first_is_nought(reader: &mut Reader<'_>, turns: &[f64], written: &Lenient<Vec<Lenient<f64>>>) {
+    let steps: Vec<f64> = turns.windows(2).map(|two| two[1] - two[0]).collect();
+    let one_way = steps.iter().all(|step| *step > 0.0) || steps.iter().all(|step| *step < 0.0);
+    let fault = if turns.first() != Some(&0.0) {
+        words().turns_begin_at_nought()
+    } else if !one_way {
+        words().turns_go_one_way()
+    } else {
+        return;
+    };
+    reader.report(
+        Diagnostic::new(fault)
+            .at(written.span.clone(), "")
+            .help(words().for_example("turns = [0, 30, 60]")),
+    );
+}

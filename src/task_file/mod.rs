@@ -1,0 +1,329 @@
+//! The task file: a motion that is wanted, as a person writes it down.
+//!
+//! ```toml
+//! kind   = "poses"
+//! unit   = "mm"
+//! poses  = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]   # x, y, angle
+//! pivots = [[0, -100], [200, -100]]
+//!
+//! [wishes]
+//! transmission = 40
+//! ```
+//!
+//! It is read as a scene is: formulas wherever a number stands, and every fault with its line.
+
+mod examples;
+mod functions;
+mod kinds;
+mod wishes;
+
+pub use examples::ExampleTask;
+
+use crate::Vec2;
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Name, Reader};
+use crate::nearest::did_you_mean;
+use crate::scene::{self, LARGEST_FILE, Unit};
+use crate::synthesis::{Task, TaskKind};
+use crate::wording::words;
+use serde::Deserialize;
+
+/// A list of numbers as it is written.
+type NumberList = Lenient<Vec<Lenient<f64>>>;
+/// A list of such lists.
+type RowList = Lenient<Vec<NumberList>>;
+
+/// A task with its names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TaskFile {
+    /// The title (`name`), or the file's stem where there is none.
+    pub name: String,
+    /// Where the task comes from (`source`).
+    pub source: Option<String>,
+    /// What there is to know (`note`).
+    pub note: Option<String>,
+    /// The unit of every length.
+    pub unit: Unit,
+    /// What is wanted, in numbers.
+    pub task: Task,
+}
+
+/// A task as its file writes it.
+#[derive(Debug, Deserialize)]
+struct WrittenTask {
+    kind: Option<Lenient<String>>,
+    name: Option<Lenient<String>>,
+    source: Option<Lenient<String>>,
+    note: Option<Lenient<String>>,
+    unit: Option<Lenient<String>>,
+    linkages: Option<Lenient<Vec<Lenient<String>>>>,
+    poses: Option<RowList>,
+    points: Option<RowList>,
+    pairs: Option<RowList>,
+    pivots: Option<RowList>,
+    pins: Option<RowList>,
+    closed: Option<Lenient<bool>>,
+    turns: Option<NumberList>,
+    weights: Option<NumberList>,
+    function: Option<Lenient<functions::WrittenFunction>>,
+    crank: Option<Lenient<functions::WrittenSide>>,
+    output: Option<Lenient<functions::WrittenSide>>,
+    size: Option<Lenient<f64>>,
+    wishes: Option<Lenient<wishes::WrittenWishes>>,
+}
+
+/// What each kind is called, and the keys that it alone has.
+const KINDS: [(&str, &[&str]); 3] = [
+    ("poses", &["poses", "pivots", "pins"]),
+    (
+        "function",
+        &["pairs", "function", "crank", "output", "size"],
+    ),
+    ("path", &["points", "pivots", "closed", "turns", "weights"]),
+];
+
+impl TaskFile {
+    /// Reads a task from the bytes of a file; `origin` is the name of the file in messages.
+    ///
+    /// # Errors
+    /// Everything found wrong, with its places.
+    pub fn read(bytes: &[u8], origin: &str) -> Result<TaskFile, Diagnostics> {
+        if bytes.len() > LARGEST_FILE {
+            return Err(scene::too_large(origin));
+        }
+        match std::str::from_utf8(bytes) {
+            Ok(text) => TaskFile::parse(text, origin),
+            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
+        }
+    }
+
+    /// Reads a task from a text; `origin` is the name of the file in messages.
+    ///
+    /// # Errors
+    /// Everything found wrong, with its places.
+    pub fn parse(text: &str, origin: &str) -> Result<TaskFile, Diagnostics> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut reader = Reader::new(text);
+        let root = document::parse(&mut reader, scene::mend);
+        let file = root.and_then(|root| task_file(&mut reader, &root, origin));
+        match file {
+            Some(file) if reader.found.is_empty() => Ok(file),
+            _ => Err(reader.into_diagnostics(origin)),
+        }
+    }
+}
+
+fn task_file(
+    reader: &mut Reader<'_>,
+    root: &Lenient<WrittenTask>,
+    origin: &str,
+) -> Option<TaskFile> {
+    let file = root.get()?;
+    reader.only(words().the_task_itself(), root);
+    let name = scene::line(reader, "name", file.name.as_ref());
+    let source = scene::line(reader, "source", file.source.as_ref());
+    let note = scene::line(reader, "note", file.note.as_ref());
+    let unit = scene::unit(reader, file.unit.as_ref());
+    reader.named.length = (unit.symbol(), unit.tenths_of_mm());
+    let wishes = wishes::wishes(reader, file.wishes.as_ref());
+    let (four_bars, slider_cranks) = linkages(reader, file.linkages.as_ref());
+    let kind = kind(reader, root, file)?;
+    let task = Task {
+        kind: match kind {
+            "poses" => TaskKind::Poses(kinds::poses(reader, file)?),
+            "function" => TaskKind::Function(functions::function(reader, file, slider_cranks)?),
+            _ => TaskKind::Path(kinds::path(reader, file)?),
+        },
+        four_bars,
+        slider_cranks,
+        wishes: wishes.for_motion(kind),
+    };
+    wishes.agree_with(reader, &task, file.pivots.as_ref());
+    Some(TaskFile {
+        name: name.unwrap_or_else(|| scene::stem(origin)),
+        source,
+        note,
+        unit,
+        task,
+    })
+}
+
+/// The kind, if it is one, where no key of another stands.
+fn kind(
+    reader: &mut Reader<'_>,
+    root: &Lenient<WrittenTask>,
+    file: &WrittenTask,
+) -> Option<&'static str> {
+    let names = KINDS.map(|(name, _)| name);
+    let Some(written) = &file.kind else {
+        reader.report(
+            Diagnostic::new(words().task_without_kind())
+                .help(words().for_example("kind = \"poses\""))
+                .help(words().kinds_of_tasks(&names.join("`, `"))),
+        );
+        return None;
+    };
+    let written = reader.string("`kind`", written)?;
+    let Some(&(kind, own)) = KINDS.iter().find(|(name, _)| *name == written.text) else {
+        let near = did_you_mean(written.text, names);
+        let help = near.unwrap_or_else(|| words().kinds_of_tasks(&names.join("`, `")));
+        reader.report(
+            Diagnostic::new(words().no_kind_of_task(&written.to_string()))
+                .at(written.span, words().unknown_key_here())
+                .help(help),
+        );
+        return None;
+    };
+    let others = KINDS.iter().flat_map(|(_, keys)| keys.iter());
+    for key in &root.keys {
+        let name = key.get_ref().as_str();
+        if others.clone().any(|other| *other == name) && !own.contains(&name) {
+            reader.report(
+                Diagnostic::new(words().key_of_another_kind(name, kind))
+                    .at(key.span(), words().belongs_to_another_kind())
+                    .help(words().known_keys(&format!("`{}`", own.join("`, `")))),
+            );
+        }
+    }
+    Some(kind)
+}
+
+/// Which linkages are looked for: four-bars where nothing is said.
+fn linkages(
+    reader: &mut Reader<'_>,
+    written: Option<&Lenient<Vec<Lenient<String>>>>,
+) -> (bool, bool) {
+    const FORMS: [&str; 2] = ["four-bar", "slider-crank"];
+    let Some(written) = written else {
+        return (true, false);
+    };
+    let mut found = [false; 2];
+    for form in list(reader, "`linkages`", "[\"four-bar\"]", written) {
+        let Some(name) = reader.string("`linkages`", form) else {
+            continue;
+        };
+        match FORMS.iter().position(|form| *form == name.text) {
+            Some(form) => found[form] = true,
+            None => reader.report(
+                Diagnostic::new(words().no_form_of_linkage(&name.to_string()))
+                    .at(name.span.clone(), words().unknown_key_here())
+                    .help(words().known_keys(&format!("`{}`", FORMS.join("`, `")))),
+            ),
+        }
+    }
+    if found == [false; 2] && reader.found.is_empty() {
+        reader.report(
+            Diagnostic::new(words().no_linkage_wanted())
+                .at(written.span.clone(), "")
+                .help(words().for_example("linkages = [\"four-bar\"]")),
+        );
+    }
+    (found[0], found[1])
+}
+
+/// The items of a list; none where it is none, which is reported.
+fn list<'v, T>(
+    reader: &mut Reader<'_>,
+    what: &str,
+    example: &str,
+    value: &'v Lenient<Vec<T>>,
+) -> &'v [T] {
+    match &value.read {
+        Ok(items) => items,
+        Err(found) => {
+            let fault = reader.wrong_type(what, words().a_list(), found, &value.span);
+            reader.report(fault.help(words().for_example(example)));
+            &[]
+        }
+    }
+}
+
+/// The numbers of a list; `None` where one of them is none.
+fn numbers(reader: &mut Reader<'_>, key: &str, value: &NumberList) -> Option<Vec<f64>> {
+    let what = format!("`{key}`");
+    let items = list(reader, &what, "[0, 30, 60]", value);
+    let read: Vec<Option<f64>> = items
+        .iter()
+        .map(|item| reader.number(&what, item))
+        .collect();
+    read.into_iter().collect()
+}
+
+/// Rows of `N` numbers with their places; `None` where one of them is none.
+fn rows<const N: usize>(
+    reader: &mut Reader<'_>,
+    key: &str,
+    (form, example): (&str, &str),
+    value: &RowList,
+) -> Option<Vec<([f64; N], ByteSpan)>> {
+    let items = list(reader, &format!("`{key}`"), &format!("[{example}]"), value);
+    let before = reader.found.len();
+    let mut rows = Vec::new();
+    for (number, item) in (1..).zip(items) {
+        let what = words().item_of(number, key);
+        let parts = list(reader, &what, example, item);
+        if item.get().is_some() && parts.len() != N {
+            reader.report(
+                Diagnostic::new(words().must_be_row(&what, form, parts.len()))
+                    .at(item.span.clone(), words().expected(form))
+                    .help(words().for_example(example)),
+            );
+            continue;
+        }
+        let read: Vec<f64> = parts
+            .iter()
+            .filter_map(|part| reader.number(&what, part))
+            .collect();
+        if let Ok(row) = <[f64; N]>::try_from(read) {
+            rows.push((row, item.span.clone()));
+        }
+    }
+    (reader.found.len() == before).then_some(rows)
+}
+
+/// Points with their places; empty where the key is not given.
+fn points(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&RowList>,
+) -> Option<Vec<(Vec2, ByteSpan)>> {
+    let Some(value) = value else {
+        return Some(Vec::new());
+    };
+    let rows = rows::<2>(reader, key, ("[x, y]", "[20, 35]"), value)?;
+    let point = |([x, y], place): ([f64; 2], ByteSpan)| (Vec2::new(x, y), place);
+    Some(rows.into_iter().map(point).collect())
+}
+
+/// Reports a key that must be given.
+fn lacks<T>(reader: &mut Reader<'_>, kind: &str, key: &str, example: &str) -> Option<T> {
+    reader
+        .report(Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)));
+    None
+}
+
+/// Reports two places that are the same one.
+fn same_twice(
+    reader: &mut Reader<'_>,
+    first: (usize, &ByteSpan),
+    again: (usize, &ByteSpan),
+    help: &str,
+) {
+    reader.report(
+        Diagnostic::new(words().told_twice(first.0 + 1, again.0 + 1))
+            .at(again.1.clone(), words().the_same_again())
+            .and(first.1.clone(), words().first_told_here())
+            .help(help),
+    );
+}
+
+/// A name in a message.
+fn named(text: &str, span: &ByteSpan) -> String {
+    Name {
+        text,
+        span: span.clone(),
+    }
+    .to_string()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,168 @@
+//! Task files, and what is wrong with them.
+
+use super::*;
+use crate::synthesis::{Given, Sense};
+
+fn read(text: &str) -> TaskFile {
+    TaskFile::parse(text, "test").unwrap_or_else(|faults| panic!("{}", faults.first_words()))
+}
+
+fn fault(text: &str) -> (String, String) {
+    let faults = TaskFile::parse(text, "test").unwrap_err();
+    let first = &faults.items[0];
+    let place = first
+        .primary
+        .as_ref()
+        .map_or(0..0, |label| label.span.clone());
+    (first.message.clone(), text[place].to_owned())
+}
+
+const POSES: &str = "kind = \"poses\"\nposes = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]\n";
+
+#[test]
+fn poses_are_read_with_what_is_given_and_wished() {
+    let file = read(&format!(
+        "name = \"lid\"\nunit = \"cm\"\n{POSES}pivots = [[0, -100], [\"10 in\", -100]]\n\
+         [wishes]\ntransmission = 40\nfull-turn = true\ndirection = \"clockwise\"\n"
+    ));
+    assert_eq!((file.name.as_str(), file.unit), ("lid", Unit::Centimetre));
+    assert!(file.task.four_bars && !file.task.slider_cranks);
+    let wishes = file.task.wishes;
+    assert!(wishes.full_turn && wishes.ordered);
+    assert_eq!(
+        (wishes.transmission, wishes.sense),
+        (Some(40.0), Some(Sense::Clockwise))
+    );
+    let TaskKind::Poses(task) = file.task.kind else {
+        panic!()
+    };
+    assert_eq!(task.poses[1].angle, 35.0);
+    assert_eq!(task.pivots[1], Vec2::new(25.4, -100.0));
+}
+
+#[test]
+fn a_function_is_pairs_or_a_formula_over_a_range() {
+    let file = read(
+        "kind = \"function\"\nfunction = { y = \"log10(x)\", from = 1, to = 2, points = 3 }\n\
+         crank = { swing = 60, start = 45 }\noutput = { swing = 60 }\nsize = 50\n",
+    );
+    let TaskKind::Function(task) = file.task.kind else {
+        panic!()
+    };
+    assert_eq!(task.pairs.len(), 3);
+    assert!((task.pairs[1][1] - 1.5_f64.log10()).abs() < 1e-15);
+    assert_eq!(task.between.len(), 181);
+    // 60 degrees from 1 to 2, 45 at 1.
+    assert_eq!(task.crank_scale, Given::Value(60.0));
+    assert_eq!(task.crank_datum, Given::Value(-15.0));
+    assert_eq!(task.output_datum, Given::Free);
+    let Given::Value(scale) = task.output_scale else {
+        panic!()
+    };
+    assert!((scale - 60.0 / 2.0_f64.log10()).abs() < 1e-12);
+}
+
+#[test]
+fn a_path_has_points_turns_and_weights() {
+    let file = read(
+        "kind = \"path\"\nlinkages = [\"four-bar\", \"slider-crank\"]\nclosed = true\n\
+         points = [[0, 0], [10, 0], [10, 10]]\nturns = [0, 120, 240]\nweights = [1, 2, 1]\n",
+    );
+    assert!(file.task.four_bars && file.task.slider_cranks);
+    let TaskKind::Path(task) = file.task.kind else {
+        panic!()
+    };
+    assert!(task.closed);
+    assert_eq!(task.turns, Some(vec![0.0, 120.0, 240.0]));
+    assert_eq!(task.weights, [1.0, 2.0, 1.0]);
+}
+
+#[test]
+fn what_is_wrong_is_told_where_it_stands() {
+    let path = "kind = \"path\"\n";
+    let function = "kind = \"function\"\n";
+    for (text, message, place) in [
+        (
+            "poses = [[0, 0, 0]]\n".to_owned(),
+            "the task has no `kind`",
+            "",
+        ),
+        (
+            "kind = \"pose\"\n".into(),
+            "`pose` is no kind of task",
+            "\"pose\"",
+        ),
+        ("kind = \"poses\"\n".into(), "`poses` lacks `poses`", ""),
+        (
+            "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 0]]\n".into(),
+            "a task of poses has three to five of them, not 2",
+            "[[0, 0, 0], [1, 1, 0]]",
+        ),
+        (
+            "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 0], [0, 0, 360]]\n".into(),
+            "number 3 is number 1 again",
+            "[0, 0, 360]",
+        ),
+        (
+            "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1], [0, 0, 5]]\n".into(),
+            "number 2 of `poses` must be [x, y, angle], not a list of 2",
+            "[1, 1]",
+        ),
+        (
+            format!("{POSES}pivots = [[0, 0], [1, 0], [2, 0]]\n"),
+            "with 3 poses there is no room for 3 given pivots and pins",
+            "[2, 0]",
+        ),
+        (
+            format!("{POSES}closed = true\n"),
+            "`closed` does not belong to a task of the kind `poses`",
+            "closed",
+        ),
+        (
+            format!("{POSES}[wishes]\ntransmission = 95\n"),
+            "`transmission` must be from 0 to below 90, not `95`",
+            "95",
+        ),
+        (
+            format!("{POSES}[wishes]\nratio = 0.5\n"),
+            "`ratio` must be at least 1, not `0.5`",
+            "0.5",
+        ),
+        (
+            format!("{POSES}pivots = [[0, 0]]\n[wishes]\ninside = [[10, 10], [20, 20]]\n"),
+            "a given pivot lies outside of the box in which pivots are to lie",
+            "[0, 0]",
+        ),
+        (
+            format!("{path}points = [[1, 2]]\n"),
+            "a path has 2 to 1000 points, not 1",
+            "[[1, 2]]",
+        ),
+        (
+            format!("{path}points = [[1, 2], [1, 2], [3, 4]]\n"),
+            "number 2 is number 1 again",
+            "[1, 2]",
+        ),
+        (
+            format!("{path}points = [[1, 2], [3, 4]]\nturns = [0, 30, 60]\n"),
+            "`turns` has 3 numbers for 2 points",
+            "[0, 30, 60]",
+        ),
+        (
+            format!("{function}pairs = [[0, 0], [30, 1], [30, 2]]\n"),
+            "pair 3 does not lie further on than the one before it",
+            "[30, 2]",
+        ),
+        (
+            format!("{function}pairs = [[0, 0], [30, 1], [40, 2]]\nlinkages = [\"six-bar\"]\n"),
+            "`six-bar` is no linkage that is looked for",
+            "\"six-bar\"",
+        ),
+    ] {
+        assert_eq!(
+            fault(&text),
+            (message.to_owned(), place.to_owned()),
+            "{text}"
+        );
+    }
+}

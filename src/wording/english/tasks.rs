@@ -1,0 +1,116 @@
+//! Tasks: motions that are wanted.
+
+use super::{English, counted};
+
+catalogue! {
+    /// Faults of task files.
+    trait TasksWords for English {
+        the_task_itself = "the task itself";
+        task_without_kind = "the task has no `kind`";
+        kinds_of_tasks(kinds: &str) = "there are `{kinds}`";
+        no_kind_of_task(kind: &str) = "{kind} is no kind of task";
+        key_of_another_kind(key: &str, kind: &str) = "`{key}` does not belong to a task of the kind `{kind}`";
+        belongs_to_another_kind = "of another kind of task";
+        no_form_of_linkage(form: &str) = "{form} is no linkage that is looked for";
+        no_linkage_wanted = "`linkages` names none";
+        item_of(number: usize, key: &str) = "number {number} of `{key}`";
+        must_be_row(what: &str, form: &str, count: usize) = "{what} must be {form}, not a list of {count}";
+        task_lacks(of: &str, key: &str) = "`{of}` lacks `{key}`";
+        told_twice(first: usize, again: usize) = "number {again} is number {first} again";
+        the_same_again = "the same again";
+        first_told_here = "told here";
+        take_out_one_pose = "take one of them out: a body that comes to one pose twice has one pose less";
+        take_out_one_point = "take one of them out, or write `closed = true` where the path comes back to its first point";
+        count_of_poses(count: usize) = "a task of poses has three to five of them, not {count}";
+        poses_that_methods_take = "three leave much open, four leave curves, five leave a few linkages";
+        too_much_given(poses: usize, given: usize) = "with {poses} poses there is no room for {given} given pivots and pins";
+        one_too_many = "one too many";
+        what_poses_leave_free = "with three poses two of pivots and pins may be given, with more none";
+        count_of_points(count: usize, most: usize) = "a path has 2 to {most} points, not {count}";
+        more_than_two_pivots = "a four-bar has two pivots";
+        weights_are_positive = "every weight must be more than 0";
+        one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` has {found} numbers for {points} points";
+        turns_begin_at_nought = "`turns` count from the first point: the first is 0";
+        turns_go_one_way = "`turns` must grow from point to point, or fall";
+        from_0_to_90 = "from 0 to below 90";
+        at_least_1 = "at least 1";
+        inside_is_a_box = "`inside` must be two opposite corners of a box";
+        no_turning_direction(name: &str) = "{name} is no direction of turning";
+        given_pivot_outside = "a given pivot lies outside of the box in which pivots are to lie";
+        outside_the_box = "outside of `inside`";
+        widen_the_box = "widen `inside`, or leave one of both out";
+        turns_against_direction = "`turns` go one way round and `direction` the other: change the sign of `turns`, or the wish";
+        pairs_and_function = "pairs are given twice: by `pairs` and by `function`";
+        positive_number = "a positive number";
+        count_of_pairs(count: usize, most: usize) = "a function has 3 to {most} pairs, not {count}";
+        pairs_not_in_order(number: usize) = "pair {number} does not lie further on than the one before it";
+        not_further_on = "x does not grow";
+        pairs_by_growing_x = "write pairs by growing x, each x once";
+        range_of_function(most: usize) = "`function` must go from a smaller x to a larger one, in 3 to {most} points";
+        swing_and_scale = "`swing` and `scale` say the same: give one of both";
+        start_wants_scale = "`start` is where x is least: it needs a `scale` or a `swing` that is given";
+        scale_is_nought = "what does not turn follows no function: the scale is 0";
+
+        // What came of a task.
+        wanted_motion = "wanted";
+        poses_wanted(count: usize) = "a body in {count} poses";
+        pairs_wanted(count: usize) = "a function through {count} pairs";
+        points_wanted(count: usize, closed: bool) = {
+            let form = if closed { "a closed path" } else { "a path" };
+            format!("{form} through {count} points")
+        };
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+            let most = match good > told {
+                true => format!(", the best {told} of them below"),
+                false => String::new(),
+            };
+            let others = match defective {
+                0 => String::new(),
+                1 => "; one more that does not".into(),
+                count => format!("; {count} more that do not"),
+            };
+            let proof = match complete {
+                true => "; there are no others",
+                false => "; a search, which proves nothing of others",
+            };
+            let good = counted(good, "linkage that does it", "linkages that do it");
+            format!("{good}{most}{others}{proof}")
+        };
+        head_transmission = "transm.";
+        head_miss = "miss";
+        head_turns = "crank";
+        head_lacks = "wish missed";
+        turns_fully_shortly = "turns";
+        swings_shortly = "swings";
+        defective_ones = "defective";
+        stands_in_dead_point = "it cannot be opened at the first point: it stands in a dead point there";
+        branch_between(from: usize, to: usize) = "branch: a dead point lies between points {from} and {to}";
+        circuit_between(from: usize, to: usize) =
+            "circuit: points {from} and {to} lie on different ones, it would have to be taken apart";
+        order_between(from: usize, to: usize) = "order: the crank turns back from point {from} to {to}";
+        point_missed(point: usize) = "it does not come to point {point}";
+        candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
+        candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
+        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
+            "Driven through its task: it misses by {miss} {unit} at most, with a transmission angle of at least {transmission} deg on the way.";
+
+        // The command.
+        does_synthesize = "Find linkages that do a task: poses, a function or a path";
+        task_to_do = "A task file, `-` for standard input, or an example: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
+        candidates_to_tell = "How many linkages are told, the best first";
+        tolerance_of_candidates = "How far each length may be off: it is written into the scenes";
+        folder_of_candidates = "A folder for a scene of each linkage that is told";
+        tolerance_is_no_length = "--tolerance must be a length, and not negative";
+        nothing_does_the_task = "no linkage was found that does the task";
+        no_task_and_no_file(name: &str, meant: &str) = "there is no task and no file `{name}`; there is {meant}";
+        candidates_written(count: usize, folder: &str) = {
+            format!("{} in {folder}", counted(count, "scene", "scenes"))
+        };
+        examples_of_synthesize = "\
+Examples:
+  krank synthesize wiper
+  krank synthesize straight-line --top 3 -o found
+  krank synthesize task.toml --format json --seed 7
+";
+    }
+}

@@ -1,0 +1,112 @@
+//! Görevler.
+
+use super::Turkish;
+use crate::wording::english::TasksWords;
+
+catalogue! {
+    impl TasksWords for Turkish {
+        the_task_itself = "görevin kendisi";
+        task_without_kind = "görevin `kind` anahtarı yok";
+        kinds_of_tasks(kinds: &str) = "türler: `{kinds}`";
+        no_kind_of_task(kind: &str) = "{kind} bir görev türü değil";
+        key_of_another_kind(key: &str, kind: &str) = "`{key}` `{kind}` türünden bir göreve ait değil";
+        belongs_to_another_kind = "başka bir görev türüne ait";
+        no_form_of_linkage(form: &str) = "{form} aranan bir mekanizma değil";
+        no_linkage_wanted = "`linkages` hiçbirini adlandırmıyor";
+        item_of(number: usize, key: &str) = "`{key}` içinde {number}. öğe";
+        must_be_row(what: &str, form: &str, count: usize) = "{what} {form} olmalı, {count} öğeli bir liste değil";
+        task_lacks(of: &str, key: &str) = "`{of}` için `{key}` eksik";
+        told_twice(first: usize, again: usize) = "{again}. öğe {first}. öğenin aynısı";
+        the_same_again = "yine aynısı";
+        first_told_here = "burada verildi";
+        take_out_one_pose = "birini çıkarın: aynı konuma iki kez gelen cismin bir konumu eksiktir";
+        take_out_one_point = "birini çıkarın; yol ilk noktasına dönüyorsa `closed = true` yazın";
+        count_of_poses(count: usize) = "konum görevinde üç ile beş arası konum olur, {count} değil";
+        poses_that_methods_take = "üç konum çok şeyi açık bırakır, dördü eğriler, beşi birkaç mekanizma bırakır";
+        too_much_given(poses: usize, given: usize) = "{poses} konumla verilmiş {given} mesnet ve mafsala yer yok";
+        one_too_many = "bir fazla";
+        what_poses_leave_free = "üç konumla mesnet ve mafsallardan ikisi verilebilir, daha çok konumla hiçbiri";
+        count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
+        more_than_two_pivots = "bir dört çubuk mekanizmasının iki mesnedi vardır";
+        weights_are_positive = "her ağırlık 0 değerinden büyük olmalı";
+        one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
+        turns_begin_at_nought = "`turns` ilk noktadan sayar: ilki 0 olur";
+        turns_go_one_way = "`turns` noktadan noktaya hep artmalı ya da hep azalmalı";
+        from_0_to_90 = "0 ile 90 arasında (90 hariç)";
+        at_least_1 = "en az 1";
+        inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
+        no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
+        given_pivot_outside = "verilen bir mesnet, mesnetlerin bulunması istenen kutunun dışında";
+        outside_the_box = "`inside` dışında";
+        widen_the_box = "`inside` kutusunu genişletin ya da ikisinden birini çıkarın";
+        turns_against_direction = "`turns` bir yöne, `direction` öteki yöne dönüyor: `turns` işaretini ya da dileği değiştirin";
+        pairs_and_function = "çiftler iki kez verilmiş: `pairs` ile ve `function` ile";
+        positive_number = "pozitif bir sayı";
+        count_of_pairs(count: usize, most: usize) = "bir işlevde 3 ile {most} arası çift olur, {count} değil";
+        pairs_not_in_order(number: usize) = "{number}. çift öncekinden ileride değil";
+        not_further_on = "x artmıyor";
+        pairs_by_growing_x = "çiftleri artan x sırasıyla, her x için bir kez yazın";
+        range_of_function(most: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {most} arası noktayla gitmeli";
+        swing_and_scale = "`swing` ile `scale` aynı şeyi söyler: birini verin";
+        start_wants_scale = "`start` x değerinin en küçük olduğu yerdir: verilmiş bir `scale` ya da `swing` gerektirir";
+        scale_is_nought = "dönmeyen bir şey hiçbir işlevi izlemez: ölçek 0";
+
+        // What came of a task.
+        wanted_motion = "istenen";
+        poses_wanted(count: usize) = "{count} konumda bir cisim";
+        pairs_wanted(count: usize) = "{count} çiftten geçen bir işlev";
+        points_wanted(count: usize, closed: bool) = {
+            let form = if closed { "kapalı bir yol" } else { "bir yol" };
+            format!("{count} noktadan geçen {form}")
+        };
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+            let most = match good > told {
+                true => format!(", en iyi {told} tanesi aşağıda"),
+                false => String::new(),
+            };
+            let others = match defective {
+                0 => String::new(),
+                count => format!("; yapamayan {count} mekanizma daha"),
+            };
+            let proof = match complete {
+                true => "; başkası yok",
+                false => "; bu bir arama, başkaları için bir şey kanıtlamaz",
+            };
+            format!("görevi yapan {good} mekanizma{most}{others}{proof}")
+        };
+        head_transmission = "bağlama";
+        head_miss = "sapma";
+        head_turns = "krank";
+        head_lacks = "tutmayan dilek";
+        turns_fully_shortly = "döner";
+        swings_shortly = "salınır";
+        defective_ones = "kusurlu";
+        stands_in_dead_point = "ilk noktada açılamıyor: orada ölü konumda duruyor";
+        branch_between(from: usize, to: usize) = "dal: {from} ve {to} noktaları arasında bir ölü konum var";
+        circuit_between(from: usize, to: usize) =
+            "devre: {from} ve {to} noktaları ayrı devrelerde, mekanizmanın sökülmesi gerekir";
+        order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
+        point_missed(point: usize) = "{point} noktasına gelmiyor";
+        candidate_called(task: &str, number: usize) = "{task}, aday {number}";
+        candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
+        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
+            "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki bağlama açısı en az {transmission} derecedir.";
+
+        // The command.
+        does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
+        task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
+        candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
+        tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
+        folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
+        tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
+        nothing_does_the_task = "görevi yapan bir mekanizma bulunamadı";
+        no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
+        candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
+        examples_of_synthesize = "\
+Örnekler:
+  krank synthesize wiper
+  krank synthesize straight-line --top 3 -o found
+  krank synthesize task.toml --format json --seed 7
+";
+    }
+}
