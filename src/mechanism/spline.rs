@@ -31,6 +31,16 @@ impl ClampedSpline {
     pub fn at(&self, place: f64) -> [f64; 3] {
         self.curve.at(place)
     }
+
+    /// The places at which the slope is 0, in order.
+    pub(super) fn turns(&self) -> Vec<f64> {
+        self.curve.turns()
+    }
+
+    /// The greatest sizes of the slope and of the second derivative.
+    pub(super) fn steepest(&self) -> [f64; 2] {
+        self.curve.steepest()
+    }
 }
 
 /// How a curve through knots begins and ends.
@@ -94,6 +104,73 @@ impl Spline {
             (high - low) / h + (slope(b) * second - slope(a) * first) * h / 6.0,
             a * first + b * second,
         ]
+    }
+
+    /// The cubics, each from where to where.
+    fn parts(&self) -> impl Iterator<Item = SplinePart> {
+        let bends = self.bends.windows(2);
+        self.knots.windows(2).zip(bends).map(|(knots, bends)| {
+            let ([begin, low], [end, high]) = (knots[0], knots[1]);
+            let h = end - begin;
+            SplinePart {
+                begin,
+                length: h,
+                bends: [bends[0], bends[1]],
+                // Of the slope over the part b of the way: a polynomial of degree 2.
+                slope: [
+                    (high - low) / h - (2.0 * bends[0] + bends[1]) * h / 6.0,
+                    bends[0] * h,
+                    0.5 * (bends[1] - bends[0]) * h,
+                ],
+            }
+        })
+    }
+
+    /// The places at which the slope is 0, in order.
+    fn turns(&self) -> Vec<f64> {
+        self.parts().flat_map(|part| part.turns()).collect()
+    }
+
+    /// The greatest sizes of the slope and of the second derivative.
+    fn steepest(&self) -> [f64; 2] {
+        let sizes = self.parts().flat_map(|part| {
+            // The slope is largest at an end, or where it does not change.
+            let [first, second] = part.bends;
+            let level = first / (first - second);
+            let inside = Some(level).filter(|b| (0.0..1.0).contains(b));
+            let places = [Some(0.0), Some(1.0), inside].into_iter().flatten();
+            places.map(move |b| part.slope_at(b).abs())
+        });
+        let bends = self.bends.iter().map(|bend| bend.abs());
+        [sizes.fold(0.0, f64::max), bends.fold(0.0, f64::max)]
+    }
+}
+
+/// One cubic of it.
+struct SplinePart {
+    begin: f64,
+    length: f64,
+    /// The second derivatives at its ends.
+    bends: [f64; 2],
+    slope: [f64; 3],
+}
+
+impl SplinePart {
+    /// The slope after the part b of its length.
+    fn slope_at(&self, b: f64) -> f64 {
+        let [c, d, e] = self.slope;
+        c + b * (d + b * e)
+    }
+
+    /// Where the slope is 0.
+    fn turns(&self) -> impl Iterator<Item = f64> + use<> {
+        let ([c, d, e], begin, length) = (self.slope, self.begin, self.length);
+        // Without a difference of equals.
+        let q = -0.5 * (d + (d * d - 4.0 * e * c).sqrt().copysign(d));
+        let mut roots = [q / e, c / q];
+        roots.sort_by(f64::total_cmp);
+        let inside = roots.into_iter().filter(|b| (0.0..=1.0).contains(b));
+        inside.map(move |b| begin + b * length)
     }
 }
 

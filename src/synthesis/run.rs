@@ -1,7 +1,9 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions};
+use super::{
+    PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses,
+};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -24,7 +26,7 @@ pub struct Synthesis {
     /// Whether there are no others.
     pub is_complete: bool,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie.
-    pub curves: Vec<Vec<Dyad>>,
+    pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Synthesis {
@@ -37,9 +39,24 @@ impl Synthesis {
         watch: &mut dyn FnMut(f64) -> bool,
     ) -> Synthesis {
         let proposals = match &task.kind {
-            TaskKind::Poses(_) => Proposals::default(),
+            TaskKind::Poses(poses) => poses::propose(
+                poses,
+                task.four_bars,
+                task.slider_cranks,
+                task.wishes.inside,
+            ),
             TaskKind::Function(function) => functions::propose(function),
-            TaskKind::Path(_) => Proposals::default(),
+            TaskKind::Path(path) => {
+                let search = PathSearch {
+                    task: path,
+                    four_bars: task.four_bars,
+                    slider_cranks: task.slider_cranks,
+                    seed: order.seed,
+                    threads: order.threads,
+                    starts: PathSearch::STARTS,
+                };
+                with_cognates(path, search.run(watch))
+            }
         };
         let found = Synthesis::of(task, proposals, order.threads);
         watch(1.0);
@@ -66,6 +83,23 @@ impl Synthesis {
             curves: proposals.curves,
         }
     }
+}
+
+/// The same, and behind each linkage those that lead the same point along the same curve: where the crank's turns are given
+/// the one that keeps them, and none where pivots are given, for theirs are others.
+fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
+    let mut found = Vec::new();
+    for one in &proposals.found {
+        let cognates = one.cognates();
+        let first = match (path.pivots.is_empty(), &path.turns) {
+            (false, _) => cognates.len(),
+            (true, Some(_)) => cognates.len().saturating_sub(1),
+            (true, None) => 0,
+        };
+        found.push(one.clone());
+        found.extend_from_slice(&cognates[first..]);
+    }
+    Proposals { found, ..proposals }
 }
 
 /// All of them, in their order, on several cores.

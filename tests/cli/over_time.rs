@@ -266,3 +266,34 @@ rod = { point = "T", on = "r2", through = "A", angle = 0 }
     }
     assert_eq!(count, 23);
 }
+
+/// 120 deg in 0.5 s by a cycloid has the greater speed, 2 h / T; back in 0.4 s by a cosine the greater acceleration,
+/// pi^2 h / (2 T^2).
+#[test]
+fn check_tells_of_the_motion_as_a_whole() {
+    let path = scene("told.toml", INDEXED);
+    let h = 120_f64.to_radians();
+    let told = done(&["check", &path]);
+    let line = "motion     cycloidal, harmonic, in 1.1 s, 0.2 s of them at rest; at most 8.378 rad/s and 64.60 rad/s^2";
+    assert!(
+        told.split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .contains(&line.split_whitespace().collect::<Vec<_>>().join(" ")),
+        "{told}"
+    );
+    assert!(told.contains("link r2, opens at 0 deg\n"), "{told}");
+    let facts = json(&done(&["check", &path, "--format", "json"]));
+    let motion = &facts["motion"];
+    near(motion["speed"].as_f64().unwrap(), 2.0 * h / 0.5, 1.0);
+    near(
+        motion["acceleration"].as_f64().unwrap(),
+        PI * PI * h / (2.0 * 0.16),
+        1.0,
+    );
+    assert_eq!(
+        (motion["steps"][1]["law"].as_str(), motion["rest"].as_f64()),
+        (Some("dwell"), Some(0.2))
+    );
+    assert!(motion["jump"].is_null());
+}

@@ -9,13 +9,13 @@ use nalgebra::DMatrix;
 
 /// Where every joint is, and every class of links, in the solver's frame.
 #[derive(Clone, Debug)]
-pub(super) struct Pose {
+pub(super) struct RankPose {
     pub(super) points: Vec<Vec2>,
     /// The direction of a class, as a unit vector.
     pub(super) classes: Vec<Vec2>,
 }
 
-impl Pose {
+impl RankPose {
     /// The direction of a body.
     pub(super) fn direction(&self, network: &Network<'_>, body: LinkId) -> Vec2 {
         let turn = network.turn[body.index()].nearest();
@@ -101,7 +101,7 @@ impl<'n> Rows<'n> {
     }
 
     /// Turns the driven links to where they are at the driver's coordinate.
-    pub(super) fn drive(&self, at: f64, pose: &mut Pose) {
+    pub(super) fn drive(&self, at: f64, pose: &mut RankPose) {
         let mechanism = self.network.mechanism;
         if let Input::Turn(link) = mechanism.driver().input {
             self.turn(link, self.driver(at).1, pose);
@@ -111,7 +111,7 @@ impl<'n> Rows<'n> {
         }
     }
 
-    fn turn(&self, link: LinkId, direction: Vec2, pose: &mut Pose) {
+    fn turn(&self, link: LinkId, direction: Vec2, pose: &mut RankPose) {
         let class = self.network.class(link);
         if class != GROUND {
             let turn = self.network.turn[link.index()].nearest();
@@ -138,13 +138,13 @@ impl<'n> Rows<'n> {
     }
 
     /// By how much every equation misses, and its derivatives by column.
-    pub(super) fn linear(&self, at: f64, pose: &Pose) -> Vec<(f64, Vec<(usize, f64)>)> {
+    pub(super) fn linear(&self, at: f64, pose: &RankPose) -> Vec<(f64, Vec<(usize, f64)>)> {
         let equations = self.rows.iter().map(|&row| self.equation(row, at, pose));
         equations.map(|e| (e.miss, self.terms(&e, at))).collect()
     }
 
     /// The derivatives, each row of unit length; the last column is the driver's.
-    pub(super) fn matrix(&self, at: f64, pose: &Pose) -> DMatrix<f64> {
+    pub(super) fn matrix(&self, at: f64, pose: &RankPose) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.rows.len(), self.width + 1);
         for (i, (_, terms)) in self.linear(at, pose).into_iter().enumerate() {
             for (column, value) in terms {
@@ -159,7 +159,7 @@ impl<'n> Rows<'n> {
     }
 
     /// Moves a pose by a step of all columns but the driver's.
-    pub(super) fn step(&self, pose: &mut Pose, by: &[f64]) {
+    pub(super) fn step(&self, pose: &mut RankPose, by: &[f64]) {
         for (place, column) in pose.points.iter_mut().zip(&self.point_column) {
             if let Some(column) = *column {
                 *place += Vec2::new(by[column], by[column + 1]);
@@ -207,7 +207,7 @@ impl<'n> Rows<'n> {
         terms
     }
 
-    fn equation(&self, row: ScalarEquation, at: f64, pose: &Pose) -> EquationRow {
+    fn equation(&self, row: ScalarEquation, at: f64, pose: &RankPose) -> EquationRow {
         match row {
             ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
                 let (along, seen) = self.arm(link, end, pose);
@@ -253,7 +253,7 @@ impl<'n> Rows<'n> {
     }
 
     /// From a link's centre to another joint: as the link has it, turned with it, and as it is.
-    fn arm(&self, link: LinkId, end: PointId, pose: &Pose) -> (Vec2, Vec2) {
+    fn arm(&self, link: LinkId, end: PointId, pose: &RankPose) -> (Vec2, Vec2) {
         let at = |point: PointId| pose.points[point.index()];
         let Some(centre) = self.network.centre(link) else {
             return (Vec2::ZERO, Vec2::ZERO);
@@ -263,7 +263,7 @@ impl<'n> Rows<'n> {
         (along, at(end) - at(centre))
     }
 
-    fn guide(&self, slide: SlideId, pose: &Pose) -> PosedGuide {
+    fn guide(&self, slide: SlideId, pose: &RankPose) -> PosedGuide {
         let given = self.network.mechanism.slide(slide);
         let body = self.network.body(given.on);
         let point = given.slider.point();
@@ -293,7 +293,7 @@ impl<'n> Rows<'n> {
     }
 
     /// Where a link has a point that is no joint.
-    pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &Pose) -> Vec2 {
+    pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &RankPose) -> Vec2 {
         let Some(centre) = self.network.centre(link) else {
             return Vec2::ZERO;
         };

@@ -13,9 +13,11 @@ catalogue! {
         fact_parameters = "parameters";
         fact_parts = "parts";
         fact_driver = "driver";
+        fact_motion = "motion";
         fact_links = "links";
         fact_joints = "joints";
         fact_slides = "slides";
+        knots_outside(of: &str, at: &str) = "knots of `over` at {of} that the motion never comes to: {at}";
         fact_mobility = "mobility";
         fact_redundant = "redundant";
         fact_groups = "groups";
@@ -44,6 +46,14 @@ catalogue! {
         driven_slide(name: &str) = "slide {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, opens at {at}, {speed}, {acceleration}";
+        driver_opens_at(driven: &str, at: &str) = "{driven}, opens at {at}";
+        motion_in_time(laws: &str, period: &str) = "{laws}, in {period} s";
+        motion_rests(rest: &str) = ", {rest} s of them at rest";
+        motion_at_most(speed: &str, acceleration: &str) = "; at most {speed} and {acceleration}";
+        motion_jumps(time: &str) = "; the speed jumps at {time} s";
+        motion_verdict(period: &str, speed: &str, acceleration: &str) =
+            "{period} s, at most {speed} and {acceleration}";
+        motion_in_short(period: &str, speed: &str) = "{period} s, {speed}";
         input_follows(driven: &str, ratio: &str, phase: &str) =
             "{driven} follows: {ratio} times the driver's coordinate plus {phase}";
         input_follows_table(driven: &str, knots: usize, ends: [&str; 2], unit: &str) = {

@@ -47,6 +47,8 @@ catalogue! {
                 "{missing} missing: join a floating link to another by a common point, or add a slide"
             )
         };
+        or_further_inputs(more: usize) =
+            "or let {more} of them be driven too, at a ratio of the driver: `[inputs]`, `NAME = {{ ratio = 1 }}`";
         are_dimensions_equal =
             "what repeats others may be what is missing elsewhere: are its dimensions meant to be \
              equal?";

@@ -13,9 +13,11 @@ catalogue! {
         fact_parameters = "parametreler";
         fact_parts = "parçalar";
         fact_driver = "tahrik";
+        fact_motion = "hareket";
         fact_links = "uzuvlar";
         fact_joints = "mafsallar";
         fact_slides = "kızaklar";
+        knots_outside(of: &str, at: &str) = "`over` ({of}): hareketin hiç varmadığı düğümler: {at}";
         fact_mobility = "serbestlik";
         fact_redundant = "fazla";
         fact_groups = "gruplar";
@@ -44,6 +46,14 @@ catalogue! {
         driven_slide(name: &str) = "kızak {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, açılışta {at}, {speed}, {acceleration}";
+        driver_opens_at(driven: &str, at: &str) = "{driven}, açılışta {at}";
+        motion_in_time(laws: &str, period: &str) = "{laws}, {period} s sürer";
+        motion_rests(rest: &str) = ", bunun {rest} s kadarı duruş";
+        motion_at_most(speed: &str, acceleration: &str) = "; en çok {speed} ve {acceleration}";
+        motion_jumps(time: &str) = "; hız {time} s anında sıçrar";
+        motion_verdict(period: &str, speed: &str, acceleration: &str) =
+            "{period} s, en çok {speed} ve {acceleration}";
+        motion_in_short(period: &str, speed: &str) = "{period} s, {speed}";
         input_follows(driven: &str, ratio: &str, phase: &str) =
             "{driven} izler: tahrikin koordinatının {ratio} katı, artı {phase}";
         input_follows_table(driven: &str, knots: usize, ends: [&str; 2], unit: &str) = {

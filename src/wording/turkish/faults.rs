@@ -36,6 +36,8 @@ catalogue! {
         turn_a_guide = "paralel kılavuzlar kendi doğrultularında bir şey tutmaz: birini `angle` ile döndür";
         constraints_missing(count: usize) =
             "{count} kısıt eksik: boşta bir uzvu ortak bir noktayla başkasına bağla ya da kızak ekle";
+        or_further_inputs(more: usize) =
+            "ya da {more} tanesini de sür, tahrike bir oranla: `[inputs]`, `AD = {{ ratio = 1 }}`";
         are_dimensions_equal =
             "başkalarını yineleyen, başka yerde eksik olan olabilir: boyutları eşit mi olmalıydı?";
 

@@ -1,0 +1,92 @@
+//! What dyads there are, where none is given.
+
+use super::dyad::{Guidance, PinHeld};
+use super::{family, five, four, three};
+use crate::Vec2;
+use crate::synthesis::{Partner, PoseTask, PosedDyad};
+
+/// Linkages that are proposed of a grid, and of a curve.
+const MOST_OF_GRID: usize = 100;
+const MOST_OF_CURVE: usize = 200;
+/// Dyads of a curve that linkages are made of.
+const DYADS_OF_CURVE: usize = 96;
+/// Where there are any number, no linkage is made of pins and pivots further away than this many sizes, and of links
+/// shorter or longer than these.
+const REACH: f64 = 6.0;
+const LENGTHS: [f64; 2] = [0.03, 12.0];
+
+/// What there is.
+pub(super) struct Free {
+    /// All dyads, or those that linkages are made of.
+    pub dyads: Vec<PinHeld>,
+    /// How many linkages are proposed where the dyads are a choice; none where they are all.
+    pub most: Option<usize>,
+    /// The curve that they are on, if they are on one.
+    pub curves: Vec<Vec<PosedDyad>>,
+}
+
+impl Free {
+    /// By how many equations the poses are: those that repeat what others say do not count.
+    pub(super) fn new(guidance: &Guidance, task: &PoseTask, inside: Option<[Vec2; 2]>) -> Free {
+        if let Some(dyads) = five::dyads(guidance) {
+            return Free {
+                dyads,
+                most: None,
+                curves: Vec::new(),
+            };
+        }
+        let is_handy = |dyad: &PinHeld| is_handy(guidance, dyad, inside);
+        let mut pieces = four::pieces(guidance);
+        pieces.extend(family::pieces(guidance));
+        if pieces.is_empty() {
+            let dyads = three::dyads(guidance, task, inside);
+            return Free {
+                dyads: dyads.into_iter().filter(is_handy).collect(),
+                most: Some(MOST_OF_GRID),
+                curves: Vec::new(),
+            };
+        }
+        let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
+        let curves = pieces.iter().map(seen).collect();
+        let handy = pieces.into_iter().flatten().filter(is_handy);
+        let (slides, links): (Vec<PinHeld>, Vec<PinHeld>) =
+            handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
+        let mut dyads = thinned(&links);
+        dyads.extend(thinned(&slides));
+        Free {
+            dyads,
+            most: Some(MOST_OF_CURVE),
+            curves,
+        }
+    }
+}
+
+/// As many as linkages are made of, evenly along the curve.
+fn thinned(dyads: &[PinHeld]) -> Vec<PinHeld> {
+    let stride = dyads.len().div_ceil(DYADS_OF_CURVE).max(1);
+    dyads.iter().step_by(stride).cloned().collect()
+}
+
+fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>) -> bool {
+    let size = guidance.size;
+    let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * size;
+    let is_inside = |at: Vec2| {
+        inside.is_none_or(|[a, b]| {
+            let between = |v: f64, p: f64, q: f64| p.min(q) <= v && v <= p.max(q);
+            between(at.x, a.x, b.x) && between(at.y, a.y, b.y)
+        })
+    };
+    let Some(&pin) = dyad.places.first() else {
+        return false;
+    };
+    let is_held_handily = match dyad.by {
+        Partner::Rocker(pivot) => {
+            let length = (pin - pivot).norm() / size;
+            // Of a box that is given one is as near as another.
+            let is_near = inside.is_some() || is_near(pivot);
+            is_near && is_inside(pivot) && LENGTHS[0] <= length && length <= LENGTHS[1]
+        }
+        Partner::Slide(_) => true,
+    };
+    is_near(pin) && is_held_handily
+}

@@ -1,0 +1,90 @@
+//! Rigid-body guidance: four-bars and slider-cranks that lead a body through three, four or five poses.
+//!
+//! A linkage is two dyads, each a pin of the body with what holds it on the ground. What is found is what there is to
+//! find: with five poses every dyad, with four the curve of all of them, with three one for each pivot or pin.
+//!
+//! ```text
+//! space       homogeneous coordinates in twice the digits
+//! polynomial  real roots, determinants of linear forms
+//! form        bilinear equations in pin and pivot, made independent
+//! dyad        the equation of a dyad; a solution as a pin and what holds it, checked at every pose
+//! three       a pin for each pivot, a pivot for each pin, a slide for each direction
+//! four        the curve of all dyads        trace   along its length, in pieces
+//! five        all dyads, by a resultant
+//! family      five poses that any number of dyads lead through
+//! free        which of these, by how many equations the poses are
+//! choice      two dyads as a linkage; those of many that promise most and are different
+//! ```
+
+mod choice;
+mod dyad;
+mod family;
+mod five;
+mod form;
+mod four;
+mod free;
+mod polynomial;
+mod space;
+#[cfg(test)]
+mod tests;
+mod three;
+mod trace;
+
+use super::{PoseTask, Proposals};
+use crate::Vec2;
+use choice::DyadPairing;
+use dyad::{Guidance, PinHeld};
+use free::Free;
+
+/// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
+/// `inside` are two opposite corners of a box in which free pivots are wished to be: those outside are left out where
+/// there are any number of them.
+///
+/// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is how far apart the poses are.
+/// With five poses the linkages are complete, but where any number of dyads lead through them; with three or four where
+/// two dyads are given, and else they are a choice. Each linkage stands once: [`swapped`](super::Proposal::swapped) drives it at the other
+/// pivot.
+pub(crate) fn propose(
+    task: &PoseTask,
+    four_bars: bool,
+    slider_cranks: bool,
+    inside: Option<[Vec2; 2]>,
+) -> Proposals {
+    let Some(guidance) = Guidance::new(task) else {
+        return Proposals::default();
+    };
+    let pairing = DyadPairing {
+        guidance: &guidance,
+        four_bars,
+        slider_cranks,
+    };
+    let free = Free::new(&guidance, task, inside);
+    let (found, is_complete) = match given(&guidance, task).as_deref() {
+        Some([]) => (pairing.among(&free.dyads, free.most), free.most.is_none()),
+        Some([one]) => {
+            let found = pairing.with(one, &free.dyads, free.most);
+            (found, free.most.is_none())
+        }
+        Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
+        Some([..]) | None => (Vec::new(), true),
+    };
+    Proposals {
+        found,
+        is_complete,
+        curves: free.curves,
+    }
+}
+
+/// The dyads of the pivots and pins that are given; none where one of these cannot be led through the poses.
+fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<PinHeld>> {
+    let of_pivots = task.pivots.iter().map(|&at| guidance.on_pivot(at));
+    let of_pins = task.pins.iter().map(|&at| guidance.on_pin(at));
+    let mut found: Vec<PinHeld> = Vec::new();
+    for dyad in of_pivots.chain(of_pins) {
+        let dyad = dyad?;
+        if !found.iter().any(|other| guidance.is_same(other, &dyad)) {
+            found.push(dyad);
+        }
+    }
+    Some(found)
+}
