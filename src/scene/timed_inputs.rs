@@ -29,13 +29,13 @@ pub(super) struct TimedTable {
 pub(super) struct DraftTimed<'t> {
     /// The link or the slide that is driven.
     pub(super) name: Name<'t>,
-    law: DraftLaw,
+    law: DraftInputLaw,
     /// The link that its motor sits on, as it is written; none on the ground.
     from: Option<&'t Lenient<String>>,
 }
 
 #[derive(Debug)]
-enum DraftLaw {
+enum DraftInputLaw {
     Ratio {
         ratio: f64,
         phase: f64,
@@ -72,7 +72,7 @@ fn input<'v>(
     })
 }
 
-fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftLaw> {
+fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftInputLaw> {
     let mut number = |key: &str, given: Option<&Lenient<f64>>, default| match given {
         None => Some(default),
         Some(given) => reader.number(&words().key_of(key, of), given),
@@ -80,7 +80,7 @@ fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Optio
     let ratio = number("ratio", table.ratio.as_ref(), 1.0);
     let phase = number("phase", table.phase.as_ref(), 0.0);
     let (ratio, phase) = (ratio?, phase?);
-    Some(DraftLaw::Ratio { ratio, phase })
+    Some(DraftInputLaw::Ratio { ratio, phase })
 }
 
 fn by_table(
@@ -88,7 +88,7 @@ fn by_table(
     of: &str,
     value: &Lenient<TimedTable>,
     over: &Knots,
-) -> Option<DraftLaw> {
+) -> Option<DraftInputLaw> {
     let mut others = value.keys.iter();
     let other = others.find(|key| ["ratio", "phase"].contains(&key.get_ref().as_str()));
     if let Some(other) = other {
@@ -104,7 +104,7 @@ fn by_table(
     let what = words().key_of("over", of);
     let knots = profile::over_driver(reader, &what, TABLE, over)?;
     let place = over.span.clone();
-    Some(DraftLaw::Table { knots, place })
+    Some(DraftInputLaw::Table { knots, place })
 }
 
 impl<'t> Resolver<'_, '_, 't> {
@@ -136,17 +136,17 @@ impl<'t> Resolver<'_, '_, 't> {
             };
             let Some(input) = input else { continue };
             let law = match &timed.law {
-                DraftLaw::Ratio { ratio, phase } => Some(InputLaw::Ratio {
+                DraftInputLaw::Ratio { ratio, phase } => Some(InputLaw::Ratio {
                     ratio: *ratio,
                     phase: *phase,
                 }),
-                DraftLaw::Table { knots, place } => {
+                DraftInputLaw::Table { knots, place } => {
                     self.table(&of, input, knots, place).map(InputLaw::Table)
                 }
             };
             let Some(law) = law else { continue };
             if self.builder.timed(TimedInput { input, law }).is_some()
-                && let DraftLaw::Table { place, .. } = &timed.law
+                && let DraftInputLaw::Table { place, .. } = &timed.law
             {
                 // The ends of the table are a limit.
                 let name = timed.name.text.to_owned();
