@@ -17,6 +17,7 @@
 //!   -> quantity   everything that has a name, a unit and a value
 //!   -> study      every method that could solve it, timed and held against a reference; the motor
 //!                 over a cycle
+//!   -> synthesis  from a motion that is wanted to linkages; a task is a file, too
 //!   -> report     pages, CSV, JSON       -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
@@ -106,6 +107,7 @@ pub mod scene;
 pub mod solver;
 pub mod study;
 pub mod synthesis;
+pub mod task_file;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "tui")]
@@ -119,7 +121,7 @@ mod wording;
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
-    Input, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism, Member, MotionLaw,
-    Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
-    TimedStep, Tolerances,
+    Input, InputLaw, InputTable, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
+    Member, MotionLaw, MotionPeaks, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider,
+    StepLaw, StrokeEnd, TimedInput, TimedStep, Tolerances,
 };

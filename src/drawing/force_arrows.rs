@@ -6,10 +6,11 @@
 use super::bounds::Bounds;
 use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
-use super::overlay::{course, has_rates};
+use super::overlay::has_rates;
 use super::reach::Reach;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
+use crate::quantity::DriverStand;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::{Body, Input, Mechanism, PointId, Vec2};
@@ -42,16 +43,17 @@ struct Found {
 impl ForceArrows {
     /// To one scale over the whole motion; `tips` grows by where they come to.
     pub(super) fn of(
-        scene: &Scene,
-        solver: &Solver,
+        (scene, solver): (&Scene, &Solver),
+        course: Vec<DriverStand>,
         reach: &Reach,
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {
         let mut state = solver.state();
         let mut all: Vec<MovingArrow> = Vec::new();
         let mut most_moment: f64 = 0.0;
-        for at in course(scene, solver) {
-            if has_rates(solver.solve(at, Order::Force, &mut state)) {
+        for stand in course {
+            if has_rates(stand.solve(solver, Order::Force, &mut state)) {
+                let at = stand.at;
                 let Found { forces, moments } = found(&scene.mechanism, solver, &state);
                 all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
                 let sizes = moments.iter().map(|(_, moment)| moment.abs());

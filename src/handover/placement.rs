@@ -8,7 +8,9 @@ use super::identifiers::Identifiers;
 use super::terms::{ScriptTerm, complex, number};
 use crate::scene::Scene;
 use crate::solver::Solver;
-use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
+use crate::{
+    Body, Input, InputLaw, InputTable, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2,
+};
 
 /// A name and what it is worth.
 #[derive(Clone, Debug)]
@@ -102,6 +104,11 @@ impl<'a> ScriptPlacement<'a> {
         }
         for slide in mechanism.slide_ids() {
             self.list_guide(slide);
+        }
+        for timed in mechanism.timed() {
+            if let Some(table) = timed.table() {
+                self.list_table(timed.input, table);
+            }
         }
     }
 
@@ -283,8 +290,38 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn coordinate(&self, input: Input) -> ScriptTerm {
         ScriptTerm::of(match self.mechanism().timed_input(input) {
             None => "q".to_owned(),
-            Some(timed) => format!("({} * q + {})", number(timed.ratio), number(timed.phase)),
+            Some(timed) => match &timed.law {
+                InputLaw::Ratio { ratio, phase } => {
+                    format!("({} * q + {})", number(*ratio), number(*phase))
+                }
+                InputLaw::Table(table) => {
+                    let parts = self.table_names(input).join(", ");
+                    let period = number(table.period().unwrap_or_default());
+                    format!("follow(q, {parts}, {period})")
+                }
+            },
         })
+    }
+
+    /// What the places, the values and the second derivatives of a table are called.
+    fn table_names(&self, input: Input) -> [String; 3] {
+        let name = match input {
+            Input::Turn(link) => self.names.link(link),
+            Input::Push(slide) => self.names.slide(slide),
+        };
+        ["places", "values", "bends"].map(|part| format!("{name}_{part}"))
+    }
+
+    fn list_table(&mut self, input: Input, table: &InputTable) {
+        let list = |numbers: Vec<f64>| {
+            let numbers: Vec<String> = numbers.into_iter().map(number).collect();
+            format!("[{}]", numbers.join(", "))
+        };
+        let [places, values] = [0, 1].map(|i| table.knots().iter().map(|knot| knot[i]).collect());
+        let lists = [places, values, table.bends().to_vec()];
+        for (name, numbers) in self.table_names(input).into_iter().zip(lists) {
+            self.constant(name, list(numbers));
+        }
     }
 
     fn drive(&mut self) {
@@ -320,12 +357,30 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn settle(&mut self) {
         loop {
             let before = self.steps.len();
+            self.push_out();
             for link in self.mechanism().link_ids() {
                 self.lock(link);
                 self.settle_link(link);
             }
             if self.steps.len() == before {
                 return;
+            }
+        }
+    }
+
+    /// What inputs push along guides of links that are placed.
+    fn push_out(&mut self) {
+        let inputs: Vec<Input> = self.mechanism().inputs().collect();
+        for input in inputs {
+            let Input::Push(id) = input else { continue };
+            let slide = self.mechanism().slide(id);
+            let point = slide.slider.point();
+            if self.is_known(point) || self.direction(slide.on).is_none() {
+                continue;
+            }
+            let way = self.along(id).times(self.coordinate(input));
+            if let Some(place) = self.on_body(slide.on, self.through(id).plus(way)) {
+                self.put(point, place);
             }
         }
     }

@@ -1,8 +1,9 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Defects, Driver, ElementId, Input, Limit, LimitId, Link, LinkId, Load, Mechanism,
-    Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider, TimedInput,
+    Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
+    LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
+    TimedInput,
 };
 use crate::Vec2;
 use std::collections::HashSet;
@@ -211,9 +212,13 @@ impl Builder {
         self.driver = Some(driver);
     }
 
-    /// Adds an input that follows the driver.
-    pub fn timed(&mut self, input: TimedInput) {
+    /// Adds an input that follows the driver. Where its table ends the motion ends: that limit.
+    pub fn timed(&mut self, input: TimedInput) -> Option<LimitId> {
+        let open = input.table().filter(|table| table.period().is_none());
+        let ends = open.map(InputTable::ends);
+        let of = LimitOf::Table(input.input);
         self.timed.push(input);
+        ends.map(|[low, high]| self.limit(Limit { of, low, high }))
     }
 
     /// A rough position of a moving point at the opening.
@@ -434,7 +439,7 @@ impl Builder {
         }
         let mut driven = vec![driver.input];
         for timed in &self.timed {
-            timed.check(self.has_pivot(timed.input), found);
+            timed.check(driver.input, self.has_pivot(timed.input), found);
             if driven.contains(&timed.input) {
                 let of = timed.input.element();
                 found.push(Defect::DrivenTwice { of });

@@ -77,6 +77,12 @@ pub enum Defect {
         /// What is driven.
         of: ElementId,
     },
+    /// A closed table of an input that does not come back to its first value, or whose driver does not turn.
+    #[error("the table closes over whole turns of the driver only where its values come back")]
+    OpenTable {
+        /// What is driven.
+        of: ElementId,
+    },
     /// A mass or an inertia that is negative or not finite.
     #[error("mass and inertia must be finite and not negative")]
     Mass {

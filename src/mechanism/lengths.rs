@@ -86,6 +86,15 @@ impl Mechanism {
         lengths
     }
 
+    /// The longest length of a link, or between its points, in the scene's unit; 1 where there is none.
+    pub(crate) fn reach(&self) -> f64 {
+        let members = self.links().iter().flat_map(|link| &link.members);
+        let longest = members
+            .map(|member| member.local.norm())
+            .fold(0.0, f64::max);
+        if longest > 0.0 { longest } else { 1.0 }
+    }
+
     /// How long a length is as it is given: of a coordinate its value, of what an angle takes a point across, how far
     /// that point is.
     #[must_use]

@@ -6,6 +6,7 @@
 
 mod builder;
 mod defect;
+mod input_table;
 mod inputs;
 mod law;
 mod lengths;
@@ -17,8 +18,10 @@ mod tolerances;
 
 pub use builder::Builder;
 pub use defect::{Defect, Defects};
-pub use inputs::TimedInput;
-pub use law::{DriverMoment, MotionLaw, StepLaw, TimedStep};
+pub use input_table::InputTable;
+pub(crate) use inputs::fraction;
+pub use inputs::{InputLaw, TimedInput};
+pub use law::{DriverMoment, MotionLaw, MotionPeaks, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
 pub(crate) use limit::MOST_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
@@ -26,6 +29,7 @@ pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;
 pub(crate) use polar::seen_from;
 pub use spline::ClampedSpline;
+pub(crate) use spline::{SplineEnds, bends};
 pub use tolerances::Tolerances;
 
 use crate::Vec2;

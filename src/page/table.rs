@@ -176,6 +176,12 @@ impl Table {
 }
 
 impl Head {
+    /// Of a name and a unit, which may be empty.
+    pub(crate) fn of(name: &str, unit: &str) -> Head {
+        let (name, unit) = (name.to_owned(), unit.to_owned());
+        Head { name, unit }
+    }
+
     /// As the name of a column is written in one line.
     pub(crate) fn whole(&self) -> String {
         with_unit(&self.name, &self.unit)

@@ -3,10 +3,10 @@
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
-use crate::scene::TaskFile;
 use crate::synthesis::{
     Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
 };
+use crate::task_file::TaskFile;
 use crate::wording::words;
 use serde_json::{Value, json};
 use std::io;
@@ -113,40 +113,41 @@ impl SynthesisReport<'_> {
 
     fn table(&self) -> Table {
         let length = self.file.unit.symbol();
-        let heads = [
-            ("r2", length),
-            ("r3", length),
-            ("r4", length),
-            ("r1", length),
-            (words().head_transmission(), "deg"),
-            (words().head_miss(), self.miss_unit()),
-            (words().head_turns(), ""),
-            (words().head_lacks(), ""),
-        ];
-        let head = |(name, unit): (&str, &str)| {
-            let (name, unit) = (name.to_owned(), unit.to_owned());
-            Head { name, unit }.whole()
-        };
-        let mut table = Table::new("", heads.map(head));
+        // A slide is no link, and no column is empty.
+        let links = ["r2", "r3", "r4", "r1"].into_iter().enumerate();
+        let has = |link: usize| self.told().iter().any(|c| lengths(c)[link].is_some());
+        let links: Vec<(usize, &str)> = links.filter(|(link, _)| has(*link)).collect();
+        let lacks = self.told().iter().any(|c| !c.missed.is_empty());
+        let mut heads: Vec<Head> = links
+            .iter()
+            .map(|(_, name)| Head::of(name, length))
+            .collect();
+        heads.extend([
+            Head::of(words().head_transmission(), "deg"),
+            Head::of(words().head_miss(), self.miss_unit()),
+            Head::of(words().head_turns(), ""),
+        ]);
+        heads.extend(lacks.then(|| Head::of(words().head_lacks(), "")));
+        let mut table = Table::new("", heads.iter().map(Head::whole));
         for (number, candidate) in (1..).zip(self.told()) {
             let figures = &candidate.figures;
-            let lengths = lengths(candidate);
-            let lengths = lengths.map(|length| match length {
+            let own = lengths(candidate);
+            let length = |link: usize| match own[link] {
                 Some(length) => significant(length, DIGITS),
                 None => "-".to_owned(),
-            });
+            };
             let turns = match figures.full_turn {
                 true => words().turns_fully_shortly(),
                 false => words().swings_shortly(),
             };
-            let others = [
+            let mut cells: Vec<String> = links.iter().map(|(link, _)| length(*link)).collect();
+            cells.extend([
                 significant(figures.transmission, FEW),
                 significant(figures.miss, FEW),
                 turns.to_owned(),
-                lacking(&candidate.missed),
-            ];
-            let cells = lengths.into_iter().chain(others);
-            table.row(number.to_string(), cells.map(Cell::sure));
+            ]);
+            cells.extend(lacks.then(|| lacking(&candidate.missed)));
+            table.row(number.to_string(), cells.into_iter().map(Cell::sure));
         }
         table
     }

@@ -53,6 +53,7 @@ impl<'t> Drafted<'_, 't> {
             | Defect::Coordinates { .. }
             | Defect::Driver
             | Defect::DrivenTwice { .. }
+            | Defect::OpenTable { .. }
             | Defect::Mass { .. }
             | Defect::Load
             | Defect::Misfit

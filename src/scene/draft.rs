@@ -212,7 +212,7 @@ impl<'v> SceneDraft<'v> {
 }
 
 /// A text of one line: white space runs become one space.
-pub(super) fn line(
+pub(crate) fn line(
     reader: &mut Reader<'_>,
     key: &str,
     value: Option<&Lenient<String>>,
@@ -223,7 +223,7 @@ pub(super) fn line(
     (!shown.is_empty()).then_some(shown)
 }
 
-pub(super) fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
+pub(crate) fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
     let name = value.and_then(|value| reader.string("`unit`", value));
     let Some(name) = name else {
         return Unit::default();

@@ -264,8 +264,15 @@ pub(super) fn rate(
             Err(misfit) => match rate::formula(text, kind, degree) {
                 Some((formula, unit)) => {
                     let what = words().key_of(key, of);
-                    let number = reader.worked_out(&what, formula, &value.span)?;
-                    let rate = rate::of(number, unit, kind);
+                    let worth = reader.worked_out(&what, formula, &value.span)?;
+                    if let Some(dimension) = worth.dimension {
+                        let found = dimension.symbol(reader.named.length.0);
+                        let message = words().rate_of_units(key, of, formula, &found);
+                        let fault = Diagnostic::new(message).at(value.span.clone(), "");
+                        reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
+                        return None;
+                    }
+                    let rate = rate::of(worth.value.hi + 0.0, unit, kind);
                     if rate.value.is_finite() {
                         return Some(rate);
                     }

@@ -75,7 +75,6 @@ mod slide;
 mod spring;
 mod spring_ends;
 mod syntax;
-mod task;
 mod timed_inputs;
 mod timed_motion;
 mod typed;
@@ -84,6 +83,7 @@ mod values;
 mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub(crate) use draft::{line, unit};
 pub use figures::NamedFormula;
 pub(crate) use input::coordinate_key;
 pub use keys::reference;
@@ -95,7 +95,7 @@ pub use parameters::Parameter;
 pub(crate) use retell::toml_string;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
-pub use task::{ExampleTask, TaskFile};
+pub(crate) use syntax::mend;
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
@@ -329,7 +329,7 @@ impl Scene {
 }
 
 /// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
-fn too_large(origin: &str) -> Diagnostics {
+pub(crate) fn too_large(origin: &str) -> Diagnostics {
     let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
     Diagnostics {
         origin: origin.to_owned(),
@@ -339,7 +339,7 @@ fn too_large(origin: &str) -> Diagnostics {
 }
 
 /// The name of a file without folder and ending.
-fn stem(origin: &str) -> String {
+pub(crate) fn stem(origin: &str) -> String {
     let stem = Path::new(origin).file_stem();
     let stem = stem.map(|s| s.to_string_lossy().into_owned());
     sanitized(&stem.unwrap_or_else(|| origin.to_owned()), false)

@@ -5,7 +5,7 @@ use crate::document::ByteSpan;
 use crate::wording::words;
 
 /// What was mostly meant, by the parser's message and what stands there.
-pub(super) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
+pub(crate) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     let at = text.get(span.start..).unwrap_or("");
     let before = text.get(..span.start).unwrap_or("");
     let begin = before.rfind('\n').map_or(0, |newline| newline + 1);

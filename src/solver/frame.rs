@@ -115,6 +115,14 @@ impl Frame {
         self.read(Vec2::new(value, 0.0)).x
     }
 
+    /// The size of the solver's unit of an input's coordinate: a power of two, 1 for degrees.
+    pub(super) fn unit_of(&self, input: Input) -> f64 {
+        match input {
+            Input::Turn(_) => 1.0,
+            Input::Push(_) => self.scale,
+        }
+    }
+
     /// The solver's origin in the scene.
     pub(super) fn origin(&self) -> Vec2<Constant> {
         self.origin

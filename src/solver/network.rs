@@ -66,6 +66,8 @@ pub(super) struct Network<'m> {
     pub mechanism: &'m Mechanism,
     /// In which its numbers are read.
     pub frame: Frame,
+    /// How the further inputs follow the driver, in their order.
+    followings: Vec<Following>,
     /// What the length that is asked about does to every coordinate, in the place of the coordinates.
     slopes: Option<Mechanism>,
     /// For every link, and for the ground behind them.
@@ -94,6 +96,7 @@ impl<'m> Network<'m> {
         let mut network = Network {
             mechanism,
             frame,
+            followings: Following::all(mechanism, &frame),
             slopes: None,
             class_of: vec![GROUND; bodies],
             turn: vec![Vec2::X.exactly(); bodies],
@@ -383,18 +386,19 @@ impl<'m> Network<'m> {
     }
 
     /// How an input follows the driver; `None` of the driver itself.
-    pub(super) fn following(&self, input: Input) -> Option<Following> {
-        let number = self.mechanism.inputs().position(|of| of == input)?;
-        Following::new(self.mechanism, &self.frame, number)
+    pub(super) fn following(&self, input: Input) -> Option<&Following> {
+        let mut timed = self.mechanism.timed().iter();
+        self.followings
+            .get(timed.position(|timed| timed.input == input)?)
     }
 
     /// The links that further inputs turn, and how these follow the driver.
-    pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, Following)> + '_ {
-        let links = self.mechanism.timed().iter().filter_map(|t| match t.input {
-            Input::Turn(link) => Some(link),
+    pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
+        let timed = self.mechanism.timed().iter().zip(&self.followings);
+        timed.filter_map(|(timed, following)| match timed.input {
+            Input::Turn(link) => Some((link, following)),
             Input::Push(_) => None,
-        });
-        links.filter_map(|link| Some((link, self.following(Input::Turn(link))?)))
+        })
     }
 
     /// The unknowns of an equation: each point stands for its two coordinates.

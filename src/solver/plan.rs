@@ -156,14 +156,14 @@ impl Plan {
 }
 
 /// A constraint that must hold whether or not the steps are built on it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct WatchedConstraint {
     pub element: ElementId,
     pub gauge: Gauge,
 }
 
 /// How far a watched constraint is from holding.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Gauge {
     /// The distance of two points.
     Distance {

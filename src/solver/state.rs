@@ -166,6 +166,16 @@ impl<T: Number> State<T> {
         self.driven.is_some()
     }
 
+    /// The driver's coordinate as the steps have it: in degrees or scaled lengths.
+    #[inline(always)]
+    pub(super) fn coordinate(&self) -> T {
+        if self.turns() {
+            self.at
+        } else {
+            self.at / T::exactly(self.frame.scale)
+        }
+    }
+
     /// The driver's coordinate, as asked.
     #[must_use]
     pub fn at(&self) -> T {

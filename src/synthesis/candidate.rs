@@ -103,7 +103,7 @@ impl Candidate {
         // What lies in another assembly was named.
         let reach = defects.iter().filter_map(TaskDefect::place).min();
         let points = reach.unwrap_or(at.len());
-        let drive = Drive {
+        let drive = TaskDrive {
             task,
             proposal: &proposal,
             scene: &scene,
@@ -177,14 +177,14 @@ impl TaskDefect {
 }
 
 /// A linkage on its way.
-struct Drive<'a> {
+struct TaskDrive<'a> {
     task: &'a Task,
     proposal: &'a Proposal,
     scene: &'a Scene,
     solver: &'a Solver,
 }
 
-impl Drive<'_> {
+impl TaskDrive<'_> {
     /// By how much it misses each point, by the solver's figures alone.
     ///
     /// # Errors

@@ -12,15 +12,20 @@
 //! poses      dyads through three, four and five poses
 //! functions  Freudenstein's equation with signed ratios
 //! paths      points on a curve of the coupler, with times and without; cognates
+//! machine    a proposal as a scene
 //! candidate  a proposal that was driven through its task: defects, figures, wishes
 //! ```
 //!
 //! Lengths are in the task's unit, angles in degrees, counter-clockwise, as everywhere in this library.
 
 mod candidate;
+mod cognates;
 mod defects;
 pub mod functions;
 mod machine;
+mod paths;
+#[cfg(test)]
+mod planted;
 mod poses;
 mod proposal;
 mod run;
@@ -33,7 +38,8 @@ pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
 pub use machine::{SceneTitles, scene_text};
-pub use proposal::{Dyad, Partner, Proposal, Proposals};
+pub use paths::PathSearch;
+pub use proposal::{Partner, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,

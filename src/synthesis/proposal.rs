@@ -27,7 +27,7 @@ pub struct Proposal {
 
 /// A link between a pivot of the ground and a pin of the body that is led, or a slide of such a pin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dyad {
+pub struct PosedDyad {
     /// What holds the pin.
     pub held: Partner,
     /// The pin, where it is at the first point of the task.
@@ -42,7 +42,7 @@ pub struct Proposals {
     /// Whether there are no others: a search with many starts proves nothing.
     pub is_complete: bool,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie, in the order of the curve.
-    pub curves: Vec<Vec<Dyad>>,
+    pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Proposal {

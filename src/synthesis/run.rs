@@ -1,7 +1,7 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{Dyad, Proposal, Proposals, Task, TaskKind, functions, poses};
+use super::{PathSearch, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -24,7 +24,7 @@ pub struct Synthesis {
     /// Whether there are no others.
     pub is_complete: bool,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie.
-    pub curves: Vec<Vec<Dyad>>,
+    pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Synthesis {
@@ -44,7 +44,15 @@ impl Synthesis {
                 task.wishes.inside,
             ),
             TaskKind::Function(function) => functions::propose(function),
-            TaskKind::Path(_) => Proposals::default(),
+            TaskKind::Path(path) => PathSearch {
+                task: path,
+                four_bars: task.four_bars,
+                slider_cranks: task.slider_cranks,
+                seed: order.seed,
+                threads: order.threads,
+                starts: PathSearch::STARTS,
+            }
+            .run(watch),
         };
         let found = Synthesis::of(task, proposals, order.threads);
         watch(1.0);

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 /// A four-bar by its pivots, crank, coupler and rocker, with P on the coupler.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct KnownFourBar {
     a: Vec2,
     d: Vec2,
     crank: f64,
@@ -16,7 +16,7 @@ struct Known {
     p: Vec2,
 }
 
-impl Known {
+impl KnownFourBar {
     /// B, C and P, and the coupler's angle, where C lies left or right of B-D.
     fn at(&self, angle: f64, is_left: bool) -> Option<([Vec2; 2], Vec2, f64)> {
         let b = self.a + unit(angle) * self.crank;
@@ -67,7 +67,7 @@ impl Known {
 }
 
 /// A crank-rocker: the crank turns fully.
-const TURNING: Known = Known {
+const TURNING: KnownFourBar = KnownFourBar {
     a: Vec2::new(20.0, -10.0),
     d: Vec2::new(420.0, 30.0),
     crank: 100.0,
@@ -77,7 +77,7 @@ const TURNING: Known = Known {
 };
 
 /// Its crank swings between two dead points.
-const SWINGING: Known = Known {
+const SWINGING: KnownFourBar = KnownFourBar {
     crank: 300.0,
     coupler: 150.0,
     ..TURNING
@@ -121,7 +121,7 @@ fn another_circuit_is_named_between_its_points() {
 
 #[test]
 fn another_branch_is_named_where_no_pivot_can_drive() {
-    let low_high = |known: &Known| {
+    let low_high = |known: &KnownFourBar| {
         let places = (-1800..1800).map(|k| f64::from(k) * 0.1);
         let found: Vec<f64> = places.filter(|at| known.at(*at, true).is_some()).collect();
         (found[0], found[found.len() - 1])
@@ -207,7 +207,7 @@ proptest! {
         rocker in 100.0..400.0_f64,
         stops in prop::collection::vec((0.0..360.0_f64, any::<bool>()), 3..6),
     ) {
-        let known = Known { crank, coupler, rocker, ..TURNING };
+        let known = KnownFourBar { crank, coupler, rocker, ..TURNING };
         let Some((mut task, proposal)) = known.poses(&stops) else { return Ok(()) };
         task.wishes.ordered = false;
         let own = Candidate::judge(&task, &proposal);

@@ -45,7 +45,7 @@ use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::search::FoundLine;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
-use crate::tui::player::playback::Playback;
+use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
 use crate::tui::views;
 use crate::tui::views::accuracy::study_run::StudyRun;
@@ -215,6 +215,11 @@ impl App {
         &self.player.steps
     }
 
+    /// What playing goes along.
+    pub(crate) fn track(&self) -> Track {
+        self.player.track()
+    }
+
     pub(crate) fn playback(&self) -> &Playback {
         &self.player.playback
     }
@@ -374,18 +379,9 @@ impl App {
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
             Action::Play => self.player.toggle(now),
-            Action::Slower => self
-                .player
-                .playback
-                .slower(now, self.player.open_scene.at()),
-            Action::Faster => self
-                .player
-                .playback
-                .faster(now, self.player.open_scene.at()),
-            Action::Reverse => self
-                .player
-                .playback
-                .reverse(now, self.player.open_scene.at()),
+            Action::Slower => self.player.slower(now),
+            Action::Faster => self.player.faster(now),
+            Action::Reverse => self.player.reverse(now),
             Action::StepBack => self.step(-self.player.steps.size(), now),
             Action::StepForward => self.step(self.player.steps.size(), now),
             Action::SmallerStep => self.player.steps.smaller(),

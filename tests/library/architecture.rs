@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 25] = [
+const PLACES: [(&str, u8); 27] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -31,6 +31,8 @@ const PLACES: [(&str, u8); 25] = [
     ("explain", 5),
     ("quantity", 5),
     ("study", 6),
+    ("synthesis", 6),
+    ("task_file", 7),
     ("drawing", 7),
     ("report", 8),
     ("handover", 8),
@@ -71,7 +73,10 @@ const FOREIGN: [(&str, &[&str]); 23] = [
     ("annotate_snippets", &["document"]),
     ("csv", &["report"]),
     ("serde_json", &["report"]),
-    ("serde", &["document", "scene", "report", "tui"]),
+    (
+        "serde",
+        &["document", "scene", "task_file", "report", "tui"],
+    ),
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
     ("fearless_simd", &["arithmetic"]),

@@ -13,6 +13,7 @@ mod bounds;
 mod coupled_assemblies;
 mod derived;
 mod forces;
+mod input_tables;
 mod inputs;
 mod polar;
 mod reference;

@@ -38,7 +38,7 @@ impl Report {
         page.text(words().name_and_number());
         reported.drawing(&mut page);
         page.part(words().given_part());
-        page.add(Content::Facts(given(scene, state, &reported)));
+        page.add(Content::Facts(given(scene, solver, state, &reported)));
         page.part(words().asked_part());
         page.text(words().what_is_asked());
         if reported.has_loops() {
@@ -118,7 +118,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
 }
 
 /// All dimensions, and how the driver moves.
-fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
+fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState<'_>) -> Facts {
     let mechanism = &scene.mechanism;
     let mut facts = Facts::default();
     let unit = scene.unit.symbol();
@@ -134,8 +134,8 @@ fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
         facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
     let (kind, _) = DriverKind::of(scene, mechanism.driver().input);
-    let inputs = InputFacts::of(scene);
-    let inputs = inputs.iter().map(|input| input.text(kind, unit));
+    let inputs = InputFacts::of(scene, solver.motion().range);
+    let inputs = inputs.iter().map(|input| input.given(kind, unit));
     facts.tell(
         words().driver(),
         [driver_told(scene, state)].into_iter().chain(inputs),

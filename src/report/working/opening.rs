@@ -10,7 +10,7 @@ use crate::report::number::concise;
 use crate::report::range_text::limits_text;
 use crate::solver::Condition;
 use crate::wording::words;
-use crate::{Input, LinkId};
+use crate::{Input, InputLaw, LinkId};
 
 /// The title, and where the driver is.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
@@ -58,17 +58,42 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
         draft.page.text(words().inputs_are_given());
     }
     for timed in mechanism.timed() {
-        let [ratio, phase] = [timed.ratio, timed.phase].map(|v| concise(v, usize::MAX));
         let at = timed.coordinate(context.state.at());
-        let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
-        let law = law.replace("+ -", "- ");
         let [at, unit] = match timed.input {
             Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
             Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
         };
-        draft
-            .page
-            .equation([symbol(timed.input), law, format!("{at} {unit}")]);
+        let (name, at) = (symbol(timed.input), format!("{at} {unit}"));
+        match timed.law {
+            InputLaw::Ratio { ratio, phase } => {
+                let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
+                let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
+                let law = law.replace("+ -", "- ");
+                draft.page.equation([name, law, at]);
+            }
+            InputLaw::Table(_) => {
+                draft.page.text(words().inputs_have_tables(&name));
+                draft.page.equation([name.clone(), at]);
+                let driver = mechanism.driver().input;
+                let by = symbol(driver);
+                let names = [format!("d{name}/d{by}"), format!("d²{name}/d{by}²")];
+                let rates = timed.rates(context.state.at(), driver);
+                let unit = |input| match input {
+                    Input::Turn(_) => "rad".to_owned(),
+                    Input::Push(_) => context.figures.length_unit(0),
+                };
+                let [own, per] = [unit(timed.input), unit(driver)];
+                let units = match own == per {
+                    true => [String::new(), format!(" 1/{per}")],
+                    false => [format!(" {own}/{per}"), format!(" {own}/{per}^2")],
+                };
+                for ((name, rate), unit) in names.into_iter().zip(rates).zip(units) {
+                    draft
+                        .page
+                        .equation([name, context.figures.given(rate) + &unit]);
+                }
+            }
+        }
     }
 }
 

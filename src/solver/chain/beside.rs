@@ -56,7 +56,7 @@ impl Chain<'_> {
             ScalarEquation::Push(slide) => {
                 let point = self.network.mechanism.slide(slide).slider.point();
                 let line = self.line(slide)?;
-                let following = self.network.following(Input::Push(slide));
+                let following = self.network.following(Input::Push(slide)).cloned();
                 Some(Gauge::Pushed {
                     point,
                     line,

@@ -162,6 +162,7 @@ impl<'n> Chain<'n> {
             Input::Push(_) => {}
         }
         for (link, following) in self.network.timed_links() {
+            let following = following.clone();
             self.push(Timed { link, following });
             self.learn_class(link);
             self.settle_links(&self.network.members[self.network.class(link).0].clone());
@@ -292,7 +293,7 @@ impl<'n> Chain<'n> {
             link,
             along,
             slide,
-            following: self.network.following(Input::Push(slide)),
+            following: self.network.following(Input::Push(slide)).cloned(),
         });
         self.learn_point(point);
         true

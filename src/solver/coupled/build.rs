@@ -64,7 +64,7 @@ impl<'a> Maker<'a> {
         self.spots
             .iter()
             .find(|(p, _)| *p == point)
-            .map(|&(_, spot)| spot)
+            .map(|(_, spot)| spot.clone())
     }
 
     fn free_spot(&mut self) -> Spot {
@@ -195,7 +195,7 @@ impl<'a> Maker<'a> {
         let spot = self.free_spot();
         // A joint that sits on another frame's arm becomes free, and is tied to that arm.
         if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
-            let arm = std::mem::replace(there, spot);
+            let arm = std::mem::replace(there, spot.clone());
             self.equations.push(GroupEquation::Meeting {
                 a: spot,
                 b: arm,
@@ -257,7 +257,7 @@ impl<'a> Maker<'a> {
                 a: x,
                 b: Spot {
                     along,
-                    following: network.following(Input::Push(slide)),
+                    following: network.following(Input::Push(slide)).cloned(),
                     ..q
                 },
                 pushed: Some(slide),

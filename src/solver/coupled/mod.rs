@@ -59,7 +59,7 @@ enum Turning {
 }
 
 /// A joint: `base + R (arm + along p)`, p the coordinate of an input where the joint is pushed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Spot {
     base: Base,
     arm: Option<(Turning, Vec2<Constant>)>,
@@ -98,7 +98,7 @@ struct ArmSeat {
     end: Option<PointId>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum GroupEquation {
     Distance {
         a: Spot,

@@ -136,7 +136,9 @@ impl Coupled {
                         let tau = Vec2::of(b.along).turned(link.d);
                         ledger.forces.normals[slide.index()] = tau.cross(force);
                         let along = T::default() - tau.dot(force);
-                        ledger.forces.drive_by(b.following.as_ref(), along);
+                        ledger
+                            .forces
+                            .drive_by(b.following.as_ref(), along, ledger.state);
                     }
                 }
                 GroupEquation::Slot {

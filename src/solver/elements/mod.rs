@@ -145,7 +145,7 @@ macro_rules! elements {
     ($($name:ident),+ $(,)?) => {
         /// One element of a plan. It never lies across the end of a page of memory: some processors take as long for
         /// reading there as for a whole state.
-        #[derive(Clone, Copy, Debug)]
+        #[derive(Clone, Debug)]
         #[repr(align(512))]
         pub(super) enum Step {
             $($name($name),)+

@@ -5,7 +5,7 @@
 //! are the right ones only an assembled mechanism tells. Levenberg's and Marquardt's method needs no
 //! regular matrix: it comes to one of the poses near by whatever repeats, and whatever is left free.
 
-use super::rows::{Pose, Rows};
+use super::rows::{RankPose, Rows};
 use crate::solver::network::GROUND;
 use crate::{LinkId, PointId, Vec2, angle};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -29,12 +29,17 @@ const GOLDEN: f64 = 137.507_764_050_037_85;
 
 /// An assembled pose, and how far it may be from the true one.
 pub(super) struct Assembled {
-    pub(super) pose: Pose,
+    pub(super) pose: RankPose,
     pub(super) slack: f64,
 }
 
 /// Moves a pose to where all equations hold, to `misfit`; `None` where it comes to no such place.
-pub(super) fn assemble(rows: &Rows<'_>, at: f64, misfit: f64, mut pose: Pose) -> Option<Assembled> {
+pub(super) fn assemble(
+    rows: &Rows<'_>,
+    at: f64,
+    misfit: f64,
+    mut pose: RankPose,
+) -> Option<Assembled> {
     rows.drive(at, &mut pose);
     let mut damping = DAMPING;
     let mut system = Normal::of(rows, at, &pose);
@@ -71,7 +76,7 @@ struct Normal {
 }
 
 impl Normal {
-    fn of(rows: &Rows<'_>, at: f64, pose: &Pose) -> Normal {
+    fn of(rows: &Rows<'_>, at: f64, pose: &RankPose) -> Normal {
         let n = rows.width;
         let mut normal = Normal {
             matrix: DMatrix::zeros(n, n),
@@ -99,9 +104,9 @@ impl Normal {
         &self,
         rows: &Rows<'_>,
         at: f64,
-        pose: &Pose,
+        pose: &RankPose,
         damping: &mut f64,
-    ) -> Option<(Pose, f64)> {
+    ) -> Option<(RankPose, f64)> {
         while *damping < MOST_DAMPING {
             let mut damped = self.matrix.clone();
             for i in 0..rows.width {
@@ -126,10 +131,10 @@ impl Normal {
 
 /// A rough pose: what is given stands where it is, the rest follows from link to link. Where nothing says
 /// how a link lies, its direction is another one in every trial.
-pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: usize) -> Pose {
+pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: usize) -> RankPose {
     let network = rows.network;
     let mechanism = network.mechanism;
-    let mut pose = Pose {
+    let mut pose = RankPose {
         points: vec![Vec2::ZERO; mechanism.points().len()],
         classes: vec![Vec2::X; network.members.len()],
     };
@@ -161,7 +166,7 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
 /// Someone who places links roughly, one after another.
 struct Placing<'r, 'n> {
     rows: &'r Rows<'n>,
-    pose: Pose,
+    pose: RankPose,
     point_known: Vec<bool>,
     class_known: Vec<bool>,
     /// The next direction to try.

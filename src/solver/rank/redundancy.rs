@@ -1,6 +1,6 @@
 //! What the constraints that were set aside repeat, and by how much they disagree.
 
-use super::rows::{Pose, Rows};
+use super::rows::{RankPose, Rows};
 use super::spectrum::KeptRows;
 use super::{MOST_UNKNOWNS, Redundancy};
 use crate::solver::network::{Network, ScalarEquation};
@@ -32,7 +32,7 @@ pub(super) fn reached(solver: &Solver) -> impl Iterator<Item = State> + '_ {
 }
 
 /// Where a state has every joint and every class of links.
-pub(super) fn pose_of(network: &Network<'_>, state: &State) -> Pose {
+pub(super) fn pose_of(network: &Network<'_>, state: &State) -> RankPose {
     let points = network.mechanism.points().len();
     let class = |members: &Vec<crate::LinkId>| {
         let first = members.first().map(|&link| {
@@ -41,7 +41,7 @@ pub(super) fn pose_of(network: &Network<'_>, state: &State) -> Pose {
         });
         first.unwrap_or(Vec2::X)
     };
-    Pose {
+    RankPose {
         points: state.points.iter().take(points).map(|p| p.p).collect(),
         classes: network.members.iter().map(class).collect(),
     }

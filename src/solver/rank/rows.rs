@@ -9,13 +9,13 @@ use nalgebra::DMatrix;
 
 /// Where every joint is, and every class of links, in the solver's frame.
 #[derive(Clone, Debug)]
-pub(super) struct Pose {
+pub(super) struct RankPose {
     pub(super) points: Vec<Vec2>,
     /// The direction of a class, as a unit vector.
     pub(super) classes: Vec<Vec2>,
 }
 
-impl Pose {
+impl RankPose {
     /// The direction of a body.
     pub(super) fn direction(&self, network: &Network<'_>, body: LinkId) -> Vec2 {
         let turn = network.turn[body.index()].nearest();
@@ -92,23 +92,26 @@ impl<'n> Rows<'n> {
         }
     }
 
+    /// The driver's coordinate as inputs follow it: in degrees or scaled lengths.
+    fn given(&self, at: f64) -> f64 {
+        match self.network.mechanism.driver().input {
+            Input::Turn(_) => at,
+            Input::Push(_) => self.frame.length(at),
+        }
+    }
+
     /// Turns the driven links to where they are at the driver's coordinate.
-    pub(super) fn drive(&self, at: f64, pose: &mut Pose) {
+    pub(super) fn drive(&self, at: f64, pose: &mut RankPose) {
         let mechanism = self.network.mechanism;
         if let Input::Turn(link) = mechanism.driver().input {
             self.turn(link, self.driver(at).1, pose);
         }
         for (link, following) in self.network.timed_links() {
-            let q = if mechanism.driver().turns() {
-                at
-            } else {
-                self.driver(at).0
-            };
-            self.turn(link, angle::unit(following.at(q).p), pose);
+            self.turn(link, angle::unit(following.at(self.given(at)).p), pose);
         }
     }
 
-    fn turn(&self, link: LinkId, direction: Vec2, pose: &mut Pose) {
+    fn turn(&self, link: LinkId, direction: Vec2, pose: &mut RankPose) {
         let class = self.network.class(link);
         if class != GROUND {
             let turn = self.network.turn[link.index()].nearest();
@@ -120,28 +123,28 @@ impl<'n> Rows<'n> {
     fn pushed(&self, slide: SlideId, at: f64) -> (f64, f64) {
         let following = self.network.following(Input::Push(slide));
         let q = match following {
-            Some(_) if self.network.mechanism.driver().turns() => at,
-            _ => self.driver(at).0,
+            Some(_) => self.given(at),
+            None => self.driver(at).0,
         };
-        let motion = InputMotion::of(following.as_ref(), q);
+        let motion = InputMotion::of(following, q);
         (motion.p, motion.w)
     }
 
     /// The derivative of the direction of a driven class by the driver's coordinate.
-    fn rate(&self, class: ClassId) -> f64 {
+    fn rate(&self, class: ClassId, at: f64) -> f64 {
         let mut timed = self.network.timed_links();
         let of_class = timed.find(|(link, _)| self.network.class(*link) == class);
-        of_class.map_or(1.0, |(_, following)| following.rate())
+        of_class.map_or(1.0, |(_, following)| following.at(self.given(at)).w)
     }
 
     /// By how much every equation misses, and its derivatives by column.
-    pub(super) fn linear(&self, at: f64, pose: &Pose) -> Vec<(f64, Vec<(usize, f64)>)> {
+    pub(super) fn linear(&self, at: f64, pose: &RankPose) -> Vec<(f64, Vec<(usize, f64)>)> {
         let equations = self.rows.iter().map(|&row| self.equation(row, at, pose));
-        equations.map(|e| (e.miss, self.terms(&e))).collect()
+        equations.map(|e| (e.miss, self.terms(&e, at))).collect()
     }
 
     /// The derivatives, each row of unit length; the last column is the driver's.
-    pub(super) fn matrix(&self, at: f64, pose: &Pose) -> DMatrix<f64> {
+    pub(super) fn matrix(&self, at: f64, pose: &RankPose) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.rows.len(), self.width + 1);
         for (i, (_, terms)) in self.linear(at, pose).into_iter().enumerate() {
             for (column, value) in terms {
@@ -156,7 +159,7 @@ impl<'n> Rows<'n> {
     }
 
     /// Moves a pose by a step of all columns but the driver's.
-    pub(super) fn step(&self, pose: &mut Pose, by: &[f64]) {
+    pub(super) fn step(&self, pose: &mut RankPose, by: &[f64]) {
         for (place, column) in pose.points.iter_mut().zip(&self.point_column) {
             if let Some(column) = *column {
                 *place += Vec2::new(by[column], by[column + 1]);
@@ -181,7 +184,7 @@ impl<'n> Rows<'n> {
         columns.chain(class).map(share).fold(0.0, f64::max)
     }
 
-    fn terms(&self, e: &EquationRow) -> Vec<(usize, f64)> {
+    fn terms(&self, e: &EquationRow, at: f64) -> Vec<(usize, f64)> {
         let mut terms = Vec::with_capacity(6);
         let mut point = |point: PointId, by: Vec2| {
             if let Some(column) = self.point_column[point.index()] {
@@ -196,7 +199,7 @@ impl<'n> Rows<'n> {
         if let Some(column) = self.class_column[e.class.0] {
             terms.push((column, turn));
         } else if e.class != GROUND && self.network.is_given(e.class) {
-            terms.push((self.width, turn * self.rate(e.class)));
+            terms.push((self.width, turn * self.rate(e.class, at)));
         }
         if e.push != 0.0 {
             terms.push((self.width, e.push));
@@ -204,7 +207,7 @@ impl<'n> Rows<'n> {
         terms
     }
 
-    fn equation(&self, row: ScalarEquation, at: f64, pose: &Pose) -> EquationRow {
+    fn equation(&self, row: ScalarEquation, at: f64, pose: &RankPose) -> EquationRow {
         match row {
             ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
                 let (along, seen) = self.arm(link, end, pose);
@@ -250,7 +253,7 @@ impl<'n> Rows<'n> {
     }
 
     /// From a link's centre to another joint: as the link has it, turned with it, and as it is.
-    fn arm(&self, link: LinkId, end: PointId, pose: &Pose) -> (Vec2, Vec2) {
+    fn arm(&self, link: LinkId, end: PointId, pose: &RankPose) -> (Vec2, Vec2) {
         let at = |point: PointId| pose.points[point.index()];
         let Some(centre) = self.network.centre(link) else {
             return (Vec2::ZERO, Vec2::ZERO);
@@ -260,7 +263,7 @@ impl<'n> Rows<'n> {
         (along, at(end) - at(centre))
     }
 
-    fn guide(&self, slide: SlideId, pose: &Pose) -> PosedGuide {
+    fn guide(&self, slide: SlideId, pose: &RankPose) -> PosedGuide {
         let given = self.network.mechanism.slide(slide);
         let body = self.network.body(given.on);
         let point = given.slider.point();
@@ -290,7 +293,7 @@ impl<'n> Rows<'n> {
     }
 
     /// Where a link has a point that is no joint.
-    pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &Pose) -> Vec2 {
+    pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &RankPose) -> Vec2 {
         let Some(centre) = self.network.centre(link) else {
             return Vec2::ZERO;
         };

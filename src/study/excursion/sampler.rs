@@ -4,7 +4,7 @@ use super::NoFigure;
 use crate::angle::{self, TURN, radians};
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
-use crate::{Driver, Input, LANES, Lanes, Mechanism};
+use crate::{Driver, Input, LANES, Lanes};
 
 /// Places in a turn, or in a limited range.
 const PLACES: usize = 360;
@@ -111,7 +111,7 @@ impl MotionSampler {
             lanes: solver.lanes(),
             source,
             driver: *driver,
-            reach: reach(mechanism),
+            reach: mechanism.reach(),
             solver,
         }
     }
@@ -370,13 +370,4 @@ fn places(range: Range) -> Vec<f64> {
             first.chain(between).chain([high - inside, high]).collect()
         }
     }
-}
-
-/// The longest length of a link, or between its points; 1 where there is none.
-fn reach(mechanism: &Mechanism) -> f64 {
-    let members = mechanism.links().iter().flat_map(|link| &link.members);
-    let longest = members
-        .map(|member| member.local.norm())
-        .fold(0.0, f64::max);
-    if longest > 0.0 { longest } else { 1.0 }
 }

@@ -71,7 +71,7 @@ impl Duty {
             ),
         };
         let metres = mechanism.metres();
-        let reach = reach(mechanism) * metres;
+        let reach = mechanism.reach() * metres;
         let (unit, joule, arm) = match driver.input {
             Input::Turn(_) => (1.0, angle::radians(1.0), reach),
             Input::Push(_) => (metres, metres, 1.0),
@@ -196,15 +196,6 @@ fn has_inertia(mechanism: &Mechanism) -> bool {
     let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
     let mut links = mechanism.link_ids();
     links.any(|id| !driven(id) && has_mass(mechanism.link(id)))
-}
-
-/// The longest length of a link, or between its points, in the scene's unit; 1 where there is none.
-fn reach(mechanism: &Mechanism) -> f64 {
-    let members = mechanism.links().iter().flat_map(|link| &link.members);
-    let longest = members
-        .map(|member| member.local.norm())
-        .fold(0.0, f64::max);
-    if longest > 0.0 { longest } else { 1.0 }
 }
 
 /// The range of a motion holds both coordinates, and the first is below the second.

@@ -15,30 +15,30 @@
 //! and five have three.
 
 use super::lines::solved;
-use super::linkage::Linkage;
-use super::refine::Design;
-use super::wanted::{Law, Wanted};
-use super::{Exact, law_angles};
+use super::linkage::FunctionLinkage;
+use super::refine::FunctionDesign;
+use super::wanted::{FunctionLaw, WantedFunction};
+use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DVector};
 
 /// Where the unknowns stand in a vector: s first.
-struct Columns {
+struct AngleColumns {
     crank_is_free: bool,
     output_is_free: bool,
 }
 
 /// All four-bars through as many pairs as there are unknowns; through more the ones that miss least in the equation, as
 /// places to start from. The scales are given.
-pub(super) fn exact(wanted: &Wanted) -> Option<Exact> {
+pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     let (angles, crank_scale, output_scale) = law_angles(wanted)?;
-    let columns = Columns {
+    let columns = AngleColumns {
         crank_is_free: wanted.given[0].is_none(),
         output_is_free: wanted.given[2].is_none(),
     };
     let rows: Vec<Vec<f64>> = angles.iter().map(|[p, q]| columns.row(*p, *q)).collect();
     let free = if columns.both_are_given() { 1 } else { 2 };
     let solved = solved(&rows, free, |v| columns.condition(v));
-    let law = |z: f64, w: f64| Law {
+    let law = |z: f64, w: f64| FunctionLaw {
         crank: [wanted.given[0].unwrap_or(z), crank_scale],
         output: [wanted.given[2].unwrap_or(w), output_scale],
     };
@@ -48,15 +48,15 @@ pub(super) fn exact(wanted: &Wanted) -> Option<Exact> {
         let [x, y] = *wanted.pairs.first()?;
         let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
         let side = linkage.side(at(law.crank, x), at(law.output, y));
-        Some(Design { linkage, law, side })
+        Some(FunctionDesign { linkage, law, side })
     });
-    Some(Exact {
+    Some(ExactDesigns {
         designs: designs.collect(),
         is_complete: solved.is_complete,
     })
 }
 
-impl Columns {
+impl AngleColumns {
     fn both_are_given(&self) -> bool {
         !self.crank_is_free && !self.output_is_free
     }
@@ -97,7 +97,11 @@ impl Columns {
     }
 
     /// The linkage of a vector, which stands for all its multiples, and the arguments of z and w.
-    fn linkage(&self, v: &DVector<f64>, wanted: &Wanted) -> Option<(Linkage, [f64; 2])> {
+    fn linkage(
+        &self,
+        v: &DVector<f64>,
+        wanted: &WantedFunction,
+    ) -> Option<(FunctionLinkage, [f64; 2])> {
         let (s, [w, z, u]) = self.parts(v);
         let product = w * z.conj();
         // factor u = factor^2 w z*
@@ -105,7 +109,7 @@ impl Columns {
         let (s, w, z) = (s * factor, w * factor, z * factor);
         let square = 1.0 + w.norm_sqr() + z.norm_sqr() - 2.0 * s;
         let length = |v: Complex<f64>, is_free: bool| if is_free { v.norm() } else { v.re };
-        let linkage = Linkage {
+        let linkage = FunctionLinkage {
             output: wanted.output,
             crank: length(z, self.crank_is_free),
             coupler: square.sqrt(),

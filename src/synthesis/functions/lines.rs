@@ -19,7 +19,7 @@ pub(super) const SAMPLES: usize = 24;
 
 /// Vectors that solve, up to a factor each, and whether there are no others.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Solved {
+pub(super) struct SolvedLines {
     pub(super) vectors: Vec<DVector<f64>>,
     pub(super) is_complete: bool,
 }
@@ -30,9 +30,9 @@ pub(super) fn solved(
     rows: &[Vec<f64>],
     free: usize,
     condition: impl Fn(&DVector<f64>) -> f64,
-) -> Solved {
+) -> SolvedLines {
     let Some((mut space, rank)) = directions(rows) else {
-        return Solved::default();
+        return SolvedLines::default();
     };
     let width = space.len();
     let needed = width.saturating_sub(free);
@@ -41,12 +41,12 @@ pub(super) fn solved(
     }
     let mut space = space.split_off(needed);
     match (space.pop(), space.pop()) {
-        (Some(one), None) => Solved {
+        (Some(one), None) => SolvedLines {
             vectors: vec![one],
             is_complete: true,
         },
         (Some(one), Some(two)) => on_a_plane(&one, &two, &condition),
-        _ => Solved::default(),
+        _ => SolvedLines::default(),
     }
 }
 
@@ -78,7 +78,7 @@ fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
 }
 
 /// Solutions without number: those on the planes of neighbouring directions.
-fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> Solved {
+fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> SolvedLines {
     let mut vectors = Vec::new();
     for (k, one) in space.iter().enumerate() {
         for two in &space[k + 1..] {
@@ -96,7 +96,7 @@ fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> S
         }
     }
     vectors.truncate(4 * SAMPLES);
-    Solved {
+    SolvedLines {
         vectors,
         is_complete: false,
     }
@@ -107,7 +107,7 @@ fn on_a_plane(
     one: &DVector<f64>,
     two: &DVector<f64>,
     condition: &impl Fn(&DVector<f64>) -> f64,
-) -> Solved {
+) -> SolvedLines {
     let turned = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         (one * cos + two * sin, two * cos - one * sin)
@@ -118,10 +118,10 @@ fn on_a_plane(
         .map(|(a, b)| (condition(&a).abs(), a, b))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     let Some((size, a, b)) = most else {
-        return Solved::default();
+        return SolvedLines::default();
     };
     if !(size > EVERYWHERE) {
-        return Solved {
+        return SolvedLines {
             vectors: (0..SAMPLES)
                 .map(|k| turned(PI * k as f64 / SAMPLES as f64).0)
                 .collect(),
@@ -136,7 +136,7 @@ fn on_a_plane(
         (sum - difference) / 2.0 - c0,
         c3,
     ];
-    Solved {
+    SolvedLines {
         vectors: polynomial_roots(&terms)
             .into_iter()
             .map(|t| &a * t + &b)

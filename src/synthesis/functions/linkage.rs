@@ -9,7 +9,7 @@ const MOST: f64 = 1e6;
 /// A crank on the origin, and what follows it. Of an angle the other pivot is at (1, 0), and the output is the angle of
 /// the link on it; of a slide the crank is 1 long, and the output is the pin's x on the line y = `third`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Linkage {
+pub(super) struct FunctionLinkage {
     pub(super) output: Output,
     /// Negative where the link stands opposite to its angle: a datum that is turned by 180 deg.
     pub(super) crank: f64,
@@ -21,7 +21,7 @@ pub(super) struct Linkage {
 /// An output, how much the linkage falls short of reaching it, and the derivatives of both by crank, coupler, third and
 /// the crank's angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reach {
+pub(super) struct OutputReach {
     pub(super) output: f64,
     pub(super) by: [f64; 4],
     /// 0 where the linkage closes; elsewhere the output is that of the dead point nearest by.
@@ -29,7 +29,7 @@ pub(super) struct Reach {
     pub(super) short_by: [f64; 4],
 }
 
-impl Linkage {
+impl FunctionLinkage {
     /// Whether it can be built.
     pub(super) fn is_sound(&self) -> bool {
         let is_length = |l: f64| l.abs() < MOST && l.abs() > 1.0 / MOST;
@@ -77,7 +77,7 @@ impl Linkage {
     ///   cos(psi - arg u) = k = (r^2 + c^2 - b^2) / (2 r c),   psi = arg u + side acos k,
     /// and of the slide's place t, with h = b^2 - (e - By)^2,
     ///   t = Bx + side sqrt h.
-    pub(super) fn reach(&self, angle: f64, side: f64) -> Reach {
+    pub(super) fn reach(&self, angle: f64, side: f64) -> OutputReach {
         let (sin, cos) = angle.sin_cos();
         // B and its derivatives by the crank and its angle.
         let pin = Vec2::new(self.crank * cos, self.crank * sin);
@@ -88,7 +88,7 @@ impl Linkage {
         }
     }
 
-    fn reach_of_rocker(&self, u: Vec2, moves: [Vec2; 2], side: f64) -> Reach {
+    fn reach_of_rocker(&self, u: Vec2, moves: [Vec2; 2], side: f64) -> OutputReach {
         let (b, c, r) = (self.coupler, self.third, u.norm());
         let k = (r * r + c * c - b * b) / (2.0 * r * c);
         let turns = moves.map(|m| u.cross(m) / (r * r));
@@ -99,7 +99,7 @@ impl Linkage {
         let closes = excess <= 0.0;
         let weight = if closes && k.abs() < 1.0 { arc } else { 0.0 };
         let turned = [turns[0], 0.0, 0.0, turns[1]];
-        Reach {
+        OutputReach {
             output: u.y.atan2(u.x) + side * k.clamp(-1.0, 1.0).acos(),
             by: std::array::from_fn(|i| turned[i] + weight * by_k[i]),
             short: if closes { 0.0 } else { excess },
@@ -107,7 +107,7 @@ impl Linkage {
         }
     }
 
-    fn reach_of_slide(&self, pin: Vec2, moves: [Vec2; 2], side: f64) -> Reach {
+    fn reach_of_slide(&self, pin: Vec2, moves: [Vec2; 2], side: f64) -> OutputReach {
         let rise = self.third - pin.y;
         let h = self.coupler * self.coupler - rise * rise;
         let by_h = [
@@ -119,7 +119,7 @@ impl Linkage {
         let closes = h >= 0.0;
         let weight = if h > 0.0 { 0.5 * side / h.sqrt() } else { 0.0 };
         let along = [moves[0].x, 0.0, 0.0, moves[1].x];
-        Reach {
+        OutputReach {
             output: pin.x + side * h.max(0.0).sqrt(),
             by: std::array::from_fn(|i| along[i] + weight * by_h[i]),
             short: if closes { 0.0 } else { -h },
@@ -145,7 +145,7 @@ mod tests {
             };
             let mut numbers: [f64; 4] = std::array::from_fn(|_| 1.5 * chance.even());
             numbers[1] = numbers[1].abs() + 0.3;
-            let linkage = |n: [f64; 4]| Linkage {
+            let linkage = |n: [f64; 4]| FunctionLinkage {
                 output,
                 crank: n[0],
                 coupler: n[1],

@@ -41,8 +41,8 @@ pub use spacing::chebyshev_pairs;
 
 use super::{FunctionTask, Output, Partner, Proposal, Proposals};
 use crate::Vec2;
-use refine::Design;
-use wanted::Wanted;
+use refine::FunctionDesign;
+use wanted::WantedFunction;
 
 /// Linkages whose pins nowhere differ by more than this part of the size are one.
 const SAME: f64 = 1e-7;
@@ -55,8 +55,8 @@ const FEWEST: usize = 3;
 
 /// What algebra finds.
 #[derive(Clone, Debug, Default)]
-struct Exact {
-    designs: Vec<Design>,
+struct ExactDesigns {
+    designs: Vec<FunctionDesign>,
     /// Whether there are no others.
     is_complete: bool,
 }
@@ -73,7 +73,8 @@ struct Exact {
 /// none, a given scale of 0, a size that is not positive.
 #[must_use]
 pub fn propose(task: &FunctionTask) -> Proposals {
-    let Some(wanted) = Wanted::of(task).filter(|wanted| wanted.pairs.len() >= FEWEST) else {
+    let Some(wanted) = WantedFunction::of(task).filter(|wanted| wanted.pairs.len() >= FEWEST)
+    else {
         return Proposals::default();
     };
     let (designs, is_complete) = designs(&wanted);
@@ -95,7 +96,7 @@ pub fn propose(task: &FunctionTask) -> Proposals {
 }
 
 /// Designs, of each whether its output is as wanted at every pair, and whether there are no others.
-fn designs(wanted: &Wanted) -> (Vec<(Design, bool)>, bool) {
+fn designs(wanted: &WantedFunction) -> (Vec<(FunctionDesign, bool)>, bool) {
     let missing = wanted.unknowns().saturating_sub(wanted.pairs.len());
     if missing > 0 {
         return (family(wanted, missing), false);
@@ -111,7 +112,7 @@ fn designs(wanted: &Wanted) -> (Vec<(Design, bool)>, bool) {
 }
 
 /// Some of the solutions without number: with values for as many free numbers as pairs are missing.
-fn family(wanted: &Wanted, missing: usize) -> Vec<(Design, bool)> {
+fn family(wanted: &WantedFunction, missing: usize) -> Vec<(FunctionDesign, bool)> {
     let count = FIXED[(missing - 1).min(FIXED.len() - 1)];
     let mut all = vec![wanted.clone()];
     let frees = search::order(wanted.output)
@@ -128,7 +129,7 @@ fn family(wanted: &Wanted, missing: usize) -> Vec<(Design, bool)> {
 }
 
 /// By algebra, where that is known.
-fn exact(wanted: &Wanted) -> Option<Exact> {
+fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     match wanted.output {
         Output::Angle => angle::exact(wanted),
         Output::Slide => slide::exact(wanted),
@@ -136,7 +137,7 @@ fn exact(wanted: &Wanted) -> Option<Exact> {
 }
 
 /// Every pair as angles of crank and output without the datums that are free, and both scales; where these are given.
-fn law_angles(wanted: &Wanted) -> Option<(Vec<[f64; 2]>, f64, f64)> {
+fn law_angles(wanted: &WantedFunction) -> Option<(Vec<[f64; 2]>, f64, f64)> {
     let [crank, crank_scale, output, output_scale] = wanted.given;
     let (crank_scale, output_scale) = (crank_scale?, output_scale?);
     let (crank, output) = (crank.unwrap_or(0.0), output.unwrap_or(0.0));
@@ -148,7 +149,12 @@ fn law_angles(wanted: &Wanted) -> Option<(Vec<[f64; 2]>, f64, f64)> {
     ))
 }
 
-fn proposal(wanted: &Wanted, design: &Design, is_exact: bool, size: f64) -> Option<Proposal> {
+fn proposal(
+    wanted: &WantedFunction,
+    design: &FunctionDesign,
+    is_exact: bool,
+    size: f64,
+) -> Option<Proposal> {
     let place = |[x, y]: &[f64; 2]| {
         let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
         let angle = at(design.law.crank, *x);

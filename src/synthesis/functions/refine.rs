@@ -4,8 +4,8 @@
 //! wanted, and not the residual of Freudenstein's equation, which weighs a pair by the transmission angle there. Where
 //! the output's scale is free the miss is counted in y, since a scale of 0 would meet everything.
 
-use super::linkage::Linkage;
-use super::wanted::{Law, Wanted, wrapped};
+use super::linkage::FunctionLinkage;
+use super::wanted::{FunctionLaw, WantedFunction, wrapped};
 use crate::synthesis::Output;
 use nalgebra::{SMatrix, SVector};
 
@@ -21,42 +21,42 @@ const LEAST_DAMPING: f64 = 1e-30;
 const GAIN: f64 = 1e-10;
 const STILL: usize = 4;
 
-type Numbers = SVector<f64, NUMBERS>;
+type DesignNumbers = SVector<f64, NUMBERS>;
 
 /// A linkage, what it is to follow, and on which side of its crank's pin its output is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Design {
-    pub(super) linkage: Linkage,
-    pub(super) law: Law,
+pub(super) struct FunctionDesign {
+    pub(super) linkage: FunctionLinkage,
+    pub(super) law: FunctionLaw,
     pub(super) side: f64,
 }
 
 /// The sum of squares at a place, and its derivatives J as a triangle: J = Q R, `goal` = Q'r. The numbers of a smooth
 /// function are nearly dependent, and J'J would square that.
 #[derive(Clone)]
-struct Slopes {
+struct MissSlopes {
     sum: f64,
     triangle: SMatrix<f64, NUMBERS, NUMBERS>,
-    goal: Numbers,
+    goal: DesignNumbers,
 }
 
-impl Design {
-    fn numbers(&self) -> Numbers {
+impl FunctionDesign {
+    fn numbers(&self) -> DesignNumbers {
         let ([a, b], [c, d]) = (self.law.crank, self.law.output);
         let lengths = &self.linkage;
-        Numbers::from([lengths.crank, lengths.coupler, lengths.third, a, b, c, d])
+        DesignNumbers::from([lengths.crank, lengths.coupler, lengths.third, a, b, c, d])
     }
 
-    fn with(&self, numbers: &Numbers) -> Design {
+    fn with(&self, numbers: &DesignNumbers) -> FunctionDesign {
         let n = numbers;
-        Design {
-            linkage: Linkage {
+        FunctionDesign {
+            linkage: FunctionLinkage {
                 crank: n[0],
                 coupler: n[1].abs(),
                 third: n[2],
                 ..self.linkage
             },
-            law: Law {
+            law: FunctionLaw {
                 crank: [n[3], n[4]],
                 output: [n[5], n[6]],
             },
@@ -65,7 +65,7 @@ impl Design {
     }
 
     /// The output's miss at a pair as it is counted, and whether the linkage closes there.
-    pub(super) fn miss(&self, wanted: &Wanted, [x, y]: [f64; 2]) -> Option<f64> {
+    pub(super) fn miss(&self, wanted: &WantedFunction, [x, y]: [f64; 2]) -> Option<f64> {
         let [datum, scale] = self.law.output;
         let angle = self.law.crank[0] + self.law.crank[1] * x;
         let made = self.linkage.output(angle, self.side)?;
@@ -74,7 +74,7 @@ impl Design {
     }
 
     /// The root of the mean square of the misses; `None` where the linkage does not close at every pair.
-    pub(super) fn rms(&self, wanted: &Wanted) -> Option<f64> {
+    pub(super) fn rms(&self, wanted: &WantedFunction) -> Option<f64> {
         let mut sum = 0.0;
         for pair in &wanted.pairs {
             sum += self.miss(wanted, *pair)?.powi(2);
@@ -84,9 +84,9 @@ impl Design {
     }
 
     /// The same on the side that misses less, and how much that is; misses count where it does not close, too.
-    pub(super) fn on_the_better_side(self, wanted: &Wanted) -> (Design, f64) {
+    pub(super) fn on_the_better_side(self, wanted: &WantedFunction) -> (FunctionDesign, f64) {
         let sum = |side: f64| {
-            let there = Design { side, ..self };
+            let there = FunctionDesign { side, ..self };
             (there, there.slopes(wanted).sum)
         };
         let (one, other) = (sum(1.0), sum(-1.0));
@@ -95,7 +95,7 @@ impl Design {
 
     /// The minimum into which it falls, or where it is after so many steps; `None` where that is no linkage, or does not
     /// close at every pair.
-    pub(super) fn refined(self, wanted: &Wanted, steps: usize) -> Option<Design> {
+    pub(super) fn refined(self, wanted: &WantedFunction, steps: usize) -> Option<FunctionDesign> {
         let (mut here, mut slopes) = (self, self.slopes(wanted));
         let (mut damping, mut still) = (DAMPING, 0);
         for _ in 0..steps {
@@ -113,7 +113,7 @@ impl Design {
     }
 
     /// Whether all numbers are the same but for a part.
-    pub(super) fn is_near(&self, other: &Design, part: f64) -> bool {
+    pub(super) fn is_near(&self, other: &FunctionDesign, part: f64) -> bool {
         let (a, b) = (self.numbers(), other.numbers());
         let mut pairs = a.iter().zip(b.iter());
         self.side == other.side && pairs.all(|(a, b)| (a - b).abs() <= part * (1.0 + a.abs()))
@@ -122,10 +122,10 @@ impl Design {
     /// One step downhill; `None` where no damping makes one.
     fn step(
         &self,
-        wanted: &Wanted,
-        slopes: &Slopes,
+        wanted: &WantedFunction,
+        slopes: &MissSlopes,
         damping: &mut f64,
-    ) -> Option<(Design, Slopes)> {
+    ) -> Option<(FunctionDesign, MissSlopes)> {
         while *damping < MOST_DAMPING {
             let next = self.with(&(self.numbers() - slopes.step(*damping)));
             let there = next.slopes(wanted);
@@ -138,15 +138,16 @@ impl Design {
         None
     }
 
-    fn slopes(&self, wanted: &Wanted) -> Slopes {
+    fn slopes(&self, wanted: &WantedFunction) -> MissSlopes {
         let [datum, scale] = self.law.output;
         let unit = unit(wanted, scale);
         let free = free(wanted);
-        let row = |n: [f64; NUMBERS]| Numbers::from_fn(|i, _| if free[i] { n[i] } else { 0.0 });
-        let mut slopes = Slopes {
+        let row =
+            |n: [f64; NUMBERS]| DesignNumbers::from_fn(|i, _| if free[i] { n[i] } else { 0.0 });
+        let mut slopes = MissSlopes {
             sum: 0.0,
             triangle: SMatrix::zeros(),
-            goal: Numbers::zeros(),
+            goal: DesignNumbers::zeros(),
         };
         for &[x, y] in &wanted.pairs {
             let angle = self.law.crank[0] + self.law.crank[1] * x;
@@ -168,14 +169,14 @@ impl Design {
     }
 }
 
-impl Slopes {
+impl MissSlopes {
     /// One more row of J, with its residual, turned into the triangle by Givens' rotations.
-    fn add(&mut self, miss: f64, by: Numbers) {
+    fn add(&mut self, miss: f64, by: DesignNumbers) {
         self.sum += miss * miss;
         self.turn_in(miss, by);
     }
 
-    fn turn_in(&mut self, mut miss: f64, mut by: Numbers) {
+    fn turn_in(&mut self, mut miss: f64, mut by: DesignNumbers) {
         for i in 0..NUMBERS {
             if by[i] == 0.0 {
                 continue;
@@ -194,14 +195,14 @@ impl Slopes {
     }
 
     /// What is to be taken off the numbers, damped in each by the size of its own derivatives.
-    fn step(&self, damping: f64) -> Numbers {
+    fn step(&self, damping: f64) -> DesignNumbers {
         let mut damped = self.clone();
         for i in 0..NUMBERS {
-            let mut row = Numbers::zeros();
+            let mut row = DesignNumbers::zeros();
             row[i] = damping.sqrt() * self.triangle.column(i).norm();
             damped.turn_in(0.0, row);
         }
-        let mut way = Numbers::zeros();
+        let mut way = DesignNumbers::zeros();
         for i in (0..NUMBERS).rev() {
             let rest: f64 = (i + 1..NUMBERS)
                 .map(|j| damped.triangle[(i, j)] * way[j])
@@ -216,7 +217,7 @@ impl Slopes {
 }
 
 /// In what a miss is counted: in y where the output's scale is free.
-fn unit(wanted: &Wanted, scale: f64) -> f64 {
+fn unit(wanted: &WantedFunction, scale: f64) -> f64 {
     if wanted.given[3].is_none() {
         scale * wanted.span(1)
     } else {
@@ -231,7 +232,7 @@ fn apart(output: Output, difference: f64) -> f64 {
     }
 }
 
-fn free(wanted: &Wanted) -> [bool; NUMBERS] {
+fn free(wanted: &WantedFunction) -> [bool; NUMBERS] {
     let law = wanted.given.map(|given| given.is_none());
     let is_angle = wanted.output == Output::Angle;
     [is_angle, true, true, law[0], law[1], law[2], law[3]]
@@ -253,25 +254,25 @@ mod tests {
                 Output::Slide
             };
             let mut number = || 1.0 + 0.4 * chance.even();
-            let wanted = Wanted {
+            let wanted = WantedFunction {
                 output,
                 pairs: (0..5).map(|_| [number(), number()]).collect(),
                 given: [None, None, None, (round % 4 < 2).then_some(1.2)],
             };
-            let mut numbers = Numbers::from_fn(|_, _| number());
+            let mut numbers = DesignNumbers::from_fn(|_, _| number());
             numbers[1] += 1.0;
             numbers[6] = wanted.given[3].unwrap_or(numbers[6]);
-            let linkage = Linkage {
+            let linkage = FunctionLinkage {
                 output,
                 crank: 1.0,
                 coupler: 1.0,
                 third: 1.0,
             };
-            let law = Law {
+            let law = FunctionLaw {
                 crank: [0.0; 2],
                 output: [0.0; 2],
             };
-            let any = Design {
+            let any = FunctionDesign {
                 linkage,
                 law,
                 side: 1.0,
@@ -279,7 +280,7 @@ mod tests {
             let here = any.with(&numbers).slopes(&wanted);
             let free = free(&wanted);
             for i in (0..NUMBERS).filter(|&i| free[i]) {
-                let mut by = Numbers::zeros();
+                let mut by = DesignNumbers::zeros();
                 by[i] = 1e-6;
                 let [above, below] =
                     [numbers + by, numbers - by].map(|n| any.with(&n).slopes(&wanted).sum);

@@ -1,8 +1,8 @@
 //! What a proposed linkage makes of every x: its structural error.
 
 use super::fit::{fitted, in_order};
-use super::linkage::Linkage;
-use super::wanted::{Law, Wanted, wrapped};
+use super::linkage::FunctionLinkage;
+use super::wanted::{FunctionLaw, WantedFunction, wrapped};
 use crate::Vec2;
 use crate::numeric::lowest;
 use crate::synthesis::{FunctionTask, Output, Partner, Proposal};
@@ -13,8 +13,8 @@ const LOOKS: usize = 361;
 /// A proposal of a function, over its whole range: on the side on which it is at the first pair.
 #[derive(Clone, Debug)]
 pub struct FunctionRun {
-    linkage: Linkage,
-    law: Law,
+    linkage: FunctionLinkage,
+    law: FunctionLaw,
     side: f64,
     size: f64,
 }
@@ -33,7 +33,7 @@ impl FunctionRun {
     /// exactly, where neighbouring pairs are less than half a turn apart. `None` where the proposal is none of a function.
     #[must_use]
     pub fn of(task: &FunctionTask, proposal: &Proposal) -> Option<FunctionRun> {
-        let wanted = Wanted::of(task)?;
+        let wanted = WantedFunction::of(task)?;
         let (crank, coupler, rocker) = proposal.lengths()?;
         let place = |at: Vec2| Vec2::new(at.x / task.size, at.y / task.size);
         let pins: Vec<[Vec2; 2]> = proposal
@@ -47,7 +47,7 @@ impl FunctionRun {
             (Partner::Slide(_), Output::Slide) => first.y,
             _ => return None,
         };
-        let linkage = Linkage {
+        let linkage = FunctionLinkage {
             output: wanted.output,
             crank: crank / task.size,
             coupler: coupler / task.size,
@@ -63,7 +63,7 @@ impl FunctionRun {
         let ys: Vec<f64> = wanted.pairs.iter().map(|pair| pair[1]).collect();
         let is_angle = wanted.output == Output::Angle;
         let order = in_order(&xs);
-        let law = Law {
+        let law = FunctionLaw {
             crank: fitted(
                 &order,
                 &xs,

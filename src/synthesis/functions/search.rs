@@ -3,9 +3,9 @@
 //! A start is a linkage through a few of the pairs, or nearly through all, by algebra; datums are found with it, and
 //! only scales are tried, by how far crank and output swing over the pairs. Starts are the same ones at every call.
 
-use super::refine::Design;
-use super::wanted::Wanted;
-use super::{Exact, exact};
+use super::refine::FunctionDesign;
+use super::wanted::WantedFunction;
+use super::{ExactDesigns, exact};
 use crate::synthesis::Output;
 use std::f64::consts::{PI, TAU};
 
@@ -44,7 +44,7 @@ pub(super) fn order(output: Output) -> [usize; 4] {
 }
 
 /// Values at which a number of the law may be fixed, about so many.
-pub(super) fn values(wanted: &Wanted, index: usize, count: usize) -> Vec<f64> {
+pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec<f64> {
     let span = wanted.span(index / 2);
     let evenly = |[low, high]: [f64; 2], count: usize| {
         let parts = count.saturating_sub(1).max(1) as f64;
@@ -68,8 +68,8 @@ pub(super) fn values(wanted: &Wanted, index: usize, count: usize) -> Vec<f64> {
 }
 
 /// The minima that were found, the least first.
-pub(super) fn minima(wanted: &Wanted) -> Vec<Design> {
-    let mut starts: Vec<(f64, Design)> = cells(wanted)
+pub(super) fn minima(wanted: &WantedFunction) -> Vec<FunctionDesign> {
+    let mut starts: Vec<(f64, FunctionDesign)> = cells(wanted)
         .iter()
         .flat_map(|cell| best_starts(wanted, cell))
         .collect();
@@ -83,9 +83,13 @@ pub(super) fn minima(wanted: &Wanted) -> Vec<Design> {
 }
 
 /// Different designs on their way to a minimum after so many steps, the best first.
-fn refined(wanted: &Wanted, from: impl Iterator<Item = Design>, steps: usize) -> Vec<Design> {
+fn refined(
+    wanted: &WantedFunction,
+    from: impl Iterator<Item = FunctionDesign>,
+    steps: usize,
+) -> Vec<FunctionDesign> {
     let useless = USELESS * output_span(wanted);
-    let mut found: Vec<(f64, Design)> = Vec::new();
+    let mut found: Vec<(f64, FunctionDesign)> = Vec::new();
     for start in from {
         let Some(design) = start.refined(wanted, steps) else {
             continue;
@@ -102,12 +106,12 @@ fn refined(wanted: &Wanted, from: impl Iterator<Item = Design>, steps: usize) ->
 }
 
 /// The swing of the output as misses are counted.
-fn output_span(wanted: &Wanted) -> f64 {
+fn output_span(wanted: &WantedFunction) -> f64 {
     wanted.given[3].map_or(1.0, |scale| scale.abs() * wanted.span(1))
 }
 
 /// The task with values for the numbers that algebra does not find.
-fn cells(wanted: &Wanted) -> Vec<Wanted> {
+fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
     // Of a slide algebra does not find both the crank's datum and a scale without the output's datum.
     let is_hard = wanted.given[3].is_none() && wanted.given[2].is_some();
     let is_tried = |index: usize| match wanted.output {
@@ -131,8 +135,8 @@ fn cells(wanted: &Wanted) -> Vec<Wanted> {
 }
 
 /// The starts of a cell that miss least, with the sums of their squares.
-fn best_starts(wanted: &Wanted, cell: &Wanted) -> Vec<(f64, Design)> {
-    let mut starts: Vec<(f64, Design)> = starts_of(cell)
+fn best_starts(wanted: &WantedFunction, cell: &WantedFunction) -> Vec<(f64, FunctionDesign)> {
+    let mut starts: Vec<(f64, FunctionDesign)> = starts_of(cell)
         .into_iter()
         .map(|design| design.on_the_better_side(wanted))
         .map(|(design, sum)| (sum, design))
@@ -148,10 +152,11 @@ fn best_starts(wanted: &Wanted, cell: &Wanted) -> Vec<(f64, Design)> {
 }
 
 /// Through subsets of the pairs, and nearly through all of them.
-fn starts_of(wanted: &Wanted) -> Vec<Design> {
+fn starts_of(wanted: &WantedFunction) -> Vec<FunctionDesign> {
     let (needed, count) = (wanted.unknowns(), wanted.pairs.len());
-    let designs =
-        |wanted: &Wanted| exact(wanted).map_or_else(Vec::new, |Exact { designs, .. }| designs);
+    let designs = |wanted: &WantedFunction| {
+        exact(wanted).map_or_else(Vec::new, |ExactDesigns { designs, .. }| designs)
+    };
     let mut all = designs(wanted);
     if needed < count {
         for subset in subsets(needed, count) {

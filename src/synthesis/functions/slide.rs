@@ -25,11 +25,11 @@
 //! a given datum of the crank are linear in |z|, |z|^2, |z| e and m.
 
 use super::lines::{SAMPLES, solved};
-use super::linkage::Linkage;
-use super::refine::Design;
+use super::linkage::FunctionLinkage;
+use super::refine::FunctionDesign;
 use super::trigonometric::zeros;
-use super::wanted::{Law, Wanted};
-use super::{Exact, law_angles};
+use super::wanted::{FunctionLaw, WantedFunction};
+use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -38,7 +38,7 @@ const SINGULAR: f64 = 1e-12;
 
 /// As [`super::angle::exact`]. `None` where it is not known how: the crank's scale free, or its datum and the output's
 /// scale without the output's datum.
-pub(super) fn exact(wanted: &Wanted) -> Option<Exact> {
+pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     match wanted.given {
         [_, None, ..] => None,
         [Some(_), _, _, Some(_)] => Some(turned_by(wanted, 0.0)),
@@ -50,7 +50,7 @@ pub(super) fn exact(wanted: &Wanted) -> Option<Exact> {
 }
 
 /// The rows at a turn of the crank: of T where it is free, e, m, and what is known.
-fn rows_at(wanted: &Wanted, turn: f64) -> Option<Vec<Vec<f64>>> {
+fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
     let (angles, ..) = law_angles(wanted)?;
     let is_free = wanted.given[2].is_none();
     let row = |[p, q]: &[f64; 2]| {
@@ -66,7 +66,7 @@ fn rows_at(wanted: &Wanted, turn: f64) -> Option<Vec<Vec<f64>>> {
 }
 
 /// The solution, or of many pairs the one of least squares, where the crank's datum is this much more.
-fn turned_by(wanted: &Wanted, turn: f64) -> Exact {
+fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
     let found = || {
         let rows = rows_at(wanted, turn)?;
         let width = rows.first()?.len() - 1;
@@ -86,9 +86,9 @@ fn turned_by(wanted: &Wanted, turn: f64) -> Exact {
         Some((lengths, t, is_regular))
     };
     let Some((lengths, datum, is_complete)) = found() else {
-        return Exact::default();
+        return ExactDesigns::default();
     };
-    let law = |scale: f64| Law {
+    let law = |scale: f64| FunctionLaw {
         crank: [
             wanted.given[0].unwrap_or(0.0) + turn,
             wanted.given[1].unwrap_or(1.0),
@@ -96,14 +96,14 @@ fn turned_by(wanted: &Wanted, turn: f64) -> Exact {
         output: [wanted.given[2].unwrap_or(datum), scale],
     };
     let law = law(wanted.given[3].unwrap_or(1.0));
-    Exact {
+    ExactDesigns {
         designs: design(wanted, lengths, law).into_iter().collect(),
         is_complete,
     }
 }
 
 /// The crank's datum is free: where the rows with what is known have no rank of their own.
-fn turned(wanted: &Wanted) -> Exact {
+fn turned(wanted: &WantedFunction) -> ExactDesigns {
     let width = rows_at(wanted, 0.0).map_or(0, |rows| rows.first().map_or(0, Vec::len));
     let determinant = |turn: f64| {
         let rows = rows_at(wanted, turn)?;
@@ -118,9 +118,9 @@ fn turned(wanted: &Wanted) -> Exact {
     } else {
         (grid(), false)
     };
-    let mut all = Exact {
+    let mut all = ExactDesigns {
         is_complete,
-        ..Exact::default()
+        ..ExactDesigns::default()
     };
     for turn in turns {
         let exact = turned_by(wanted, turn);
@@ -136,7 +136,7 @@ fn grid() -> Vec<f64> {
 }
 
 /// Both the output's datum and its scale are free.
-fn in_y(wanted: &Wanted) -> Exact {
+fn in_y(wanted: &WantedFunction) -> ExactDesigns {
     let is_free = wanted.given[0].is_none();
     let (datum, scale) = (
         wanted.given[0].unwrap_or(0.0),
@@ -171,20 +171,20 @@ fn in_y(wanted: &Wanted) -> Exact {
         let coupler = (z.norm_sqr() + e * e + t * t - m).sqrt();
         let crank = if is_free { z.arg() } else { datum };
         // The crank is 1: a negative one turns what is counted in it.
-        let law = Law {
+        let law = FunctionLaw {
             crank: [crank, scale],
             output: [t / size, 1.0 / size],
         };
         design(wanted, [1.0, coupler / size.abs(), e / size], law)
     });
-    Exact {
+    ExactDesigns {
         designs: designs.collect(),
         is_complete: solved.is_complete,
     }
 }
 
 /// The output's scale is free, and its datum so many cranks.
-fn from_datum(wanted: &Wanted, datum: f64) -> Exact {
+fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
     let (angle, turn) = (
         wanted.given[0].unwrap_or(0.0),
         wanted.given[1].unwrap_or(1.0),
@@ -200,20 +200,24 @@ fn from_datum(wanted: &Wanted, datum: f64) -> Exact {
     let designs = solved.vectors.iter().filter_map(|v| {
         let (z, e, m) = (v[1] / v[0], v[3] / v[1], v[4] / v[0]);
         let coupler = (z * z * (1.0 + datum * datum) + e * e - m).sqrt();
-        let law = Law {
+        let law = FunctionLaw {
             crank: [angle, turn],
             output: [datum, 1.0 / z],
         };
         design(wanted, [1.0, coupler / z.abs(), e / z], law)
     });
-    Exact {
+    ExactDesigns {
         designs: designs.collect(),
         is_complete: solved.is_complete,
     }
 }
 
-fn design(wanted: &Wanted, [crank, coupler, third]: [f64; 3], law: Law) -> Option<Design> {
-    let linkage = Linkage {
+fn design(
+    wanted: &WantedFunction,
+    [crank, coupler, third]: [f64; 3],
+    law: FunctionLaw,
+) -> Option<FunctionDesign> {
+    let linkage = FunctionLinkage {
         output: wanted.output,
         crank,
         coupler,
@@ -222,7 +226,7 @@ fn design(wanted: &Wanted, [crank, coupler, third]: [f64; 3], law: Law) -> Optio
     let [x, y] = *wanted.pairs.first()?;
     let is_number = (law.crank.iter().chain(&law.output)).all(|v| v.is_finite());
     let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
-    (linkage.is_sound() && is_number).then(|| Design {
+    (linkage.is_sound() && is_number).then(|| FunctionDesign {
         linkage,
         law,
         side: linkage.side(at(law.crank, x), at(law.output, y)),

@@ -6,23 +6,23 @@ use std::f64::consts::TAU;
 
 /// The crank at `crank[0] + crank[1] x`, the output at `output[0] + output[1] y`: in radians, of a slide in cranks.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct FunctionLaw {
     pub(super) crank: [f64; 2],
     pub(super) output: [f64; 2],
 }
 
-/// What is wanted: pairs, and which of the four numbers of the [`Law`] are given.
+/// What is wanted: pairs, and which of the four numbers of the [`FunctionLaw`] are given.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Wanted {
+pub(super) struct WantedFunction {
     pub(super) output: Output,
     pub(super) pairs: Vec<[f64; 2]>,
     /// Crank datum, crank scale, output datum, output scale.
     pub(super) given: [Option<f64>; 4],
 }
 
-impl Wanted {
+impl WantedFunction {
     /// `None` where a number of the task is none, where the size is not positive, or a scale is 0.
-    pub(super) fn of(task: &FunctionTask) -> Option<Wanted> {
+    pub(super) fn of(task: &FunctionTask) -> Option<WantedFunction> {
         let of = |given: Given, unit: f64| match given {
             Given::Value(value) => Some(value * unit),
             Given::Free => None,
@@ -43,7 +43,7 @@ impl Wanted {
             && (task.size > 0.0 && task.size.is_finite())
             && given[1] != Some(0.0)
             && given[3] != Some(0.0);
-        is_sound.then(|| Wanted {
+        is_sound.then(|| WantedFunction {
             output: task.output,
             pairs: task.pairs.clone(),
             given,
@@ -60,15 +60,15 @@ impl Wanted {
     }
 
     /// The same with one of the four numbers given.
-    pub(super) fn with(&self, index: usize, value: f64) -> Wanted {
+    pub(super) fn with(&self, index: usize, value: f64) -> WantedFunction {
         let mut with = self.clone();
         with.given[index] = Some(value);
         with
     }
 
     /// The same of fewer pairs.
-    pub(super) fn at(&self, indices: &[usize]) -> Wanted {
-        Wanted {
+    pub(super) fn at(&self, indices: &[usize]) -> WantedFunction {
+        WantedFunction {
             pairs: indices.iter().map(|&i| self.pairs[i]).collect(),
             ..*self
         }

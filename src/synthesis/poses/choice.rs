@@ -1,6 +1,6 @@
 //! Two dyads make a linkage; of many, those that promise most and are different.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use crate::synthesis::{Partner, Proposal};
 use crate::{Vec2, angle};
 
@@ -16,15 +16,15 @@ const ALIKE: f64 = 0.5;
 const DEFECTIVE: usize = 8;
 
 /// A linkage of two dyads, as far as it is one that is wanted.
-pub(super) struct Pairing<'a> {
+pub(super) struct DyadPairing<'a> {
     pub guidance: &'a Guidance,
     pub four_bars: bool,
     pub slider_cranks: bool,
 }
 
-impl Pairing<'_> {
+impl DyadPairing<'_> {
     /// Two dyads as a linkage; of a four-bar the better one of its two pivots drives.
-    pub(super) fn linkage(&self, a: &Held, b: &Held) -> Option<Proposal> {
+    pub(super) fn linkage(&self, a: &PinHeld, b: &PinHeld) -> Option<Proposal> {
         let (crank, pivot, other) = match (a.by, b.by) {
             (Partner::Rocker(pivot), Partner::Rocker(_)) if self.four_bars => (a, pivot, b),
             (Partner::Rocker(pivot), Partner::Slide(_)) if self.slider_cranks => (a, pivot, b),
@@ -52,14 +52,19 @@ impl Pairing<'_> {
 
     /// The linkages of all pairs of dyads: where a number is given, at most so many, each different from those before
     /// it.
-    pub(super) fn among(&self, dyads: &[Held], most: Option<usize>) -> Vec<Proposal> {
+    pub(super) fn among(&self, dyads: &[PinHeld], most: Option<usize>) -> Vec<Proposal> {
         let pairs = dyads.iter().enumerate();
         let pairs = pairs.flat_map(|(k, a)| dyads[..k].iter().map(move |b| (a, b)));
         self.best(pairs.filter_map(|(a, b)| self.linkage(a, b)), most)
     }
 
     /// The same of all pairs with one dyad that is given.
-    pub(super) fn with(&self, given: &Held, dyads: &[Held], most: Option<usize>) -> Vec<Proposal> {
+    pub(super) fn with(
+        &self,
+        given: &PinHeld,
+        dyads: &[PinHeld],
+        most: Option<usize>,
+    ) -> Vec<Proposal> {
         let others = dyads
             .iter()
             .filter(|dyad| !self.guidance.is_same(given, dyad));
@@ -73,7 +78,7 @@ impl Pairing<'_> {
             return ranked.into_iter().map(|(_, linkage)| linkage).collect();
         };
         // Both kinds have their share.
-        let (mut four_bars, mut slider_cranks) = (Kind::default(), Kind::default());
+        let (mut four_bars, mut slider_cranks) = (ChosenOfKind::default(), ChosenOfKind::default());
         let share = match self.four_bars && self.slider_cranks {
             true => most / 2,
             false => most,
@@ -98,7 +103,7 @@ impl Pairing<'_> {
 
 /// Those of one kind that were chosen.
 #[derive(Default)]
-struct Kind {
+struct ChosenOfKind {
     found: Vec<Proposal>,
     defective: usize,
 }

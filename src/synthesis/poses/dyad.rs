@@ -14,7 +14,7 @@
 
 use super::form::{self, Form};
 use super::space::{self, Triple};
-use crate::synthesis::{Dyad, Partner, PoseTask};
+use crate::synthesis::{Partner, PoseTask, PosedDyad};
 use crate::{Double, Vec2, angle};
 
 /// What a pin may miss its circle or its line by, as a part of the size.
@@ -31,7 +31,7 @@ const RIDGE: f64 = 1e-4;
 
 /// A pin of the body and what can hold it in all poses.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Held {
+pub(super) struct PinHeld {
     /// The pivot or the slide.
     pub by: Partner,
     /// The pin in the body's frame.
@@ -40,11 +40,11 @@ pub(super) struct Held {
     pub places: Vec<Vec2>,
 }
 
-impl Held {
+impl PinHeld {
     /// The same as others see it.
-    pub(super) fn dyad(&self) -> Option<Dyad> {
+    pub(super) fn dyad(&self) -> Option<PosedDyad> {
         let pin = *self.places.first()?;
-        Some(Dyad { held: self.by, pin })
+        Some(PosedDyad { held: self.by, pin })
     }
 }
 
@@ -123,7 +123,7 @@ impl Guidance {
 
     /// The pin that a pivot of the ground can hold; the only one, where there are three poses or more that say different
     /// things.
-    pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<Held> {
+    pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<PinHeld> {
         let place = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
@@ -138,7 +138,7 @@ impl Guidance {
     }
 
     /// What can hold a pin that is given in the body's frame.
-    pub(super) fn on_pin(&self, pin: Vec2) -> Option<Held> {
+    pub(super) fn on_pin(&self, pin: Vec2) -> Option<PinHeld> {
         let place = (pin - self.quietest).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
@@ -150,7 +150,7 @@ impl Guidance {
 
     /// The dyad of a solution of the equations; none where the pin or its link is at infinity, is nothing, or does not
     /// come through the poses.
-    pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<Held> {
+    pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<PinHeld> {
         self.held(self.pin(pin)?, pivot)
     }
 
@@ -178,7 +178,7 @@ impl Guidance {
         places.iter().any(moves).then_some(places)
     }
 
-    fn held(&self, pin: Vec2, pivot: Triple) -> Option<Held> {
+    fn held(&self, pin: Vec2, pivot: Triple) -> Option<PinHeld> {
         let places = self.places(pin)?;
         let by = self
             .slide(&places, pivot)
@@ -186,13 +186,13 @@ impl Guidance {
         Some(self.with(by, pin, &places))
     }
 
-    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> Held {
+    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> PinHeld {
         let places = places.iter().map(|at| at.nearest()).collect();
-        Held { by, pin, places }
+        PinHeld { by, pin, places }
     }
 
     /// Whether two dyads differ by rounding alone.
-    pub(super) fn is_same(&self, a: &Held, b: &Held) -> bool {
+    pub(super) fn is_same(&self, a: &PinHeld, b: &PinHeld) -> bool {
         let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;
         let is_held_alike = match (a.by, b.by) {
             (Partner::Rocker(p), Partner::Rocker(q)) => {

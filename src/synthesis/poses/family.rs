@@ -4,17 +4,17 @@
 //! All of them solve any three of the four equations, and are on the curve of these. What is a part of that curve solves
 //! the fourth along it; what is not, where the fourth changes its sign.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
 use super::space;
-use super::trace::Spot;
+use super::trace::CurveSpot;
 use super::{five, four};
 
 /// A fourth equation below this, where all coordinates are of size one, holds but for rounding: its sign says nothing.
 const HOLDS: f64 = 1e-10;
 
 /// The dyads in the order of their curve, each single one as a piece of its own; none where the equations are not four.
-pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<Held>> {
+pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     let Ok(forms) = <&[Form; 4]>::try_from(guidance.forms.as_slice()) else {
         return Vec::new();
     };
@@ -25,13 +25,13 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<Held>> {
         .unwrap_or_default()
 }
 
-fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<Held>> {
+fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<PinHeld>> {
     let [left_out, others @ ..] = forms;
-    let rest = |spot: &Spot| space::dot(form::of_pivot(left_out, spot.pivot), spot.pin).hi;
-    let mut pieces: Vec<Vec<Held>> = Vec::new();
-    let mut single: Vec<Held> = Vec::new();
+    let rest = |spot: &CurveSpot| space::dot(form::of_pivot(left_out, spot.pivot), spot.pin).hi;
+    let mut pieces: Vec<Vec<PinHeld>> = Vec::new();
+    let mut single: Vec<PinHeld> = Vec::new();
     for piece in four::traced(others, guidance.offsets()) {
-        let dyad = |spot: &Spot| guidance.dyad(spot.pin, spot.pivot);
+        let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         pieces.push(piece.spots.iter().filter_map(dyad).collect());
         for pair in piece.spots.windows(2) {
             let [before, behind] = [rest(&pair[0]), rest(&pair[1])];
@@ -39,7 +39,7 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<Held>> {
             if is_meant && before * behind * turn(&pair[0], &pair[1]) <= 0.0 {
                 let met = five::refined(forms, pair[1].pin);
                 let met = met.and_then(|(pin, pivot)| guidance.dyad(pin, pivot));
-                let is_new = |new: &Held| !single.iter().any(|old| guidance.is_same(new, old));
+                let is_new = |new: &PinHeld| !single.iter().any(|old| guidance.is_same(new, old));
                 single.extend(met.filter(is_new));
             }
         }
@@ -50,6 +50,6 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<Held>> {
 }
 
 /// Negative where the coordinates of one of two neighbours have the other sign.
-fn turn(a: &Spot, b: &Spot) -> f64 {
+fn turn(a: &CurveSpot, b: &CurveSpot) -> f64 {
     (space::dot(a.pin, b.pin) * space::dot(a.pivot, b.pivot)).hi
 }

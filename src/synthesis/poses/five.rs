@@ -8,7 +8,7 @@
 //!
 //! All in twice the digits: in doubles, nearly repeated poses would leave no digit of the quartic.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
 use super::polynomial::{self, Cubic};
 use super::space::{self, Triple};
@@ -26,14 +26,14 @@ const NOUGHT: f64 = 1e-13;
 const MOST_STEPS: usize = 40;
 
 /// All dyads through five poses; none where there are any number.
-pub(super) fn dyads(guidance: &Guidance) -> Option<Vec<Held>> {
+pub(super) fn dyads(guidance: &Guidance) -> Option<Vec<PinHeld>> {
     let forms: &[Form; 4] = guidance.forms.as_slice().try_into().ok()?;
-    let mut found: Vec<Held> = Vec::new();
+    let mut found: Vec<PinHeld> = Vec::new();
     for direction in DIRECTIONS.map(Double::unit) {
         let forms = (*forms).map(|form| form::turned(&form, direction));
         for (pin, pivot) in solutions(&forms)? {
             let dyad = guidance.dyad(form::turned_back(pin, direction), pivot);
-            let is_new = |new: &Held| !found.iter().any(|other| guidance.is_same(new, other));
+            let is_new = |new: &PinHeld| !found.iter().any(|other| guidance.is_same(new, other));
             found.extend(dyad.filter(is_new));
         }
     }

@@ -13,11 +13,11 @@
 //! and none has to be searched. Over an interval `[l, u]` with `x = l + (u - l) cos^2(s / 2)` both roots y together are
 //! one smooth closed piece, s from 0 to 360 degrees.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
 use super::polynomial::{self, Cubic};
 use super::space::{self, Triple};
-use super::trace::{self, Piece, Spot};
+use super::trace::{self, CurveSpot, Piece};
 use crate::{Double, Vec2};
 
 /// How far the curve is followed where it is no cubic and goes on without an end, in units of the equations.
@@ -29,19 +29,19 @@ const NOUGHT: f64 = 1e-12;
 
 /// The curve in pieces: each ends where the pin or the pivot passes through infinity, or where it began. A slide stands
 /// where the pivot does. None unless the equations are three, and where every pin has a pivot.
-pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<Held>> {
+pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     let Ok(forms) = guidance.forms.as_slice().try_into() else {
         return Vec::new();
     };
     let slide = slide(guidance, forms);
     let dyads = |piece: &Piece| {
-        let dyad = |spot: &Spot| guidance.dyad(spot.pin, spot.pivot);
+        let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         let before = slide.iter().filter(|_| piece.begins_at_slide).cloned();
         let behind = slide.iter().filter(|_| piece.ends_at_slide).cloned();
         let links = piece.spots.iter().filter_map(dyad);
         before.chain(links).chain(behind).collect()
     };
-    let mut pieces: Vec<Vec<Held>> = traced(forms, guidance.offsets())
+    let mut pieces: Vec<Vec<PinHeld>> = traced(forms, guidance.offsets())
         .iter()
         .map(dyads)
         .collect();
@@ -51,7 +51,7 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<Held>> {
 
 /// The solutions of three equations, along their curve as it is seen with these offsets of pins and pivots.
 pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece> {
-    let Some(curve) = Curve::new(*forms, offsets) else {
+    let Some(curve) = PinCurve::new(*forms, offsets) else {
         return Vec::new();
     };
     let pieces = |run: &Run| trace::pieces(run, |s| curve.spot(run, s));
@@ -60,7 +60,7 @@ pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece
 
 /// The one pin whose four places are on a line. The determinant of the equations with a normal `(X, Y, 0)` for the pivot
 /// is `(X^2 + Y^2) (p X + q Y)`: its values along both axes are p and q.
-pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<Held> {
+pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<PinHeld> {
     let rows = |normal: Triple| forms.map(|f| form::of_pivot(&f, normal));
     let along = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
     let p = space::determinant(rows(along(1.0, 0.0)));
@@ -73,7 +73,7 @@ pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<Held> {
 }
 
 /// The circle-point curve in a frame with its real point at infinity in the direction of y.
-struct Curve {
+struct PinCurve {
     forms: [Form; 3],
     offsets: [Vec2<Double>; 2],
     /// The x axis of that frame.
@@ -100,9 +100,9 @@ pub(super) enum Run {
     Line(Double),
 }
 
-impl Curve {
+impl PinCurve {
     /// None where every pin has a pivot.
-    fn new(forms: [Form; 3], offsets: [Vec2<Double>; 2]) -> Option<Curve> {
+    fn new(forms: [Form; 3], offsets: [Vec2<Double>; 2]) -> Option<PinCurve> {
         // With a pin at infinity the determinant is (x^2 + y^2) (p x + q y).
         let far = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
         let at_infinity = |pin| space::determinant(forms.map(|f| form::of_pin(&f, pin)));
@@ -118,7 +118,7 @@ impl Curve {
         let columns = turned.map(|f| form::columns(&f));
         let cubic = polynomial::determinant([&columns[0], &columns[1], &columns[2]]);
         let [alpha, beta, gamma] = in_y(&cubic, is_cubic);
-        let mut curve = Curve {
+        let mut curve = PinCurve {
             forms: turned,
             offsets,
             direction,
@@ -188,7 +188,7 @@ impl Curve {
     }
 
     /// Pin and pivot at s degrees of a run.
-    fn spot(&self, run: &Run, s: f64) -> Option<Spot> {
+    fn spot(&self, run: &Run, s: f64) -> Option<CurveSpot> {
         let half = Double::unit(0.5 * s);
         let pin = match *run {
             Run::Line(x) => [x * half.x, half.y, half.x],
@@ -208,7 +208,7 @@ impl Curve {
         let pin = form::turned_back(pin, self.direction);
         let seen = [(pin, self.offsets[0]), (pivot, self.offsets[1])];
         let seen = seen.map(|([x, y, w], offset)| [x + offset.x * w, y + offset.y * w, w]);
-        Some(Spot { pin, pivot, seen })
+        Some(CurveSpot { pin, pivot, seen })
     }
 
     /// The y at an x, as a ratio: the root with the positive square root of D, or the other one, either without

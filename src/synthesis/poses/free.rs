@@ -1,9 +1,10 @@
 //! What dyads there are, where none is given.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use super::{family, five, four, three};
 use crate::Vec2;
-use crate::synthesis::{Dyad, Partner, PoseTask};
+use crate::synthesis::{Partner, PoseTask, PosedDyad};
+use std::ops::RangeInclusive;
 
 /// Linkages that are proposed of a grid, and of a curve.
 const MOST_OF_GRID: usize = 100;
@@ -13,16 +14,16 @@ const DYADS_OF_CURVE: usize = 96;
 /// Where there are any number, no linkage is made of pins and pivots further away than this many sizes, and of links
 /// shorter or longer than these.
 const REACH: f64 = 6.0;
-const LENGTHS: [f64; 2] = [0.03, 12.0];
+const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
 
 /// What there is.
 pub(super) struct Free {
     /// All dyads, or those that linkages are made of.
-    pub dyads: Vec<Held>,
+    pub dyads: Vec<PinHeld>,
     /// How many linkages are proposed where the dyads are a choice; none where they are all.
     pub most: Option<usize>,
     /// The curve that they are on, if they are on one.
-    pub curves: Vec<Vec<Dyad>>,
+    pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Free {
@@ -35,7 +36,7 @@ impl Free {
                 curves: Vec::new(),
             };
         }
-        let is_handy = |dyad: &Held| is_handy(guidance, dyad, inside);
+        let is_handy = |dyad: &PinHeld| is_handy(guidance, dyad, inside);
         let mut pieces = four::pieces(guidance);
         pieces.extend(family::pieces(guidance));
         if pieces.is_empty() {
@@ -46,10 +47,10 @@ impl Free {
                 curves: Vec::new(),
             };
         }
-        let seen = |piece: &Vec<Held>| piece.iter().filter_map(Held::dyad).collect();
+        let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
         let curves = pieces.iter().map(seen).collect();
         let handy = pieces.into_iter().flatten().filter(is_handy);
-        let (slides, links): (Vec<Held>, Vec<Held>) =
+        let (slides, links): (Vec<PinHeld>, Vec<PinHeld>) =
             handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
         let mut dyads = thinned(&links);
         dyads.extend(thinned(&slides));
@@ -62,12 +63,12 @@ impl Free {
 }
 
 /// As many as linkages are made of, evenly along the curve.
-fn thinned(dyads: &[Held]) -> Vec<Held> {
+fn thinned(dyads: &[PinHeld]) -> Vec<PinHeld> {
     let stride = dyads.len().div_ceil(DYADS_OF_CURVE).max(1);
     dyads.iter().step_by(stride).cloned().collect()
 }
 
-fn is_handy(guidance: &Guidance, dyad: &Held, inside: Option<[Vec2; 2]>) -> bool {
+fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>) -> bool {
     let size = guidance.size;
     let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * size;
     let is_inside = |at: Vec2| {
@@ -84,7 +85,7 @@ fn is_handy(guidance: &Guidance, dyad: &Held, inside: Option<[Vec2; 2]>) -> bool
             let length = (pin - pivot).norm() / size;
             // Of a box that is given one is as near as another.
             let is_near = inside.is_some() || is_near(pivot);
-            is_near && is_inside(pivot) && LENGTHS[0] <= length && length <= LENGTHS[1]
+            is_near && is_inside(pivot) && LENGTHS.contains(&length)
         }
         Partner::Slide(_) => true,
     };

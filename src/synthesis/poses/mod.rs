@@ -32,8 +32,8 @@ mod trace;
 
 use super::{PoseTask, Proposals};
 use crate::Vec2;
-use choice::Pairing;
-use dyad::{Guidance, Held};
+use choice::DyadPairing;
+use dyad::{Guidance, PinHeld};
 use free::Free;
 
 /// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
@@ -53,7 +53,7 @@ pub(crate) fn propose(
     let Some(guidance) = Guidance::new(task) else {
         return Proposals::default();
     };
-    let pairing = Pairing {
+    let pairing = DyadPairing {
         guidance: &guidance,
         four_bars,
         slider_cranks,
@@ -76,10 +76,10 @@ pub(crate) fn propose(
 }
 
 /// The dyads of the pivots and pins that are given; none where one of these cannot be led through the poses.
-fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<Held>> {
+fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<PinHeld>> {
     let of_pivots = task.pivots.iter().map(|&at| guidance.on_pivot(at));
     let of_pins = task.pins.iter().map(|&at| guidance.on_pin(at));
-    let mut found: Vec<Held> = Vec::new();
+    let mut found: Vec<PinHeld> = Vec::new();
     for dyad in of_pivots.chain(of_pins) {
         let dyad = dyad?;
         if !found.iter().any(|other| guidance.is_same(other, &dyad)) {

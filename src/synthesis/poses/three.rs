@@ -3,7 +3,7 @@
 //!
 //! What is free is taken from grids: a choice, not all that there is.
 
-use super::dyad::{Guidance, Held};
+use super::dyad::{Guidance, PinHeld};
 use super::form;
 use super::space;
 use crate::synthesis::PoseTask;
@@ -19,7 +19,11 @@ const DIRECTIONS: u8 = 24;
 
 /// Dyads on a grid of pivots, on a grid of pins, and of slides in all directions. `inside` are two opposite corners of a
 /// box in which pivots are wished to be.
-pub(super) fn dyads(guidance: &Guidance, task: &PoseTask, inside: Option<[Vec2; 2]>) -> Vec<Held> {
+pub(super) fn dyads(
+    guidance: &Guidance,
+    task: &PoseTask,
+    inside: Option<[Vec2; 2]>,
+) -> Vec<PinHeld> {
     let reach = Vec2::new(1.0, 1.0) * (REACH * guidance.size);
     let count = task.poses.len() as f64;
     let middle = task
@@ -41,7 +45,7 @@ fn grid([low, high]: [Vec2; 2], side: u8) -> impl Iterator<Item = Vec2> {
 }
 
 /// The circle of pins whose places are on a line, direction by direction.
-fn slides(guidance: &Guidance) -> impl Iterator<Item = Held> {
+fn slides(guidance: &Guidance) -> impl Iterator<Item = PinHeld> {
     (0..DIRECTIONS).filter_map(|k| {
         let normal = Double::unit(180.0 * f64::from(k) / f64::from(DIRECTIONS));
         let normal = [normal.x, normal.y, Double::ZERO];

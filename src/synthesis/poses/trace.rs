@@ -19,7 +19,7 @@ const INFINITE: f64 = 1e-12;
 
 /// A solution of the equations.
 #[derive(Clone, Copy)]
-pub(super) struct Spot {
+pub(super) struct CurveSpot {
     pub pin: Triple,
     pub pivot: Triple,
     /// Both as they are drawn: from the body's origin, and from the middle of the poses.
@@ -29,7 +29,7 @@ pub(super) struct Spot {
 /// Spots one behind the other, with nothing at infinity between them.
 #[derive(Default)]
 pub(super) struct Piece {
-    pub spots: Vec<Spot>,
+    pub spots: Vec<CurveSpot>,
     /// Whether the pivot comes from infinity.
     pub begins_at_slide: bool,
     /// Whether it goes there.
@@ -37,11 +37,11 @@ pub(super) struct Piece {
 }
 
 /// The pieces of a run: `spot` says what is at s degrees of it, for s from 0 to 360.
-pub(super) fn pieces(run: &Run, spot: impl Fn(f64) -> Option<Spot>) -> Vec<Piece> {
+pub(super) fn pieces(run: &Run, spot: impl Fn(f64) -> Option<CurveSpot>) -> Vec<Piece> {
     if let Run::Over { low, high, .. } = run
         && (low.hi, low.lo) == (high.hi, high.lo)
     {
-        let spots: Vec<Spot> = spot(0.0).into_iter().collect();
+        let spots: Vec<CurveSpot> = spot(0.0).into_iter().collect();
         return vec![Piece {
             spots,
             ..Piece::default()
@@ -75,7 +75,7 @@ fn parts(run: &Run) -> Vec<[f64; 2]> {
     }
 }
 
-fn spots([from, to]: [f64; 2], spot: &impl Fn(f64) -> Option<Spot>) -> Vec<Option<Spot>> {
+fn spots([from, to]: [f64; 2], spot: &impl Fn(f64) -> Option<CurveSpot>) -> Vec<Option<CurveSpot>> {
     let at = |k: u8| from + (to - from) * (f64::from(k) / f64::from(FIRST));
     let mut all = vec![spot(from)];
     for k in 0..FIRST {
@@ -93,11 +93,11 @@ fn spots([from, to]: [f64; 2], spot: &impl Fn(f64) -> Option<Spot>) -> Vec<Optio
 
 /// What is behind `a` up to `b`. A gap stands for what could not be reached.
 fn refine(
-    a: (f64, Option<Spot>),
-    b: (f64, Option<Spot>),
+    a: (f64, Option<CurveSpot>),
+    b: (f64, Option<CurveSpot>),
     halvings: u8,
-    spot: &impl Fn(f64) -> Option<Spot>,
-    all: &mut Vec<Option<Spot>>,
+    spot: &impl Fn(f64) -> Option<CurveSpot>,
+    all: &mut Vec<Option<CurveSpot>>,
 ) {
     let is_near = match (&a.1, &b.1) {
         (Some(a), Some(b)) => {
@@ -137,7 +137,7 @@ fn passes_infinity(a: &Triple, b: &Triple) -> bool {
     dot * a[2].hi * b[2].hi < 0.0 && !(is_far(a) && is_far(b))
 }
 
-fn cut(spots: Vec<Option<Spot>>, is_closed: bool) -> Vec<Piece> {
+fn cut(spots: Vec<Option<CurveSpot>>, is_closed: bool) -> Vec<Piece> {
     let is_whole = is_closed && spots.iter().all(Option::is_some);
     let mut pieces: Vec<Piece> = Vec::new();
     let mut piece = Piece::default();

@@ -128,6 +128,11 @@ impl App {
                         self.shell.grip = Gripped::Course;
                         self.lead_to(at, now);
                     }
+                    Some(PaneSpot::Time(time)) => {
+                        self.pause(now);
+                        self.shell.grip = Gripped::Course;
+                        self.player.lead_to_time(time, now);
+                    }
                 }
             }
         }
@@ -143,6 +148,9 @@ impl App {
             }
             (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
                 self.lead_to(at, now);
+            }
+            (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Time(time)))) => {
+                self.player.lead_to_time(time, now);
             }
             _ => {}
         }

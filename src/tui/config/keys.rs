@@ -31,7 +31,7 @@ fn is_needed(action: Action) -> bool {
 }
 
 /// A key that was given to an action, and where.
-struct Given {
+struct GivenKey {
     entry: &'static ActionRow,
     key: Key,
     place: ByteSpan,
@@ -58,7 +58,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
         keymap.set(entry.action, keys.iter().map(|(key, _)| *key).collect());
         given.extend(
             keys.into_iter()
-                .map(|(key, place)| Given { entry, key, place }),
+                .map(|(key, place)| GivenKey { entry, key, place }),
         );
     }
     // What could not be read would lead to clashes that nobody meant.
@@ -151,7 +151,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
 }
 
 /// Tells each key that has two meanings in one place.
-fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[Given]) {
+fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
     for clash in keymap.clashes() {
         let places = |entry: &ActionRow| {
             let mine = given

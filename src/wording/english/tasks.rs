@@ -96,7 +96,7 @@ catalogue! {
 
         // The command.
         does_synthesize = "Find linkages that do a task: poses, a function or a path";
-        task_to_do = "A task file, `-` for standard input, or an example: wiper, tipper, logarithm, straight-line, stirrer (krank help synthesis)";
+        task_to_do = "A task file, `-` for standard input, or an example: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "How many linkages are told, the best first";
         tolerance_of_candidates = "How far each length may be off: it is written into the scenes";
         folder_of_candidates = "A folder for a scene of each linkage that is told";

@@ -94,7 +94,7 @@ catalogue! {
 
         // The command.
         does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
-        task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, tipper, logarithm, straight-line, stirrer (krank help synthesis)";
+        task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
         tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
         folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";

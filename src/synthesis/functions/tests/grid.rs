@@ -4,49 +4,49 @@ use super::super::{FunctionRun, chebyshev_pairs, propose};
 use crate::angle::unit;
 use crate::synthesis::{FunctionTask, Given, Output, Partner, Proposal};
 
-struct Wish {
+struct FunctionWish {
     f: fn(f64) -> f64,
     range: [f64; 2],
 }
 
-const WISHES: [Wish; 10] = [
-    Wish {
+const WISHES: [FunctionWish; 10] = [
+    FunctionWish {
         f: |x| x.powf(1.5),
         range: [1.0, 2.0],
     },
-    Wish {
+    FunctionWish {
         f: |x| x * x,
         range: [0.0, 1.0],
     },
-    Wish {
+    FunctionWish {
         f: |x| x.powi(3),
         range: [0.0, 1.0],
     },
-    Wish {
+    FunctionWish {
         f: f64::sqrt,
         range: [1.0, 4.0],
     },
-    Wish {
+    FunctionWish {
         f: |x| 1.0 / x,
         range: [1.0, 2.0],
     },
-    Wish {
+    FunctionWish {
         f: f64::log10,
         range: [1.0, 2.0],
     },
-    Wish {
+    FunctionWish {
         f: f64::ln,
         range: [1.0, 5.0],
     },
-    Wish {
+    FunctionWish {
         f: f64::exp,
         range: [0.0, 1.0],
     },
-    Wish {
+    FunctionWish {
         f: f64::sin,
         range: [0.0, 1.5],
     },
-    Wish {
+    FunctionWish {
         f: f64::tan,
         range: [0.0, 0.8],
     },
@@ -57,7 +57,7 @@ const BEGINS: [[f64; 2]; 4] = [[30.0, 60.0], [45.0, 200.0], [90.0, 90.0], [120.0
 
 /// A task of the grid with so many pairs at Chebyshev's zeros.
 fn task(
-    wish: &Wish,
+    wish: &FunctionWish,
     swing: [f64; 2],
     begin: [f64; 2],
     count: usize,
@@ -86,7 +86,7 @@ fn task(
 }
 
 /// One assembly through all pairs and all the way between the ends, with no length twenty times another.
-fn is_serviceable(wish: &Wish, task: &FunctionTask, proposal: &Proposal) -> bool {
+fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal) -> bool {
     let (a, b, c) = proposal.lengths().unwrap();
     let lengths = [a, b, c.unwrap(), task.size];
     let longest = lengths.iter().fold(0.0_f64, |most, l| most.max(*l));
@@ -118,7 +118,7 @@ fn is_positive(task: &FunctionTask, proposal: &Proposal) -> bool {
     b.dot(crank) > 0.0 && (c - d).dot(output) > 0.0
 }
 
-fn over_the_grid(mut look: impl FnMut(&Wish, [f64; 2], [f64; 2])) {
+fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
     for wish in &WISHES {
         for swing in SWINGS {
             for begin in BEGINS {

@@ -1,4 +1,4 @@
-//! Planted linkages are among what is found.
+//! PlantedLinkage linkages are among what is found.
 
 mod grid;
 
@@ -7,7 +7,7 @@ use crate::numeric::SeededChance;
 use crate::synthesis::{FunctionTask, Given, Output, Partner, Proposal, Proposals};
 
 /// A linkage that is planted, with its crank's angles in degrees and its output at every one: angles, or travels.
-struct Planted {
+struct PlantedLinkage {
     output: Output,
     lengths: [f64; 3],
     pairs: Vec<[f64; 2]>,
@@ -15,14 +15,14 @@ struct Planted {
 
 /// Datums and scales: the pairs are `(angle - datum) / scale`.
 #[derive(Clone, Copy)]
-struct Law([f64; 4]);
+struct PlantedLaw([f64; 4]);
 
-const PLAIN: Law = Law([0.0, 1.0, 0.0, 1.0]);
-const LAW: Law = Law([20.0, 40.0, -35.0, 25.0]);
+const PLAIN: PlantedLaw = PlantedLaw([0.0, 1.0, 0.0, 1.0]);
+const LAW: PlantedLaw = PlantedLaw([20.0, 40.0, -35.0, 25.0]);
 
-impl Planted {
+impl PlantedLinkage {
     /// At so many angles over a swing, where it closes; by the circles' own formula, which the room does not use.
-    fn draw(chance: &mut SeededChance, output: Output, count: usize) -> Planted {
+    fn draw(chance: &mut SeededChance, output: Output, count: usize) -> PlantedLinkage {
         loop {
             let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + chance.even());
             let (a, b) = (length(0.3, 1.6), length(0.5, 2.0));
@@ -44,7 +44,7 @@ impl Planted {
                     pairs[k][1] += 360.0 * turns;
                 }
             }
-            return Planted {
+            return PlantedLinkage {
                 output,
                 lengths: [a, b, c],
                 pairs,
@@ -52,8 +52,8 @@ impl Planted {
         }
     }
 
-    fn task(&self, law: Law, free: [bool; 4]) -> FunctionTask {
-        let Law([a, b, c, d]) = law;
+    fn task(&self, law: PlantedLaw, free: [bool; 4]) -> FunctionTask {
+        let PlantedLaw([a, b, c, d]) = law;
         let given = |i: usize| {
             if free[i] {
                 Given::Free
@@ -120,7 +120,7 @@ fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (u
     let mut chance = SeededChance::new(200 + count as u64);
     let (mut found, mut is_complete) = (0, true);
     for _ in 0..rounds {
-        let planted = Planted::draw(&mut chance, output, count);
+        let planted = PlantedLinkage::draw(&mut chance, output, count);
         let proposals = propose(&planted.task(law_of(output, free), free));
         found += usize::from(planted.nearest(&proposals) < 1e-9);
         is_complete &= proposals.is_complete;
@@ -128,11 +128,11 @@ fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (u
     (found, is_complete)
 }
 
-fn law_of(output: Output, free: [bool; 4]) -> Law {
+fn law_of(output: Output, free: [bool; 4]) -> PlantedLaw {
     match output {
         Output::Angle if free == [false; 4] => PLAIN,
         Output::Angle => LAW,
-        Output::Slide => Law([LAW.0[0], LAW.0[1], 0.3, 0.7]),
+        Output::Slide => PlantedLaw([LAW.0[0], LAW.0[1], 0.3, 0.7]),
     }
 }
 
@@ -182,7 +182,7 @@ fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
     let mut chance = SeededChance::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
-            let planted = Planted::draw(&mut chance, output, 9);
+            let planted = PlantedLinkage::draw(&mut chance, output, 9);
             let free = [true, false, true, false];
             let mut task = planted.task(law_of(output, free), free);
             let mut squares = 0.0;
@@ -301,7 +301,7 @@ fn hardly_anything_to_go_by_does_no_harm() {
 #[test]
 fn a_task_that_is_not_sound_finds_nothing() {
     let mut task =
-        Planted::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
+        PlantedLinkage::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
     task.size = 0.0;
     assert_eq!(propose(&task), Proposals::default());
@@ -318,7 +318,7 @@ fn a_task_that_is_not_sound_finds_nothing() {
 fn solutions_without_number_are_proposed_in_part() {
     let mut chance = SeededChance::new(9);
     for output in [Output::Angle, Output::Slide] {
-        let planted = Planted::draw(&mut chance, output, 3);
+        let planted = PlantedLinkage::draw(&mut chance, output, 3);
         let free = [true, false, true, false];
         let task = planted.task(law_of(output, free), free);
         let proposals = propose(&task);
@@ -351,7 +351,7 @@ fn a_run_follows_the_planted_function_between_the_pairs() {
             Output::Slide => [true, false, true, true],
         };
         // Every other angle is a pair, the ones between are looked at.
-        let planted = Planted::draw(&mut chance, output, 9);
+        let planted = PlantedLinkage::draw(&mut chance, output, 9);
         let all = planted.task(law_of(output, free), free);
         let mut task = all.clone();
         task.pairs = all.pairs.iter().step_by(2).copied().collect();

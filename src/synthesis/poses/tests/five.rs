@@ -1,14 +1,14 @@
 //! All dyads of five poses, held against planted ones and against Newton's method from everywhere.
 
 use super::newton;
-use super::planted::{Planted, Shape, turned, worst_miss};
-use crate::synthesis::poses::dyad::{Guidance, Held};
+use super::planted::{Planted, PlantedForm, turned, worst_miss};
+use crate::synthesis::poses::dyad::{Guidance, PinHeld};
 use crate::synthesis::poses::{five, propose};
 use crate::synthesis::{Partner, Pose, PoseTask, Proposals};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
 
-fn dyads(task: &PoseTask) -> Option<Vec<Held>> {
+fn dyads(task: &PoseTask) -> Option<Vec<PinHeld>> {
     five::dyads(&Guidance::new(task).unwrap())
 }
 
@@ -218,7 +218,7 @@ fn nearly_degenerate_poses_lose_no_digits() {
     for (steps, far) in steps {
         let mut checked = 0;
         for n in 0..120 {
-            let mut shape = Shape::four_bar(&mut chance);
+            let mut shape = PlantedForm::four_bar(&mut chance);
             if far > 1.0 {
                 shape.rest *= far;
                 let base = turned(

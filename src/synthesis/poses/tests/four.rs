@@ -1,13 +1,13 @@
 //! The curve of four poses, held against slices of it and against planted dyads.
 
-use super::planted::{Planted, Shape, worst_miss};
-use crate::synthesis::poses::dyad::{Guidance, Held};
+use super::planted::{Planted, PlantedForm, worst_miss};
+use crate::synthesis::poses::dyad::{Guidance, PinHeld};
 use crate::synthesis::poses::{four, propose};
 use crate::synthesis::{Partner, Pose, PoseTask};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
 
-fn pieces(task: &PoseTask) -> Vec<Vec<Held>> {
+fn pieces(task: &PoseTask) -> Vec<Vec<PinHeld>> {
     four::pieces(&Guidance::new(task).unwrap())
 }
 
@@ -25,8 +25,8 @@ fn cubic(task: &PoseTask, pin: Vec2) -> f64 {
     nalgebra::Matrix4::from_fn(|i, k| rows[i][k]).determinant()
 }
 
-fn distance(pieces: &[Vec<Held>], pin: Vec2) -> f64 {
-    let to_segment = |pair: &[Held]| {
+fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
+    let to_segment = |pair: &[PinHeld]| {
         let along = pair[1].pin - pair[0].pin;
         let part = ((pin - pair[0].pin).dot(along) / along.norm2()).clamp(0.0, 1.0);
         (pair[0].pin + along * part - pin).norm()
@@ -38,7 +38,7 @@ fn distance(pieces: &[Vec<Held>], pin: Vec2) -> f64 {
 }
 
 /// Along lines all over the body every root of the determinant is on a piece that was traced; how many there are.
-fn sliced(task: &PoseTask, pieces: &[Vec<Held>]) -> usize {
+fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
     let mut roots = 0;
     for line in -12..=12 {
         for is_level in [true, false] {
@@ -151,7 +151,7 @@ fn the_slide_of_four_poses_is_the_planted_one() {
     for n in 0..40 {
         let planted = Planted::slider_crank(&mut chance, 4, 20.0);
         let slides = pieces(&planted.task).into_iter().flatten();
-        let slides: Vec<Held> = slides
+        let slides: Vec<PinHeld> = slides
             .filter(|h| matches!(h.by, Partner::Slide(_)))
             .collect();
         let off = planted.off(1, &slides);
@@ -224,7 +224,7 @@ fn what_is_given_of_four_poses_is_kept() {
 fn special_poses_have_their_curve() {
     let mut chance = Chance(17);
     for n in 0..30 {
-        let shape = Shape::four_bar(&mut chance);
+        let shape = PlantedForm::four_bar(&mut chance);
         let from = chance.within(0.0, 360.0);
         for steps in [
             [0.0, 1e-4, 50.0, 100.0],

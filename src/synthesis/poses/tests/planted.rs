@@ -1,6 +1,6 @@
 //! Linkages drawn by chance, and the poses that their couplers take.
 
-use crate::synthesis::poses::dyad::Held;
+use crate::synthesis::poses::dyad::PinHeld;
 use crate::synthesis::{Partner, Pose, PoseTask, Proposal};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
@@ -13,7 +13,7 @@ pub(super) struct Planted {
 }
 
 /// What holds the second pin, and how long the links are.
-pub(super) struct Shape {
+pub(super) struct PlantedForm {
     pub pivot: Vec2,
     pub crank: f64,
     pub coupler: f64,
@@ -26,22 +26,22 @@ pub(super) struct Shape {
     pub body: (Vec2, f64),
 }
 
-impl Shape {
-    pub(super) fn four_bar(chance: &mut Chance) -> Shape {
+impl PlantedForm {
+    pub(super) fn four_bar(chance: &mut Chance) -> PlantedForm {
         let base = turned(chance.within(0.5, 3.0), chance.within(0.0, 360.0));
-        let shape = Shape::slider_crank(chance);
-        Shape {
+        let shape = PlantedForm::slider_crank(chance);
+        PlantedForm {
             partner: Partner::Rocker(shape.pivot + base),
             rest: chance.within(0.5, 3.0),
             ..shape
         }
     }
 
-    pub(super) fn slider_crank(chance: &mut Chance) -> Shape {
+    pub(super) fn slider_crank(chance: &mut Chance) -> PlantedForm {
         let mut place =
             |size: f64| Vec2::new(chance.within(-size, size), chance.within(-size, size));
         let (pivot, origin) = (place(5.0), place(2.0));
-        Shape {
+        PlantedForm {
             pivot,
             crank: chance.within(0.4, 2.0),
             coupler: chance.within(0.5, 3.0),
@@ -118,7 +118,7 @@ impl Shape {
 impl Planted {
     pub(super) fn four_bar(chance: &mut Chance, count: usize, apart: f64) -> Planted {
         loop {
-            let shape = Shape::four_bar(chance);
+            let shape = PlantedForm::four_bar(chance);
             if let Some(planted) = shape.at_some(chance, count, apart) {
                 return planted;
             }
@@ -127,7 +127,7 @@ impl Planted {
 
     pub(super) fn slider_crank(chance: &mut Chance, count: usize, apart: f64) -> Planted {
         loop {
-            let shape = Shape::slider_crank(chance);
+            let shape = PlantedForm::slider_crank(chance);
             if let Some(planted) = shape.at_some(chance, count, apart) {
                 return planted;
             }
@@ -135,7 +135,7 @@ impl Planted {
     }
 
     /// How far the nearest dyad is from the planted one.
-    pub(super) fn off(&self, which: usize, found: &[Held]) -> f64 {
+    pub(super) fn off(&self, which: usize, found: &[PinHeld]) -> f64 {
         let (by, pin) = self.dyads[which];
         found
             .iter()
@@ -169,7 +169,7 @@ impl Planted {
     }
 }
 
-fn apart(held: &Held, by: Partner, pin: Vec2) -> f64 {
+fn apart(held: &PinHeld, by: Partner, pin: Vec2) -> f64 {
     let off = match (held.by, by) {
         (Partner::Rocker(p), Partner::Rocker(q)) => (p - q).norm(),
         (Partner::Slide(p), Partner::Slide(q)) => angle::unit(p).cross(angle::unit(q)).abs(),

@@ -2,6 +2,7 @@
 
 use super::{Reader, WrittenTask, lacks, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
+use crate::expression::Measured;
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
@@ -33,7 +34,7 @@ pub(super) struct WrittenSide {
 
 /// The pairs, and what lies between them.
 #[derive(Default)]
-struct Course {
+struct FunctionCourse {
     pairs: Vec<[f64; 2]>,
     between: Vec<[f64; 2]>,
 }
@@ -89,7 +90,7 @@ pub(super) fn function(
     })
 }
 
-fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<Course> {
+fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
     let rows = rows::<2>(reader, "pairs", ("[x, y]", "[30, 42]"), written)?;
     if !(3..=MOST).contains(&rows.len()) {
         reader.report(
@@ -109,13 +110,13 @@ fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<Course> {
             return None;
         }
     }
-    Some(Course {
+    Some(FunctionCourse {
         pairs: rows.into_iter().map(|(row, _)| row).collect(),
         between: Vec::new(),
     })
 }
 
-fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<Course> {
+fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<FunctionCourse> {
     let table = reader.table("`function`", FUNCTION, value)?;
     reader.only("`function`", value);
     let mut number = |key: &str, given: Option<&Lenient<f64>>| match given {
@@ -141,10 +142,13 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         return None;
     }
     let mut at = |x: f64| {
-        let worth = crate::Double::exactly(x);
+        let worth = Measured {
+            value: crate::Double::exactly(x),
+            dimension: None,
+        };
         reader.named.worth.insert("x".to_owned(), Some(worth));
         let y = reader.worked_out(&words().key_of("y", "`function`"), y.text, &y.span)?;
-        Some([x, y])
+        Some([x, y.value.hi + 0.0])
     };
     let places = chebyshev_pairs(Some, [from, to], points)?;
     let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(|[x, _]| at(x)).collect();
@@ -152,7 +156,7 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let pairs = pairs?;
     let between: Option<Vec<[f64; 2]>> = dense.map(&mut at).collect();
     reader.named.worth.remove("x");
-    Some(Course {
+    Some(FunctionCourse {
         pairs,
         between: between?,
     })

@@ -19,11 +19,10 @@ mod wishes;
 
 pub use examples::ExampleTask;
 
-use super::reader::{ByteSpan, Name, Reader};
-use super::{LARGEST_FILE, Unit, draft, syntax};
 use crate::Vec2;
-use crate::document::{self, Diagnostic, Diagnostics, Lenient};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Name, Reader};
 use crate::nearest::did_you_mean;
+use crate::scene::{self, LARGEST_FILE, Unit};
 use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
 use serde::Deserialize;
@@ -89,7 +88,7 @@ impl TaskFile {
     /// Everything found wrong, with its places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<TaskFile, Diagnostics> {
         if bytes.len() > LARGEST_FILE {
-            return Err(super::too_large(origin));
+            return Err(scene::too_large(origin));
         }
         match std::str::from_utf8(bytes) {
             Ok(text) => TaskFile::parse(text, origin),
@@ -104,7 +103,7 @@ impl TaskFile {
     pub fn parse(text: &str, origin: &str) -> Result<TaskFile, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
-        let root = document::parse(&mut reader, syntax::mend);
+        let root = document::parse(&mut reader, scene::mend);
         let file = root.and_then(|root| task_file(&mut reader, &root, origin));
         match file {
             Some(file) if reader.found.is_empty() => Ok(file),
@@ -120,10 +119,10 @@ fn task_file(
 ) -> Option<TaskFile> {
     let file = root.get()?;
     reader.only(words().the_task_itself(), root);
-    let name = draft::line(reader, "name", file.name.as_ref());
-    let source = draft::line(reader, "source", file.source.as_ref());
-    let note = draft::line(reader, "note", file.note.as_ref());
-    let unit = draft::unit(reader, file.unit.as_ref());
+    let name = scene::line(reader, "name", file.name.as_ref());
+    let source = scene::line(reader, "source", file.source.as_ref());
+    let note = scene::line(reader, "note", file.note.as_ref());
+    let unit = scene::unit(reader, file.unit.as_ref());
     reader.named.length = (unit.symbol(), unit.tenths_of_mm());
     let wishes = wishes::wishes(reader, file.wishes.as_ref());
     let (four_bars, slider_cranks) = linkages(reader, file.linkages.as_ref());
@@ -140,7 +139,7 @@ fn task_file(
     };
     wishes.agree_with(reader, &task, file.pivots.as_ref());
     Some(TaskFile {
-        name: name.unwrap_or_else(|| super::stem(origin)),
+        name: name.unwrap_or_else(|| scene::stem(origin)),
         source,
         note,
         unit,

@@ -13,14 +13,14 @@ macro_rules! tasks {
     ($($name:literal)*) => {
         &[$(ExampleTask {
             name: $name,
-            text: include_str!(concat!("../../../presets/tasks/", $name, ".toml")),
+            text: include_str!(concat!("../../presets/tasks/", $name, ".toml")),
         }),*]
     };
 }
 
 static EXAMPLES: &[ExampleTask] = tasks! {
     "wiper"
-    "tipper"
+    "hatch"
     "logarithm"
     "straight-line"
     "stirrer"

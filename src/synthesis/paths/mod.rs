@@ -1,0 +1,237 @@
+//! Linkages whose tracer comes through points, in any number, with the crank's angles given or free.
+//!
+//! A linkage of known shape (the ratios of its lengths) meets the points by a linear problem. So a search has two stages:
+//! differential evolution over the few numbers that are not linear, from many starts, and from the best of each a
+//! descent over all unknowns with exact derivatives. What is found are minima, each a linkage of its own; a search with
+//! many starts proves nothing complete.
+//!
+//! ```text
+//! wanted     the path in a frame of its own
+//! shape      crank and coupler of a linkage of known ratios
+//! linear     its place, turning, size and tracer, by least squares
+//! evolution  from chance to a rough linkage
+//! descent    from a rough linkage to a minimum
+//! distinct   which minima are different linkages
+//! ```
+
+mod descent;
+mod distinct;
+mod evolution;
+mod linear;
+mod shape;
+#[cfg(test)]
+mod tests;
+mod wanted;
+
+use super::{Partner, PathTask, Proposal, Proposals};
+use crate::angle;
+use descent::Fit;
+use distinct::{Ranked, distinct};
+use evolution::{Evolution, Quarry};
+use shape::Form;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::channel;
+use std::thread;
+use wanted::{Held, Wanted};
+
+/// Points that the evolution looks at; the descent looks at all.
+const ROUGH_POINTS: usize = 36;
+/// How many of a start's designs descend, and by how many steps.
+const DESCENTS: usize = 3;
+const ROUGH_STEPS: usize = 80;
+/// How many different linkages are followed to the end, and by how many steps.
+const FOLLOWED: usize = 32;
+const STEPS: usize = 1500;
+const LAST_STEPS: usize = 12;
+/// The part of the work that the starts are.
+const STARTS_PART: f64 = 0.85;
+
+/// A search for linkages whose tracer comes through points.
+#[derive(Clone, Copy, Debug)]
+pub struct PathSearch<'a> {
+    /// The points.
+    pub task: &'a PathTask,
+    /// Whether four-bars are looked for.
+    pub four_bars: bool,
+    /// Whether slider-cranks are looked for.
+    pub slider_cranks: bool,
+    /// From which chance follows.
+    pub seed: u64,
+    /// Threads; they change the time alone.
+    pub threads: usize,
+    /// How many starts are made.
+    pub starts: u32,
+}
+
+impl PathSearch<'_> {
+    /// Starts that are usual.
+    pub const STARTS: u32 = 128;
+
+    /// Searches. `watch` is told the part that is done, from 0 to 1, and stops by answering false: what was found until
+    /// then comes out. The same seed gives the same linkages.
+    ///
+    /// Nothing is found for fewer than two different points, and for numbers that are none.
+    #[must_use]
+    pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
+        let Some(wanted) = Wanted::of(self.task) else {
+            return Proposals::default();
+        };
+        let quarries = self.quarries(&wanted);
+        if quarries.is_empty() {
+            return Proposals::default();
+        }
+        let rough = wanted.thinned(ROUGH_POINTS);
+        let starts = usize::try_from(self.starts).unwrap_or(usize::MAX);
+        let found = self.each(
+            starts,
+            &|i| {
+                let quarry = quarries[i % quarries.len()];
+                start(&wanted, &rough, quarry, self.seed, i)
+            },
+            &mut |part| watch(STARTS_PART * part),
+        );
+        let rough = distinct(found.into_iter().flatten().collect(), &wanted, FOLLOWED);
+        let found = self.each(
+            rough.len(),
+            &|i| {
+                let mut fit = rough[i].fit.clone();
+                fit.descend(&wanted, STEPS);
+                fit.polish(&wanted, LAST_STEPS);
+                Ranked::of(fit, &wanted)
+            },
+            &mut |part| watch(STARTS_PART + (1.0 - STARTS_PART) * part),
+        );
+        let found = distinct(found.into_iter().flatten().collect(), &wanted, FOLLOWED);
+        Proposals {
+            found: found
+                .iter()
+                .map(|ranked| self.proposal(&ranked.fit, &wanted))
+                .collect(),
+            is_complete: false,
+            curves: Vec::new(),
+        }
+    }
+
+    /// What the starts look for, in turn.
+    fn quarries(&self, wanted: &Wanted) -> Vec<Quarry> {
+        let forms = [
+            (self.four_bars, Form::FourBar),
+            (self.slider_cranks, Form::SliderCrank),
+        ];
+        let senses: &[f64] = if wanted.turns.is_some() {
+            &[1.0]
+        } else {
+            &[1.0, -1.0]
+        };
+        let mut quarries = Vec::new();
+        for &sense in senses {
+            for sign in [1.0, -1.0] {
+                for (_, form) in forms.iter().filter(|(is_wanted, _)| *is_wanted) {
+                    for held in self.held(wanted, *form) {
+                        quarries.push(Quarry {
+                            form: *form,
+                            held,
+                            sign,
+                            sense,
+                        });
+                    }
+                }
+            }
+        }
+        quarries
+    }
+
+    /// To which links the pivots that are given may belong.
+    fn held(&self, wanted: &Wanted, form: Form) -> Vec<Held> {
+        let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
+        match (pivots[..].as_ref(), form) {
+            ([], _) => vec![Held::Free],
+            ([one], Form::FourBar) => vec![Held::Crank(*one), Held::Rocker(*one)],
+            ([one], Form::SliderCrank) => vec![Held::Crank(*one)],
+            ([one, two], Form::FourBar) if one != two => {
+                vec![Held::Both(*one, *two), Held::Both(*two, *one)]
+            }
+            // A slider-crank has one pivot, and nothing has three.
+            _ => Vec::new(),
+        }
+    }
+
+    /// Several pieces of work in any order, their results in theirs. Stops when `watch` says so.
+    fn each<T: Send>(
+        &self,
+        count: usize,
+        work: &(dyn Fn(usize) -> T + Sync),
+        watch: &mut dyn FnMut(f64) -> bool,
+    ) -> Vec<T> {
+        let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let mut found: Vec<(usize, T)> = thread::scope(|scope| {
+            let (to, from) = channel();
+            for _ in 0..self.threads.clamp(1, count.max(1)) {
+                let to = to.clone();
+                let (next, stopped) = (&next, &stopped);
+                scope.spawn(move || {
+                    while !stopped.load(Ordering::Relaxed) {
+                        let i = next.fetch_add(1, Ordering::Relaxed);
+                        if i >= count || to.send((i, work(i))).is_err() {
+                            return;
+                        }
+                    }
+                });
+            }
+            drop(to);
+            let mut found = Vec::new();
+            while let Ok(one) = from.recv() {
+                found.push(one);
+                if !watch(found.len() as f64 / count as f64) {
+                    stopped.store(true, Ordering::Relaxed);
+                }
+            }
+            found
+        });
+        found.sort_by_key(|(i, _)| *i);
+        found.into_iter().map(|(_, one)| one).collect()
+    }
+
+    /// A linkage in the frame of the task; what was given is in it as it was given.
+    fn proposal(&self, fit: &Fit, wanted: &Wanted) -> Proposal {
+        let given = |held| {
+            let all = self.task.pivots.iter().copied();
+            all.into_iter().find(|&p| wanted.inside(p) == held)
+        };
+        let (crank, rocker) = match fit.quarry.held {
+            Held::Free => (None, None),
+            Held::Crank(a) => (given(a), None),
+            Held::Rocker(d) => (None, given(d)),
+            Held::Both(a, d) => (given(a), given(d)),
+        };
+        let places = |&degrees: &f64| fit.places(degrees).map(|p| wanted.outside(p));
+        let all: Vec<_> = fit.angles.iter().map(places).collect();
+        Proposal {
+            pivot: crank.unwrap_or_else(|| wanted.outside(fit.place.origin)),
+            partner: match fit.shape.form {
+                Form::FourBar => {
+                    Partner::Rocker(rocker.unwrap_or_else(|| wanted.outside(fit.far_pivot())))
+                }
+                Form::SliderCrank => Partner::Slide(angle::degrees(fit.place.scale)),
+            },
+            places: all.iter().map(|[b, c, _]| [*b, *c]).collect(),
+            tracer: all.first().map(|[_, _, tracer]| *tracer),
+        }
+    }
+}
+
+/// What comes of one start.
+fn start(wanted: &Wanted, rough: &Wanted, quarry: Quarry, seed: u64, number: usize) -> Vec<Ranked> {
+    // The golden ratio's bits keep the chances of the starts apart.
+    let seed = seed ^ (number as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let last = Evolution::new(rough, quarry, seed).run();
+    let step = (last.len() / DESCENTS).max(1);
+    last.iter()
+        .step_by(step)
+        .filter_map(|raw| {
+            let mut fit = Fit::of(wanted, quarry, raw);
+            let begins = fit.descend(wanted, ROUGH_STEPS);
+            begins.then(|| Ranked::of(fit, wanted)).flatten()
+        })
+        .collect()
+}
