@@ -78,7 +78,7 @@ impl DyadPairing<'_> {
             return ranked.into_iter().map(|(_, linkage)| linkage).collect();
         };
         // Both kinds have their share.
-        let (mut four_bars, mut slider_cranks) = (Kind::default(), Kind::default());
+        let (mut four_bars, mut slider_cranks) = (ChosenOfKind::default(), ChosenOfKind::default());
         let share = match self.four_bars && self.slider_cranks {
             true => most / 2,
             false => most,
@@ -103,7 +103,7 @@ impl DyadPairing<'_> {
 
 /// Those of one kind that were chosen.
 #[derive(Default)]
-struct Kind {
+struct ChosenOfKind {
     found: Vec<Proposal>,
     defective: usize,
 }
