@@ -32,7 +32,7 @@ catalogue! {
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` has {found} numbers for {points} points";
         turns_begin_at_nought = "`turns` count from the first point: the first is 0";
         turns_go_one_way = "`turns` must grow from point to point, or fall";
-        from_0_to_90 = "from 0 to below 90";
+        angle_below_90 = "from 0 to below 90";
         at_least_1 = "at least 1";
         inside_is_a_box = "`inside` must be two opposite corners of a box";
         no_turning_direction(name: &str) = "{name} is no direction of turning";

@@ -32,7 +32,7 @@ catalogue! {
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
         turns_begin_at_nought = "`turns` ilk noktadan sayar: ilki 0 olur";
         turns_go_one_way = "`turns` noktadan noktaya hep artmalı ya da hep azalmalı";
-        from_0_to_90 = "0 ile 90 arasında (90 hariç)";
+        angle_below_90 = "0 ile 90 arasında (90 hariç)";
         at_least_1 = "en az 1";
         inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
         no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
