@@ -16,6 +16,11 @@ pub struct SynthesisOrder {
     pub threads: usize,
 }
 
+impl SynthesisOrder {
+    /// The seed where none is named.
+    pub const USUAL_SEED: u64 = 1;
+}
+
 /// What came of a task.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Synthesis {
