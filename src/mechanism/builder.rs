@@ -61,6 +61,13 @@ impl Builder {
         self.push_point(Some(Vec2::new(x, y)))
     }
 
+    /// A mark at (x, y) on the ground: a place to be shown and compared with, which holds nothing.
+    pub fn mark(&mut self, x: f64, y: f64) -> PointId {
+        let mark = self.ground_point(x, y);
+        self.points[mark.index()].is_mark = true;
+        mark
+    }
+
     /// A point that moves: links or slides that name it give it its place.
     pub fn moving_point(&mut self) -> PointId {
         self.push_point(None)
@@ -70,6 +77,7 @@ impl Builder {
         self.points.push(Point {
             ground,
             links: Vec::new(),
+            is_mark: false,
         });
         PointId::new(self.points.len() - 1)
     }

@@ -88,6 +88,8 @@ pub struct Point {
     pub ground: Option<Vec2>,
     /// The links that carry it: a pin joint if there are two, or one and the ground.
     pub links: Vec<LinkId>,
+    /// Whether it is a mark on the ground: nothing is held there, and its coordinates are no lengths.
+    pub is_mark: bool,
 }
 
 /// A point of a link in the link's own frame.

@@ -141,7 +141,6 @@ pub struct Scene {
     pub(crate) slide_names: Vec<String>,
     /// The limits by their names, with the places of their ends in the text.
     limits: limits::LimitPlaces,
-    marks: Vec<String>,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -216,7 +215,6 @@ impl Scene {
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
-                marks: draft.marks.into_iter().map(str::to_owned).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
                 parameters: parameters::told(&reader.named, draft.parameters),
@@ -282,8 +280,7 @@ impl Scene {
     /// Whether a point is one of `[marks]`, which is only shown.
     #[must_use]
     pub fn is_mark(&self, point: PointId) -> bool {
-        let name = self.point_name(point);
-        name.is_some_and(|name| self.marks.iter().any(|mark| mark == name))
+        self.mechanism.point(point).is_mark
     }
 
     /// The points that tables list: those that have a name and are no marks, in the order of the file.

@@ -104,7 +104,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             let id = match self.ground.get(name) {
                 Some(place) => {
                     let at = place.at();
-                    self.builder.ground_point(at.x, at.y)
+                    match self.draft.marks.contains(name) {
+                        true => self.builder.mark(at.x, at.y),
+                        false => self.builder.ground_point(at.x, at.y),
+                    }
                 }
                 None => self.builder.moving_point(),
             };
