@@ -23,7 +23,7 @@ const PLACES: [(&str, u8); 27] = [
     ("files", 1),
     ("expression", 2),
     ("document", 3),
-    ("page", 3),
+    ("page", 4),
     ("mechanism", 3),
     ("scene", 4),
     ("solver", 4),
