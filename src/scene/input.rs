@@ -178,7 +178,7 @@ pub(super) fn seat<'v>(
             reader.report(
                 Diagnostic::new(words().slide_has_its_guide(of))
                     .at(from.span.clone(), words().not_of_a_slide())
-                    .help(words().from_is_for_links()),
+                    .help(words().seat_is_for_links()),
             );
             None
         }

@@ -236,7 +236,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             self.reader.report(
                 Diagnostic::new(words().turns_from_itself(&name.to_string()))
                     .at(from.span.clone(), words().the_driven_link())
-                    .help(words().from_another_link()),
+                    .help(words().another_link_as_seat()),
             );
             return None;
         }
