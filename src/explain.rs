@@ -1,5 +1,6 @@
 //! Joins what the solver found wrong, by ids, to names and lines of the scene file.
 
+use crate::angle::TURN;
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
 use crate::solver::{Fault, OpenChoice};
 use crate::wording::words;
@@ -105,7 +106,12 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
     if let Some(help) = parallel_guides(scene, repeating) {
         return item.help(help);
     }
-    let item = item.help(words().constraints_missing(mobility.saturating_sub(inputs).max(1)));
+    let more = mobility.saturating_sub(inputs);
+    let item = item.help(words().constraints_missing(more.max(1)));
+    let item = match more {
+        0 => item,
+        more => item.help(words().or_further_inputs(more)),
+    };
     if redundant == 0 {
         return item;
     }
@@ -308,7 +314,9 @@ fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
 fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
     let Limit { of, low, high } = *scene.mechanism.limit(limit);
     let counts_in_degrees = match of {
-        LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+        LimitOf::Driver | LimitOf::Table(_) => {
+            matches!(scene.mechanism.driver().input, Input::Turn(_))
+        }
         LimitOf::Slide(_) => false,
         LimitOf::Angle { .. } => true,
     };
@@ -316,8 +324,23 @@ fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
         true => words().degrees(&figure(value)),
         false => length(scene, value),
     };
+    // The turn next to the stops is that in which they are judged; stops within the first turn are written as tables
+    // have an angle, from 0 to below 360 deg.
+    let turn = 0.0..=TURN;
+    let is_of_tables =
+        matches!(of, LimitOf::Angle { .. }) && turn.contains(&low) && turn.contains(&high);
+    let value = match is_of_tables {
+        true => value.rem_euclid(TURN),
+        false => value,
+    };
     let name = format!("`{}`", scene.limit_name(limit));
     let coordinate = coordinate_key(&scene.mechanism);
+    if let LimitOf::Table(_) = of {
+        let [value, low, high] = [value, low, high].map(said);
+        return Diagnostic::new(words().opens_beyond_table(&name, &value, &low, &high))
+            .at(scene.limit_place(limit), words().not_in_the_table())
+            .help(words().open_within_table(coordinate));
+    }
     Diagnostic::new(words().opens_beyond_stop(&name, &said(value), &said(low), &said(high)))
         .at(scene.limit_place(limit), words().is_passed_at_opening())
         .note(words().driver_stands_at(&self::coordinate(scene, scene.mechanism.driver().start)))

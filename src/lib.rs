@@ -121,7 +121,7 @@ mod wording;
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
-    Input, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism, Member, MotionLaw,
-    Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
-    TimedStep, Tolerances,
+    Input, InputLaw, InputTable, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
+    Member, MotionLaw, MotionPeaks, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider,
+    StepLaw, StrokeEnd, TimedInput, TimedStep, Tolerances,
 };

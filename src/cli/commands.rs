@@ -158,7 +158,7 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     let met = stops(scene, solver);
     let stop = met.iter().find(|stop| stop.at == end);
     Failure::Cannot(match stop {
-        Some(stop) => words().stopped_before(&at, &driver.unit, &stop.name, &covered),
+        Some(stop) => stop.before(at, &driver.unit, &covered),
         None => words().cannot_be_assembled(&at, &driver.unit, &covered),
     })
 }

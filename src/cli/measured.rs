@@ -45,6 +45,9 @@ pub(super) fn beside(
     if !(is_told || found.strangers().is_empty()) {
         note(&words().not_compared(&found.strangers().join(", ")), screen);
     }
+    if let Some(left_out) = found.left_out().filter(|_| !is_told) {
+        note(&left_out, screen);
+    }
     let written = (format, !args.figures.no_units);
     let outcome = write_to(output, |out| {
         found.write((scene, solver), written, screen.ascii, out)

@@ -12,7 +12,7 @@ use crate::quantity::Catalogue;
 use crate::report::{MotorReport, MotorWishes, TimedMotorReport, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
-use crate::study::motor::{Duty, LARGEST_FLUCTUATION, NoDuty, NoTimedDuty, TimedDuty, is_within};
+use crate::study::motor::{Duty, LARGEST_FLUCTUATION, NoDuty, TimedDuty, is_within};
 use crate::wording::words;
 use crate::{Body, SlideId};
 use std::fmt::Display;
@@ -69,7 +69,8 @@ fn timed(
 ) -> Result<(), Failure> {
     no_steady_cycle(args)?;
     let motor = given(args, scene)?;
-    let duty = TimedDuty::new(&clock(scene)?, solver).map_err(|why| no_torque(why, scene))?;
+    let duty = TimedDuty::new(&clock(scene)?, solver)
+        .map_err(|why| Failure::Cannot(TimedMotorReport::nothing(scene, &why)))?;
     tell_of_near_misses(scene, solver, screen);
     let is_believed = duty.has_converged();
     let report = TimedMotorReport::new(scene, duty, &motor);
@@ -104,16 +105,6 @@ fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
         None => Ok(()),
         Some((option, _)) => Err(Failure::Usage(words().only_at_one_speed(option))),
     }
-}
-
-fn no_torque(why: NoTimedDuty, scene: &Scene) -> Failure {
-    let catalogue = Catalogue::new(scene);
-    let unit = &catalogue.driver().unit;
-    Failure::Cannot(match why {
-        NoTimedDuty::NothingActs => words().nothing_acts_on_it().into(),
-        NoTimedDuty::Withheld(hidden) => hidden.text(unit),
-        NoTimedDuty::NoTorque(moment) => words().no_torque_on_the_way(moment.at, unit),
-    })
 }
 
 /// What the scene says of its motor, where no option says otherwise.

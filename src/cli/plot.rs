@@ -52,6 +52,9 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
         }
         let output = args.output.output.as_deref();
         let found = measured(file, output, &catalogue, Some(&figures))?;
+        if let Some(left_out) = found.left_out() {
+            note(&left_out, screen);
+        }
         for (k, figure) in found.figures().iter().enumerate() {
             let name = words().measured_of(&figure.name);
             drawn.mark(&figure.unit, &name, &found.points(k));

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::quantity::Catalogue;
-use crate::report::{BestReport, GoalReport};
+use crate::report::{BestReport, GoalReport, no_best};
 use crate::study::{
     BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
 };
@@ -121,13 +121,15 @@ fn optimise(
         true
     });
     progress.end();
-    let best = best.ok_or_else(|| Failure::Cannot(words().keeps_nothing().into()))?;
+    let given = figures.of(&space.given()).ok();
+    let best =
+        best.ok_or_else(|| Failure::Cannot(no_best(space, figures.figures(), given.as_deref())))?;
     let report = BestReport {
         space,
         figure: &figure,
         greatest: order.greatest,
         constraints: kept,
-        given: figures.of(&space.given()).ok(),
+        given,
         figures: figures.of(&best.numbers).unwrap_or_default(),
         best: &best,
     };

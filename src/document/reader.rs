@@ -3,7 +3,7 @@
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::lenient::{Lenient, Misplaced, WrittenKey};
 use super::sanitize::escaped;
-use crate::Double;
+use crate::expression::Measured;
 use crate::nearest::{did_you_mean, nearest};
 use crate::wording::words;
 use std::collections::HashMap;
@@ -53,8 +53,8 @@ pub(crate) fn quoted(text: &str) -> String {
 /// What formulas may name that stand for numbers of a document; a configuration has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct NamedNumbers {
-    /// What each name is worth, to twice the digits; nothing where that was reported as a fault.
-    pub(crate) worth: HashMap<String, Option<Double>>,
+    /// What each name is worth; nothing where that was reported as a fault.
+    pub(crate) worth: HashMap<String, Option<Measured>>,
     /// The unit of lengths: as it is written, and its size in tenths of a millimetre.
     pub(crate) length: (&'static str, f64),
 }

@@ -6,13 +6,14 @@
 use super::bounds::Bounds;
 use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
-use super::overlay::{course, has_rates};
+use super::overlay::has_rates;
 use super::reach::Reach;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
+use crate::quantity::DriverStand;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
-use crate::{Body, Input, Mechanism, PointId, Vec2};
+use crate::{Body, Input, Mechanism, Vec2};
 
 /// Arrows of forces, if they are shown.
 #[derive(Clone, Debug, Default)]
@@ -42,16 +43,17 @@ struct Found {
 impl ForceArrows {
     /// To one scale over the whole motion; `tips` grows by where they come to.
     pub(super) fn of(
-        scene: &Scene,
-        solver: &Solver,
+        (scene, solver): (&Scene, &Solver),
+        course: Vec<DriverStand>,
         reach: &Reach,
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {
         let mut state = solver.state();
         let mut all: Vec<MovingArrow> = Vec::new();
         let mut most_moment: f64 = 0.0;
-        for at in course(scene, solver) {
-            if has_rates(solver.solve(at, Order::Force, &mut state)) {
+        for stand in course {
+            if has_rates(stand.solve(solver, Order::Force, &mut state)) {
+                let at = stand.at;
                 let Found { forces, moments } = found(&scene.mechanism, solver, &state);
                 all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
                 let sizes = moments.iter().map(|(_, moment)| moment.abs());
@@ -152,11 +154,7 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
     let Some(drive) = state.drive() else { return };
     match mechanism.driver().input {
         Input::Turn(link) => {
-            let members = mechanism.link(link).members.iter();
-            let pivot = members
-                .map(|m| m.point)
-                .find(|&point| is_fixed(mechanism, point));
-            let at = pivot.and_then(|point| state.position(point));
+            let at = mechanism.hub(link).and_then(|point| state.position(point));
             found.moments.extend(at.map(|at| (at, drive)));
         }
         Input::Push(slide) => {
@@ -165,10 +163,6 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
             found.forces.extend(at.zip(guide));
         }
     }
-}
-
-fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
-    mechanism.point(point).ground.is_some()
 }
 
 /// A spring is drawn as one, and pulls at both ends alike.

@@ -31,6 +31,7 @@ mod arrow;
 mod blocks;
 mod bounds;
 mod convergence;
+mod course;
 mod dashes;
 mod diagram;
 mod dxf;

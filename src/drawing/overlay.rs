@@ -2,6 +2,7 @@
 //! one scale. The motion is solved once; every frame then draws from what was found.
 
 use super::bounds::Bounds;
+use super::course::{course, ends, paced_course};
 use super::figure::{Figure, Role, Shape};
 use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
@@ -10,9 +11,8 @@ use super::reach::Reach;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;
-use crate::solver::{Condition, Known, Order, Range, Solver, State, Workspace};
+use crate::solver::{Condition, Known, Order, Solver, State, Workspace};
 use crate::{PointId, Vec2};
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// What is wanted of the motion; nothing by default.
@@ -28,13 +28,19 @@ pub struct Wanted {
     pub forces: bool,
     /// How many positions of the linkage, spread over the motion, are shown.
     pub ghosts: u16,
+    /// Whether the driver passes as the scene's motion over time says, if that has one.
+    pub is_timed: bool,
 }
 
 impl Wanted {
     /// Whether nothing is wanted.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        *self == Wanted::default()
+        let none = Wanted {
+            is_timed: self.is_timed,
+            ..Wanted::default()
+        };
+        *self == none
     }
 }
 
@@ -62,10 +68,6 @@ struct Arrows {
     scale: ArrowScale,
 }
 
-/// Places in a turn, or in a motion between limits: half a degree, at which the chords of a circle lie
-/// within 1e-5 of its radius.
-const SAMPLES: u32 = 720;
-
 impl Overlay {
     /// Follows the motion once, to the order that is needed, for what is wanted.
     #[must_use]
@@ -82,7 +84,8 @@ impl Overlay {
             overlay.follow(scene, solver, reach, wanted);
         }
         if wanted.forces {
-            overlay.forces = ForceArrows::of(scene, solver, reach, &mut overlay.tips);
+            let course = paced_course(scene, solver, wanted.is_timed);
+            overlay.forces = ForceArrows::of((scene, solver), course, reach, &mut overlay.tips);
         }
         overlay.ghosts = ghosts(scene, solver, wanted.ghosts);
         overlay
@@ -94,6 +97,15 @@ impl Overlay {
     }
 
     fn follow(&mut self, scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) {
+        let mut traces = vec![Vec::new(); wanted.traces.len()];
+        let mut rates = [Vec::new(), Vec::new()];
+        let mut state = solver.state();
+        for stand in course(scene, solver).filter(|_| !wanted.traces.is_empty()) {
+            let _ = stand.solve(solver, Order::Position, &mut state);
+            for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
+                trace.push(state.known().position(point));
+            }
+        }
         let order = match (
             wanted.velocities.is_empty(),
             wanted.accelerations.is_empty(),
@@ -102,14 +114,10 @@ impl Overlay {
             (false, true) => Order::Velocity,
             (_, false) => Order::Acceleration,
         };
-        let mut traces = vec![Vec::new(); wanted.traces.len()];
-        let mut rates = [Vec::new(), Vec::new()];
-        let mut state = solver.state();
-        for at in course(scene, solver) {
-            let condition = solver.solve(at, order, &mut state);
-            for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
-                trace.push(state.known().position(point));
-            }
+        let stands =
+            (order > Order::Position).then(|| paced_course(scene, solver, wanted.is_timed));
+        for stand in stands.into_iter().flatten() {
+            let (at, condition) = (stand.at, stand.solve(solver, order, &mut state));
             if has_rates(condition) {
                 let state = state.known();
                 let from = |p: &PointId| state.position(*p);
@@ -220,37 +228,6 @@ pub(super) fn has_rates(condition: Condition) -> bool {
     }
 }
 
-/// The coordinates of the driver along the motion, both ends included.
-pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
-    let (low, high, count, closed) = ends(scene, solver);
-    (0..=count).map(move |k| {
-        let share = f64::from(k) / f64::from(count);
-        // Closer towards limits, where points change fastest.
-        let share = if closed {
-            share
-        } else {
-            (1.0 - (PI * share).cos()) / 2.0
-        };
-        (low + (high - low) * share).min(high)
-    })
-}
-
-/// Where the motion begins and ends, how many samples that is worth, and whether it closes.
-fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
-    let start = scene.mechanism.driver().start;
-    match solver.motion().range {
-        Range::Full { period } => {
-            let count = if period > crate::angle::TURN {
-                2 * SAMPLES
-            } else {
-                SAMPLES
-            };
-            (start, start + period, count, true)
-        }
-        Range::Limited { low, high } => (low, high, SAMPLES, false),
-    }
-}
-
 /// States spread evenly over the motion, from where the scene opens or from limit to limit.
 fn ghosts(scene: &Scene, solver: &Solver, count: u16) -> Vec<State> {
     let (low, high, _, closed) = ends(scene, solver);
@@ -271,6 +248,8 @@ mod tests {
     use crate::drawing::{
         Glyphs, Layers, linkage, moving_points, render, usual_arrows, usual_traces,
     };
+    use crate::quantity::DriverStand;
+    use crate::solver::Range;
 
     /// Of everything that there is.
     fn everything(stage: &DrawingStage) -> Wanted {
@@ -281,6 +260,7 @@ mod tests {
             accelerations: points,
             forces: true,
             ghosts: 6,
+            is_timed: false,
         }
     }
 
@@ -454,7 +434,7 @@ mod tests {
             let reach = overlay.reach(&stage.reach).expect("something moves");
             let whole = WorldView::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
-            for at in course(&stage.scene, &stage.solver).step_by(31) {
+            for DriverStand { at, .. } in course(&stage.scene, &stage.solver).step_by(31) {
                 let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
                 let along = WorldView::along(&reach, at, 80, 24, 2.0);
                 let pose = WorldView::pose(&reach, at, 80, 24, 2.0);

@@ -350,6 +350,7 @@ mod tests {
         let reach = Reach::of(&scene, &solver);
         let points = usual_arrows(&scene.mechanism);
         let wanted = Wanted {
+            is_timed: false,
             traces: usual_traces(&scene.mechanism),
             velocities: points.clone(),
             accelerations: points,

@@ -55,7 +55,7 @@ pub(crate) struct Part {
 
 impl Part {
     /// A plain number.
-    pub(crate) fn constant(number: f64) -> Part {
+    fn constant(number: f64) -> Part {
         Part {
             ops: vec![Op::Number(number)],
             kind: Kind {
@@ -63,6 +63,11 @@ impl Part {
                 ..Kind::plain(Dimension::NUMBER)
             },
         }
+    }
+
+    /// A number of a scene that has a name.
+    pub(crate) fn named(number: f64, dimension: Option<Dimension>) -> Part {
+        Part::constant(number).of(dimension.unwrap_or(Dimension::NUMBER))
     }
 
     fn then(mut self, op: Op) -> Part {

@@ -116,6 +116,15 @@ impl Dimension {
         }
     }
 
+    /// The same with every length in metres.
+    pub(super) fn in_metres(self) -> Dimension {
+        Dimension {
+            metre: self.metre + self.length,
+            length: 0,
+            ..self
+        }
+    }
+
     fn powers(self) -> [i8; 6] {
         [
             self.newton,
@@ -192,15 +201,20 @@ impl Dimension {
 
     /// As columns write it; `1` of a plain number.
     pub(crate) fn symbol(self, length: &str) -> String {
-        if self.degrees {
-            return "deg".into();
-        }
         let is_power = Dimension {
             second: -1,
             ..Dimension::MOMENT
         };
-        if self == is_power {
-            return "W".into();
+        match self == is_power {
+            true => "W".into(),
+            false => self.written(length),
+        }
+    }
+
+    /// As it is written in a formula, behind a number.
+    pub(crate) fn written(self, length: &str) -> String {
+        if self.degrees {
+            return "deg".into();
         }
         let names = ["N", "kg", "m", length, "s", "rad"];
         let order = [0, 1, 2, 3, 5, 4];

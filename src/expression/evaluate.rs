@@ -1,7 +1,7 @@
 //! What a formula of plain numbers is worth.
 
 use super::dimension::METRE;
-use super::evaluated::Evaluated;
+use super::evaluated::{Evaluated, Measured};
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
 use super::{Dimension, LengthScale, Malformed};
 use crate::Double;
@@ -15,7 +15,7 @@ const PI: Double = Double {
 };
 
 /// What a name is worth; else what would mend it.
-pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<Double, Option<String>>;
+pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<Measured, Option<String>>;
 
 /// Works a formula out. Units are converted: lengths to `length`, angles to degrees, all else to that of metres.
 ///
@@ -96,15 +96,28 @@ impl Evaluator<'_> {
                 found = product.over(Evaluated::exactly(over));
             }
         }
-        if unit.dimension == Dimension::RADIANS {
-            found = found.times(Evaluated::rounded(Double::DEGREES, 0.0));
+        let degrees = Evaluated::rounded(Double::DEGREES, 0.0);
+        let is_angle = unit.dimension == Dimension::RADIANS;
+        let turned = unit.degrees - i8::from(is_angle);
+        for _ in 0..turned.unsigned_abs() {
+            found = match turned > 0 {
+                true => found.over(degrees),
+                false => found.times(degrees),
+            };
         }
-        found.measuring(Some(unit.dimension))
+        found.measuring(match unit.dimension {
+            Dimension::NUMBER => None,
+            Dimension::RADIANS => Some(Dimension::DEGREES),
+            Dimension::LENGTH => Some(Dimension::LENGTH),
+            other => Some(other.in_metres()),
+        })
     }
 
     fn named(&self, name: &str, tree: &ExpressionTree) -> Result<Evaluated, Malformed> {
         let found = (self.names)(name);
-        let found = found.map(|value| Evaluated::rounded(value, 0.0));
+        let found = found.map(|Measured { value, dimension }| {
+            Evaluated::rounded(value, 0.0).measuring(dimension)
+        });
         found.map_err(|help| Malformed {
             help,
             ..Malformed::new(tree.span.clone(), words().no_parameter(name))
@@ -328,12 +341,15 @@ mod tests {
         tenths_of_mm: 254.0,
     };
 
-    fn names(name: &str) -> Result<Double, Option<String>> {
-        match name {
-            "a" => Ok(Double::exactly(100.0)),
-            "third" => Ok(Double::ONE / Double::exactly(3.0)),
-            _ => Err(None),
-        }
+    fn names(name: &str) -> Result<Measured, Option<String>> {
+        let (value, dimension) = match name {
+            "a" => (Double::exactly(100.0), None),
+            "third" => (Double::ONE / Double::exactly(3.0), None),
+            "rod" => (Double::exactly(10.0), Some(Dimension::LENGTH)),
+            "lean" => (Double::exactly(30.0), Some(Dimension::DEGREES)),
+            _ => return Err(None),
+        };
+        Ok(Measured { value, dimension })
     }
 
     fn worth(text: &str) -> Result<f64, String> {
@@ -377,6 +393,11 @@ mod tests {
             ("min(3, -2, 7) + max(3, 8) + abs(-4)", 10.0),
             ("pi - 2 * pi / 2", 0.0),
             ("1 rad - 180 / pi", 0.0),
+            ("rod + 2.54 cm", 11.0),
+            ("rod / 5 in + sin(lean)", 2.5),
+            // All but lengths in metres, and of degrees only those that stand alone.
+            ("5 N/mm + 1 N/m", 5001.0),
+            ("1 N m/deg * pi - 180 N m", 0.0),
         ] {
             assert_eq!(worth(text), Ok(decimal), "{text}");
         }

@@ -13,6 +13,14 @@ const POWERS: f64 = 8.077_935_669_463_161e-28;
 /// What an operation rounds by, with room to spare: sums and products are right to 2^-104.
 const ROUNDING: f64 = 7.888_609_052_210_118e-31;
 
+/// A number, and what it measures, if a unit tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Measured {
+    /// To twice the digits: lengths in the formula's unit, angles in degrees, all else in that of metres.
+    pub(crate) value: Double,
+    pub(crate) dimension: Option<Dimension>,
+}
+
 /// A figure, and by how much it may be off.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Evaluated {
@@ -23,6 +31,14 @@ pub(crate) struct Evaluated {
 }
 
 impl Evaluated {
+    /// Without what it may be off by.
+    pub(crate) fn measured(self) -> Measured {
+        Measured {
+            value: self.value,
+            dimension: self.dimension,
+        }
+    }
+
     pub(super) fn exactly(value: f64) -> Evaluated {
         Evaluated::of(Double::exactly(value), 0.0)
     }

@@ -23,9 +23,9 @@ pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
-pub(crate) use evaluated::Evaluated;
-pub(crate) use parser::parse;
-pub(crate) use tree::ExpressionTree;
+pub(crate) use evaluated::{Evaluated, Measured};
+pub(crate) use parser::{is_unit, parse};
+pub(crate) use tree::{ExpressionTree, is_function};
 
 use std::ops::Range;
 
@@ -66,6 +66,25 @@ impl Malformed {
             None => self.message.clone(),
         }
     }
+}
+
+/// Whether a name reads as a difference of what is known and of numbers: `a-b`, `rod-2`. It is one name where nobody
+/// puts blanks around its `-`.
+pub(crate) fn is_difference(name: &str, is_known: impl Fn(&str) -> bool) -> bool {
+    let is_part = |part: &str| lexer::number(part).is_some() || is_known(part);
+    // Where a part may begin: all before it are known.
+    let mut begins = vec![0];
+    let mut next = 0;
+    while let Some(&from) = begins.get(next) {
+        next += 1;
+        for (length, _) in name[from..].match_indices('-') {
+            let behind = from + length + 1;
+            if is_part(&name[from..behind - 1]) && !begins.contains(&behind) {
+                begins.push(behind);
+            }
+        }
+    }
+    begins.iter().skip(1).any(|&from| is_part(&name[from..]))
 }
 
 /// Whether a character may stand in a name: those of the parts of a scene, and the dots between them.

@@ -288,6 +288,11 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     Some((unit, end))
 }
 
+/// Whether a word is read as a unit where it stands behind a number.
+pub(crate) fn is_unit(word: &str) -> bool {
+    unit_of(word).is_some()
+}
+
 /// What a unit measures; of a length its size in tenths of a millimetre, and whether it is in degrees.
 fn unit_of(word: &str) -> Option<(Dimension, Option<f64>, i8)> {
     let length = |tenths| Some((Dimension::LENGTH, Some(tenths), 0));

@@ -106,6 +106,13 @@ impl MathFunction {
     }
 }
 
+/// Whether a word is what a formula may call.
+pub(crate) fn is_function(word: &str) -> bool {
+    MathFunction::ALL
+        .iter()
+        .any(|function| function.name() == word)
+}
+
 impl ExpressionTree {
     /// Whether nothing is worked out here: a number with its sign and unit.
     pub(crate) fn is_number(&self) -> bool {

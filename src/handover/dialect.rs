@@ -114,6 +114,7 @@ impl Writing<'_> {
             ("lines", words.script_lines().to_owned()),
             ("swing", words.script_swing().to_owned()),
             ("side", words.script_side().to_owned()),
+            ("follow", words.script_follow().to_owned()),
             ("newton", words.script_newton().to_owned()),
             ("positions", words.script_positions().to_owned()),
             ("given", words.script_given().to_owned()),

@@ -5,7 +5,7 @@ use crate::{LinkId, PointId, SlideId};
 use std::collections::HashSet;
 
 /// Words that scripts have for themselves, in either language.
-const RESERVED: [&str; 75] = [
+const RESERVED: [&str; 76] = [
     "and",
     "as",
     "assert",
@@ -75,6 +75,7 @@ const RESERVED: [&str; 75] = [
     "swing",
     "side",
     "newton",
+    "follow",
     "both",
     "across",
     "seeds",

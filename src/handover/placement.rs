@@ -8,7 +8,9 @@ use super::identifiers::Identifiers;
 use super::terms::{ScriptTerm, complex, number};
 use crate::scene::Scene;
 use crate::solver::Solver;
-use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
+use crate::{
+    Body, Input, InputLaw, InputTable, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2,
+};
 
 /// A name and what it is worth.
 #[derive(Clone, Debug)]
@@ -103,6 +105,11 @@ impl<'a> ScriptPlacement<'a> {
         for slide in mechanism.slide_ids() {
             self.list_guide(slide);
         }
+        for timed in mechanism.timed() {
+            if let Some(table) = timed.table() {
+                self.list_table(timed.input, table);
+            }
+        }
     }
 
     fn list_member(&mut self, link: LinkId, member: Member) {
@@ -184,7 +191,7 @@ impl<'a> ScriptPlacement<'a> {
     }
 
     /// The direction of a body, once it is known.
-    fn direction(&self, body: Body) -> Option<ScriptTerm> {
+    pub(super) fn direction(&self, body: Body) -> Option<ScriptTerm> {
         match body {
             Body::Ground => Some(ScriptTerm::one()),
             Body::Link(link) => self.aimed[link.index()].clone().map(ScriptTerm::of),
@@ -283,8 +290,38 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn coordinate(&self, input: Input) -> ScriptTerm {
         ScriptTerm::of(match self.mechanism().timed_input(input) {
             None => "q".to_owned(),
-            Some(timed) => format!("({} * q + {})", number(timed.ratio), number(timed.phase)),
+            Some(timed) => match &timed.law {
+                InputLaw::Ratio { ratio, phase } => {
+                    format!("({} * q + {})", number(*ratio), number(*phase))
+                }
+                InputLaw::Table(table) => {
+                    let parts = self.table_names(input).join(", ");
+                    let period = number(table.period().unwrap_or_default());
+                    format!("follow(q, {parts}, {period})")
+                }
+            },
         })
+    }
+
+    /// What the places, the values and the second derivatives of a table are called.
+    fn table_names(&self, input: Input) -> [String; 3] {
+        let name = match input {
+            Input::Turn(link) => self.names.link(link),
+            Input::Push(slide) => self.names.slide(slide),
+        };
+        ["places", "values", "bends"].map(|part| format!("{name}_{part}"))
+    }
+
+    fn list_table(&mut self, input: Input, table: &InputTable) {
+        let list = |numbers: Vec<f64>| {
+            let numbers: Vec<String> = numbers.into_iter().map(number).collect();
+            format!("[{}]", numbers.join(", "))
+        };
+        let [places, values] = [0, 1].map(|i| table.knots().iter().map(|knot| knot[i]).collect());
+        let lists = [places, values, table.bends().to_vec()];
+        for (name, numbers) in self.table_names(input).into_iter().zip(lists) {
+            self.constant(name, list(numbers));
+        }
     }
 
     fn drive(&mut self) {
@@ -298,13 +335,14 @@ impl<'a> ScriptPlacement<'a> {
     fn drive_by(&mut self, input: Input) {
         let q = self.coordinate(input);
         match input {
-            Input::Turn(link) => {
+            Input::Turn(link) if self.mechanism().is_directed(link) => {
                 self.steps.push(ScriptStep::Group(vec![link]));
                 self.aim(link, ScriptTerm::of(format!("turn({q})")));
                 if let Some(pivot) = self.known_member(link) {
                     self.hold(link, pivot);
                 }
             }
+            Input::Turn(_) => self.steps.push(ScriptStep::Group(Vec::new())),
             Input::Push(id) => {
                 let slide = self.mechanism().slide(id);
                 if slide.on == Body::Ground {
@@ -320,12 +358,31 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn settle(&mut self) {
         loop {
             let before = self.steps.len();
+            self.push_out();
             for link in self.mechanism().link_ids() {
                 self.lock(link);
+                self.elbow(link);
                 self.settle_link(link);
             }
             if self.steps.len() == before {
                 return;
+            }
+        }
+    }
+
+    /// What inputs push along guides of links that are placed.
+    fn push_out(&mut self) {
+        let inputs: Vec<Input> = self.mechanism().inputs().collect();
+        for input in inputs {
+            let Input::Push(id) = input else { continue };
+            let slide = self.mechanism().slide(id);
+            let point = slide.slider.point();
+            if self.is_known(point) || self.direction(slide.on).is_none() {
+                continue;
+            }
+            let way = self.along(id).times(self.coordinate(input));
+            if let Some(place) = self.on_body(slide.on, self.through(id).plus(way)) {
+                self.put(point, place);
             }
         }
     }
@@ -361,6 +418,34 @@ impl<'a> ScriptPlacement<'a> {
                 return;
             }
         }
+    }
+
+    /// The direction of one of two links between which an input turns.
+    fn elbow(&mut self, link: LinkId) {
+        let elbows: Vec<_> = self.mechanism().elbows().collect();
+        for (turned, from) in elbows {
+            let other = match link {
+                _ if self.is_aimed(link) => return,
+                _ if link == turned => from,
+                _ if link == from => turned,
+                _ => continue,
+            };
+            let Some(other) = self.direction(Body::Link(other)) else {
+                continue;
+            };
+            let by = self.bend(turned);
+            let direction = if link == turned {
+                other.times(by)
+            } else {
+                other.over(by)
+            };
+            self.aim(link, direction);
+        }
+    }
+
+    /// The direction of a link that is turned against another one, as seen from that.
+    pub(super) fn bend(&self, turned: LinkId) -> ScriptTerm {
+        ScriptTerm::of(format!("turn({})", self.coordinate(Input::Turn(turned))))
     }
 
     fn settle_link(&mut self, link: LinkId) {

@@ -1,8 +1,9 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Defects, Driver, ElementId, Input, Limit, LimitId, Link, LinkId, Load, Mechanism,
-    Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider, TimedInput,
+    Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
+    LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
+    TimedInput,
 };
 use crate::Vec2;
 use std::collections::HashSet;
@@ -19,6 +20,7 @@ pub struct Builder {
     slides: Vec<Slide>,
     driver: Option<Driver>,
     timed: Vec<TimedInput>,
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,
@@ -37,6 +39,7 @@ impl Default for Builder {
             slides: Vec::new(),
             driver: None,
             timed: Vec::new(),
+            turned_from: Vec::new(),
             start: Vec::new(),
             loads: Vec::new(),
             limits: Vec::new(),
@@ -211,9 +214,19 @@ impl Builder {
         self.driver = Some(driver);
     }
 
-    /// Adds an input that follows the driver.
-    pub fn timed(&mut self, input: TimedInput) {
+    /// Adds an input that follows the driver. Where its table ends the motion ends: that limit.
+    pub fn timed(&mut self, input: TimedInput) -> Option<LimitId> {
+        let open = input.table().filter(|table| table.period().is_none());
+        let ends = open.map(InputTable::ends);
+        let of = LimitOf::Table(input.input);
         self.timed.push(input);
+        ends.map(|[low, high]| self.limit(Limit { of, low, high }))
+    }
+
+    /// Lets an input turn a link against another one instead of the ground: its motor sits on that, and the angle
+    /// between the two is its coordinate.
+    pub fn turned_from(&mut self, link: LinkId, from: LinkId) {
+        self.turned_from.push((link, from));
     }
 
     /// A rough position of a moving point at the opening.
@@ -276,6 +289,7 @@ impl Builder {
                     slides: self.slides,
                     driver,
                     timed: self.timed,
+                    turned_from: self.turned_from,
                     start: self.start,
                     loads: self.loads,
                     limits: self.limits,
@@ -434,20 +448,28 @@ impl Builder {
         }
         let mut driven = vec![driver.input];
         for timed in &self.timed {
-            timed.check(self.has_pivot(timed.input), found);
+            timed.check(driver.input, self.has_pivot(timed.input), found);
             if driven.contains(&timed.input) {
                 let of = timed.input.element();
                 found.push(Defect::DrivenTwice { of });
             }
             driven.push(timed.input);
         }
+        for &(link, from) in &self.turned_from {
+            if link == from {
+                found.push(Defect::TurnedFromItself { link });
+            }
+        }
     }
 
-    /// Whether what an input moves has a ground point to turn about, if it turns.
+    /// Whether what an input moves has a ground point to turn about, if it turns against the ground.
     fn has_pivot(&self, input: Input) -> bool {
         let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
         match input {
-            Input::Turn(link) => self.links[link.index()].members.iter().any(on_ground),
+            Input::Turn(link) => {
+                self.turned_from.iter().any(|(turned, _)| *turned == link)
+                    || self.links[link.index()].members.iter().any(on_ground)
+            }
             Input::Push(_) => true,
         }
     }

@@ -65,6 +65,12 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
+    /// A link that is turned against itself.
+    #[error("no link turns against itself")]
+    TurnedFromItself {
+        /// The link.
+        link: LinkId,
+    },
     /// A driver coordinate or rate that is not finite.
     #[error("the driver's coordinate, speed and acceleration must be finite numbers")]
     Driver,
@@ -74,6 +80,12 @@ pub enum Defect {
     /// A link or a slide that is driven by two inputs.
     #[error("two inputs drive the same element")]
     DrivenTwice {
+        /// What is driven.
+        of: ElementId,
+    },
+    /// A closed table of an input that does not come back to its first value, or whose driver does not turn.
+    #[error("the table closes over whole turns of the driver only where its values come back")]
+    OpenTable {
         /// What is driven.
         of: ElementId,
     },

@@ -3,6 +3,11 @@
 //! A law is a list of steps from one coordinate to the next, one after another, and begins anew when all are
 //! done: a driver that ends where it began repeats its period, one that ends whole turns on goes on from there.
 
+mod peaks;
+mod stays;
+
+pub use peaks::MotionPeaks;
+
 use super::spline::ClampedSpline;
 use crate::angle::TURN;
 use std::f64::consts::PI;
@@ -242,11 +247,11 @@ mod tests {
         StepLaw::Trapezoid { ramp: 0.5 },
     ];
 
-    fn step(law: StepLaw, to: f64, time: f64) -> TimedStep {
+    pub(super) fn step(law: StepLaw, to: f64, time: f64) -> TimedStep {
         TimedStep::Law { law, to, time }
     }
 
-    fn near(value: f64, exact: f64) {
+    pub(super) fn near(value: f64, exact: f64) {
         let most = 1e-12 * exact.abs().max(1.0);
         assert!((value - exact).abs() < most, "{value} for {exact}");
     }

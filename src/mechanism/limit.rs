@@ -25,6 +25,8 @@ pub enum LimitOf {
         /// From where it is seen.
         from: Body,
     },
+    /// The driver's own, by the ends of the table of this input.
+    Table(Input),
 }
 
 /// A coordinate that stays between two stops: the motion ends where it meets one.
@@ -47,7 +49,7 @@ impl Limit {
     pub(super) fn is_sound(&self, input: Option<Input>) -> bool {
         let (fits, widest) = match self.of {
             LimitOf::Driver if matches!(input, Some(Input::Turn(_))) => (true, MOST_TURNS * TURN),
-            LimitOf::Driver | LimitOf::Slide(_) => (true, f64::INFINITY),
+            LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Table(_) => (true, f64::INFINITY),
             LimitOf::Angle { link, from } => (from != Body::Link(link), TURN),
         };
         let are_finite = self.low.is_finite() && self.high.is_finite();

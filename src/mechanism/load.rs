@@ -38,7 +38,7 @@ impl Profile {
             [first, .., last] => last[0] - first[0],
             _ => return false,
         };
-        let repeats = turns && span > 0.0 && span % TURN == 0.0;
+        let repeats = self.repeats(turns);
         let passes = |at: f64| {
             let times = if repeats {
                 ((high - at) / span).floor()
@@ -52,6 +52,30 @@ impl Profile {
             .windows(2)
             .filter(|pair| pair[0][0] == pair[1][0]);
         jumps.map(|pair| pair[0][0]).any(passes)
+    }
+
+    /// Whether it repeats: of a turned driver where it spans whole turns.
+    fn repeats(&self, turns: bool) -> bool {
+        let [first, .., last] = self.knots[..] else {
+            return false;
+        };
+        let span = last[0] - first[0];
+        turns && span > 0.0 && span % TURN == 0.0
+    }
+
+    /// The coordinates of the knots that no place between two others depends on; none of one that repeats.
+    #[must_use]
+    pub fn unused_between(&self, low: f64, high: f64, turns: bool) -> Vec<f64> {
+        if self.repeats(turns) {
+            return Vec::new();
+        }
+        // Before the first and behind the last knot it is constant.
+        let at = |k: usize| self.knots.get(k).map_or(f64::INFINITY, |knot| knot[0]);
+        let before = |k: usize| k.checked_sub(1).map_or(f64::NEG_INFINITY, at);
+        let meets = |from: f64, to: f64| from < high && low < to;
+        let is_used = |k: &usize| meets(before(*k), at(*k)) || meets(at(*k), at(*k + 1));
+        let unused = (0..self.knots.len()).filter(|k| !is_used(k));
+        unused.map(at).collect()
     }
 
     /// Whether it is 1 everywhere.

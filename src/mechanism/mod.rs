@@ -6,6 +6,7 @@
 
 mod builder;
 mod defect;
+mod input_table;
 mod inputs;
 mod law;
 mod lengths;
@@ -17,8 +18,10 @@ mod tolerances;
 
 pub use builder::Builder;
 pub use defect::{Defect, Defects};
-pub use inputs::TimedInput;
-pub use law::{DriverMoment, MotionLaw, StepLaw, TimedStep};
+pub use input_table::InputTable;
+pub(crate) use inputs::fraction;
+pub use inputs::{InputLaw, TimedInput};
+pub use law::{DriverMoment, MotionLaw, MotionPeaks, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
 pub(crate) use limit::MOST_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
@@ -26,6 +29,7 @@ pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;
 pub(crate) use polar::seen_from;
 pub use spline::ClampedSpline;
+pub(crate) use spline::{SplineEnds, bends};
 pub use tolerances::Tolerances;
 
 use crate::Vec2;
@@ -183,7 +187,8 @@ impl Slide {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Input {
-    /// The direction of a link that turns about a ground point.
+    /// The direction of a link that turns about a ground point; of one that is turned against another link
+    /// ([`Builder::turned_from`]), its angle from that.
     Turn(LinkId),
     /// The position along a slide.
     Push(SlideId),
@@ -221,6 +226,8 @@ struct Parts {
     slides: Vec<Slide>,
     driver: Driver,
     timed: Vec<TimedInput>,
+    /// The links that inputs turn against others, and these.
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,

@@ -1,35 +1,94 @@
-//! A smooth curve through knots, at rest at both ends: the cubic spline that is clamped there.
+//! Smooth curves through knots: cubics between each two, whose values, slopes and second derivatives go on from one
+//! to the next.
+//!
+//! With M the second derivatives at the knots, h the widths and d the slopes of the chords, the slopes agree where
+//! h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (d1 - d0).
 
-/// A cubic between each two knots; value, slope and second derivative go on from one to the next.
+use crate::Number;
+
+/// A curve at rest at both ends: the cubic spline that is clamped there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClampedSpline {
-    /// Where, and the value there.
-    knots: Vec<[f64; 2]>,
-    /// The second derivatives at the knots.
-    bends: Vec<f64>,
+    curve: Spline,
 }
 
 impl ClampedSpline {
     /// Through these knots; `None` for fewer than two, and where their places do not grow.
     #[must_use]
     pub fn new(knots: Vec<[f64; 2]>) -> Option<ClampedSpline> {
-        let grow = knots.windows(2).all(|pair| pair[0][0] < pair[1][0]);
-        let is_sound = knots.len() > 1 && grow && knots.iter().flatten().all(|x| x.is_finite());
-        is_sound.then(|| ClampedSpline {
-            bends: bends(&knots),
-            knots,
-        })
+        let curve = Spline::new(knots, SplineEnds::AtRest)?;
+        Some(ClampedSpline { curve })
     }
 
     /// The first knot and the last.
     #[must_use]
     pub fn ends(&self) -> [[f64; 2]; 2] {
-        [self.knots[0], self.knots[self.knots.len() - 1]]
+        self.curve.ends()
     }
 
     /// The value at a place, and its first two derivatives; beyond an end those of that end.
     #[must_use]
     pub fn at(&self, place: f64) -> [f64; 3] {
+        self.curve.at(place)
+    }
+
+    /// The places at which the slope is 0, in order.
+    pub(super) fn turns(&self) -> Vec<f64> {
+        self.curve.turns()
+    }
+
+    /// The greatest sizes of the slope and of the second derivative.
+    pub(super) fn steepest(&self) -> [f64; 2] {
+        self.curve.steepest()
+    }
+}
+
+/// How a curve through knots begins and ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SplineEnds {
+    /// With no slope.
+    AtRest,
+    /// The end goes on as the beginning does.
+    Closed,
+}
+
+/// Cubics through knots.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Spline {
+    /// Where, and the value there.
+    knots: Vec<[f64; 2]>,
+    /// The second derivatives at the knots.
+    bends: Vec<f64>,
+}
+
+impl Spline {
+    /// Through these knots; `None` for fewer than two, and where their places do not grow.
+    pub(crate) fn new(knots: Vec<[f64; 2]>, ends: SplineEnds) -> Option<Spline> {
+        let grow = knots.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        let is_sound = knots.len() > 1 && grow && knots.iter().flatten().all(|x| x.is_finite());
+        is_sound.then(|| Spline {
+            bends: bends(&knots, ends),
+            knots,
+        })
+    }
+
+    /// Where, and the value there: at least two.
+    pub(crate) fn knots(&self) -> &[[f64; 2]] {
+        &self.knots
+    }
+
+    /// The second derivatives at the knots.
+    pub(crate) fn bends(&self) -> &[f64] {
+        &self.bends
+    }
+
+    /// The first knot and the last.
+    pub(crate) fn ends(&self) -> [[f64; 2]; 2] {
+        [self.knots[0], self.knots[self.knots.len() - 1]]
+    }
+
+    /// The value at a place, and its first two derivatives; beyond an end those of that end.
+    pub(crate) fn at(&self, place: f64) -> [f64; 3] {
         let last = self.knots.len() - 1;
         let place = place.clamp(self.knots[0][0], self.knots[last][0]);
         let k = self.knots.partition_point(|knot| knot[0] <= place);
@@ -46,37 +105,161 @@ impl ClampedSpline {
             a * first + b * second,
         ]
     }
+
+    /// The cubics, each from where to where.
+    fn parts(&self) -> impl Iterator<Item = SplinePart> {
+        let bends = self.bends.windows(2);
+        self.knots.windows(2).zip(bends).map(|(knots, bends)| {
+            let ([begin, low], [end, high]) = (knots[0], knots[1]);
+            let h = end - begin;
+            SplinePart {
+                begin,
+                length: h,
+                bends: [bends[0], bends[1]],
+                // Of the slope over the part b of the way: a polynomial of degree 2.
+                slope: [
+                    (high - low) / h - (2.0 * bends[0] + bends[1]) * h / 6.0,
+                    bends[0] * h,
+                    0.5 * (bends[1] - bends[0]) * h,
+                ],
+            }
+        })
+    }
+
+    /// The places at which the slope is 0, in order.
+    fn turns(&self) -> Vec<f64> {
+        self.parts().flat_map(|part| part.turns()).collect()
+    }
+
+    /// The greatest sizes of the slope and of the second derivative.
+    fn steepest(&self) -> [f64; 2] {
+        let sizes = self.parts().flat_map(|part| {
+            // The slope is largest at an end, or where it does not change.
+            let [first, second] = part.bends;
+            let level = first / (first - second);
+            let inside = Some(level).filter(|b| (0.0..1.0).contains(b));
+            let places = [Some(0.0), Some(1.0), inside].into_iter().flatten();
+            places.map(move |b| part.slope_at(b).abs())
+        });
+        let bends = self.bends.iter().map(|bend| bend.abs());
+        [sizes.fold(0.0, f64::max), bends.fold(0.0, f64::max)]
+    }
 }
 
-/// The second derivatives at the knots: where two cubics meet their slopes agree, and at the ends they are 0.
-fn bends(knots: &[[f64; 2]]) -> Vec<f64> {
-    let widths: Vec<f64> = knots
-        .windows(2)
-        .map(|pair| pair[1][0] - pair[0][0])
+/// One cubic of it.
+struct SplinePart {
+    begin: f64,
+    length: f64,
+    /// The second derivatives at its ends.
+    bends: [f64; 2],
+    slope: [f64; 3],
+}
+
+impl SplinePart {
+    /// The slope after the part b of its length.
+    fn slope_at(&self, b: f64) -> f64 {
+        let [c, d, e] = self.slope;
+        c + b * (d + b * e)
+    }
+
+    /// Where the slope is 0.
+    fn turns(&self) -> impl Iterator<Item = f64> + use<> {
+        let ([c, d, e], begin, length) = (self.slope, self.begin, self.length);
+        // Without a difference of equals.
+        let q = -0.5 * (d + (d * d - 4.0 * e * c).sqrt().copysign(d));
+        let mut roots = [q / e, c / q];
+        roots.sort_by(f64::total_cmp);
+        let inside = roots.into_iter().filter(|b| (0.0..=1.0).contains(b));
+        inside.map(move |b| begin + b * length)
+    }
+}
+
+/// The second derivatives at the knots, of which there are two at least.
+pub(crate) fn bends<T: Number>(knots: &[[T; 2]], ends: SplineEnds) -> Vec<T> {
+    let pairs = || knots.windows(2);
+    let widths: Vec<T> = pairs().map(|pair| pair[1][0] - pair[0][0]).collect();
+    let rises: Vec<T> = pairs()
+        .zip(&widths)
+        .map(|(pair, &width)| (pair[1][1] - pair[0][1]) / width)
         .collect();
-    let rise = |k: usize| (knots[k + 1][1] - knots[k][1]) / widths[k];
-    let last = knots.len() - 1;
-    // From top to bottom, row by row: of each its pivot and its right side, less what stands above.
-    let (mut pivots, mut bends) = (Vec::new(), Vec::new());
-    for k in 0..=last {
-        let before = if k > 0 { widths[k - 1] } else { 0.0 };
-        let behind = if k < last { widths[k] } else { 0.0 };
-        let arrives = if k > 0 { rise(k - 1) } else { 0.0 };
-        let leaves = if k < last { rise(k) } else { 0.0 };
-        let (mut pivot, mut side) = (2.0 * (before + behind), 6.0 * (leaves - arrives));
-        if let (Some(above), Some(solved)) = (pivots.last(), bends.last()) {
-            let part: f64 = before / above;
-            pivot -= part * before;
-            side -= part * solved;
-        }
-        pivots.push(pivot);
-        bends.push(side);
+    match ends {
+        SplineEnds::AtRest => bends_at_rest(&widths, &rises),
+        SplineEnds::Closed => bends_around(&widths, &rises),
     }
-    bends[last] /= pivots[last];
-    for k in (0..last).rev() {
-        bends[k] = (bends[k] - widths[k] * bends[k + 1]) / pivots[k];
+}
+
+/// Beyond both ends the chord is level, and has no width.
+fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
+    let last = widths.len();
+    let before = |of: &[T], k: usize| if k > 0 { of[k - 1] } else { T::default() };
+    let behind = |of: &[T], k: usize| if k < last { of[k] } else { T::default() };
+    let rows = (0..=last).map(|k| BendRow {
+        pivot: T::exactly(2.0) * (before(widths, k) + behind(widths, k)),
+        next: behind(widths, k),
+        side: T::exactly(6.0) * (behind(rises, k) - before(rises, k)),
+    });
+    solved(rows.collect())
+}
+
+/// The last knot is the first: with s the second derivative there those of the others are u + s v, and the slopes
+/// agree there too.
+fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
+    let count = widths.len();
+    let row = |k: usize, side: T| BendRow {
+        pivot: T::exactly(2.0) * (widths[k - 1] + widths[k]),
+        next: widths[k],
+        side,
+    };
+    let turned = |before: usize, behind: usize| T::exactly(6.0) * (rises[behind] - rises[before]);
+    let around = |inner: Vec<T>, end: T| {
+        let ends = [end];
+        let all = ends.iter().chain(&inner).chain(&ends);
+        all.copied().collect::<Vec<T>>()
+    };
+    let inner = 1..count;
+    let u = solved(inner.clone().map(|k| row(k, turned(k - 1, k))).collect());
+    let ends_beside = |k: usize| {
+        let first = if k == 1 { widths[0] } else { T::default() };
+        let last = if k == count - 1 {
+            widths[k]
+        } else {
+            T::default()
+        };
+        T::default() - (first + last)
+    };
+    let v = solved(inner.map(|k| row(k, ends_beside(k))).collect());
+    let (u, v) = (around(u, T::default()), around(v, T::exactly(1.0)));
+    let [first, last] = [widths[0], widths[count - 1]];
+    let beside = |of: &[T]| first * of[1] + last * of[count - 1];
+    let pivot = T::exactly(2.0) * (first + last) + beside(&v);
+    let s = (turned(count - 1, 0) - beside(&u)) / pivot;
+    u.iter().zip(&v).map(|(&u, &v)| u + s * v).collect()
+}
+
+/// A row of symmetric equations, each with its neighbours.
+struct BendRow<T> {
+    pivot: T,
+    /// What stands beside the next unknown, and in the next row beside this one.
+    next: T,
+    side: T,
+}
+
+/// From top to bottom, row by row: of each its pivot and its right side, less what stands above.
+fn solved<T: Number>(mut rows: Vec<BendRow<T>>) -> Vec<T> {
+    for k in 1..rows.len() {
+        let BendRow { pivot, next, side } = rows[k - 1];
+        let part = next / pivot;
+        let row = &mut rows[k];
+        row.pivot = row.pivot - part * next;
+        row.side = row.side - part * side;
     }
-    bends
+    let mut found = vec![T::default(); rows.len()];
+    let mut below = T::default();
+    for (row, found) in rows.iter().zip(&mut found).rev() {
+        below = (row.side - row.next * below) / row.pivot;
+        *found = below;
+    }
+    found
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! All figures of a scene, by name.
 
 use super::{Aspect, FigureSource, Quantity, Share, Subject, magnitude};
-use crate::expression::LengthScale;
+use crate::expression::{LengthScale, Part};
 use crate::nearest::nearest;
 use crate::scene::Scene;
 use crate::solver::Order;
@@ -19,8 +19,8 @@ pub struct Catalogue {
     /// What is made of them by formulas.
     pub(super) defined: Vec<Quantity>,
     pub(super) length: LengthScale,
-    /// Plain numbers that formulas may name.
-    pub(super) parameters: Vec<(String, f64)>,
+    /// Numbers that formulas may name.
+    pub(super) parameters: Vec<(String, Part)>,
 }
 
 /// A column pattern that names nothing in the scene.
@@ -83,7 +83,10 @@ impl Catalogue {
                 tenths_of_mm: scene.unit.tenths_of_mm(),
             },
             parameters: (scene.parameters.iter())
-                .map(|parameter| (parameter.name.clone(), parameter.number))
+                .map(|parameter| {
+                    let part = Part::named(parameter.number, parameter.dimension);
+                    (parameter.name.clone(), part)
+                })
                 .collect(),
         };
         let driver_aspects = match scene.mechanism.driver().input {
@@ -282,7 +285,7 @@ impl Catalogue {
         let names = self.quantities.iter().chain(&unlisted);
         let names = names.map(|q| q.name.as_str());
         UnknownColumn {
-            why,
+            why: why.or_else(|| self.difference(pattern)),
             pattern: pattern.into(),
             nearest: nearest(pattern, names).map(str::to_owned),
             nothing_acts: self.has_no(pattern),

@@ -28,10 +28,6 @@ pub struct Clock {
 const ROUNDING: f64 = 1e-12;
 /// What rounding makes of a coordinate that is had from a time, as a part of the range.
 const BESIDE: f64 = 1e-12;
-/// Looks for a coordinate on the way of a motion between so many times, and halves what lies between two of them
-/// so often.
-const LOOKS: u32 = 720;
-const HALVINGS: u32 = 60;
 
 /// How fast the driver runs at a time, against what the scene says.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +92,16 @@ impl Clock {
         DriverMoment { at, ..moment }
     }
 
+    /// The moment of a coordinate that is passed with the scene's own speed, whatever its motion.
+    #[must_use]
+    pub fn passing(&self, at: f64) -> DriverMoment {
+        DriverMoment {
+            at,
+            speed: self.speed,
+            acceleration: self.acceleration,
+        }
+    }
+
     /// Where the driver is, in degrees or in the scene's length unit.
     #[must_use]
     pub fn coordinate(&self, time: f64) -> f64 {
@@ -116,38 +122,21 @@ impl Clock {
     #[must_use]
     pub fn time(&self, coordinate: f64) -> Option<f64> {
         match &self.law {
-            Some(law) => self.found(coordinate, 0.0, law.period()),
+            Some(law) => law.first(coordinate, [0.0, law.period()]),
             None => self.times(coordinate - self.start)[0],
         }
     }
 
     /// When the driver is there first, between two times: one that turns back comes by twice.
     pub(super) fn time_between(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
-        if self.law.is_some() {
-            return self.found(coordinate, low, high);
+        if let Some(law) = &self.law {
+            return law.first(coordinate, [low, high]);
         }
         let times = self.times(coordinate - self.start).into_iter().flatten();
         // The ends themselves were rounded.
         let slack = ROUNDING * (high - low);
         let within = times.filter(|t| (low - slack..=high + slack).contains(t));
         within.min_by(f64::total_cmp).map(|t| t.max(low).min(high))
-    }
-
-    /// When a motion first comes by a coordinate, between two times.
-    fn found(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
-        let time = |k: u32| low + (high - low) * f64::from(k) / f64::from(LOOKS);
-        let ahead = |time: f64| self.coordinate(time) - coordinate;
-        let met = (0..LOOKS).find(|&k| ahead(time(k)) * ahead(time(k + 1)) <= 0.0)?;
-        let (mut before, mut after) = (time(met), time(met + 1));
-        if ahead(before) == 0.0 {
-            return Some(before);
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (before + after);
-            let is_past = ahead(middle) * ahead(before) <= 0.0;
-            *(if is_past { &mut after } else { &mut before }) = middle;
-        }
-        Some(after)
     }
 
     /// Whether the driver keeps its speed.

@@ -3,7 +3,7 @@
 use super::derived::Leaf;
 use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
 use crate::document::{Diagnostic, Diagnostics};
-use crate::expression::{self, ExpressionTree, Malformed, Part, compile};
+use crate::expression::{self, ExpressionTree, Malformed, compile};
 use crate::nearest::did_you_mean;
 use crate::scene::{NamedFormula, Scene, is_figure_name, reserved_for_figures};
 use crate::wording::words;
@@ -120,8 +120,8 @@ impl Catalogue {
         let mut leaves: Vec<Leaf> = Vec::new();
         let mut names = |name: &str| {
             let mut parameters = self.parameters.iter();
-            if let Some((_, number)) = parameters.find(|(parameter, _)| parameter == name) {
-                return Ok(Part::constant(*number));
+            if let Some((_, part)) = parameters.find(|(parameter, _)| parameter == name) {
+                return Ok(part.clone());
             }
             let solved = index.get(name).and_then(|&i| self.all().get(i));
             let found = match solved {
@@ -130,7 +130,7 @@ impl Catalogue {
                     let unlisted = self.unlisted();
                     let names = self.all().iter().chain(&unlisted);
                     let near = || did_you_mean(name, names.map(|q| q.name.as_str()));
-                    why.or_else(near)
+                    why.or_else(|| self.difference(name)).or_else(near)
                 })?,
             };
             Ok(magnitude::part(&found, &mut leaves))
@@ -141,6 +141,16 @@ impl Catalogue {
             message: words().no_rate_of(&of),
             help: None,
         })
+    }
+
+    /// What mends a name that reads as a difference.
+    pub(super) fn difference(&self, name: &str) -> Option<String> {
+        let is_known = |part: &str| {
+            let mut parameters = self.parameters.iter();
+            parameters.any(|(own, _)| own == part) || self.find(part).is_some()
+        };
+        let is_one = expression::is_difference(name, is_known);
+        is_one.then(|| words().minus_between_blanks().to_owned())
     }
 
     /// A figure that is made of others; in words why there is none, where that can be told.

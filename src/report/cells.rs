@@ -5,6 +5,8 @@ use std::borrow::Cow;
 /// Rows of cells, and what stood between these.
 pub(super) struct ReadCells {
     pub(super) rows: Vec<Vec<String>>,
+    /// On which line of the file each row begins, from 1.
+    pub(super) lines: Vec<u64>,
     pub(super) separator: char,
 }
 
@@ -18,20 +20,26 @@ impl ReadCells {
         let text = decoded(bytes);
         let text = text.trim_start_matches('\u{feff}');
         let separator = separator(text);
-        let rows = rows(text, separator, most_rows)?;
+        let (rows, lines) = rows(text, separator, most_rows)?;
         let is_unbalanced = rows.iter().flatten().any(|cell| cell.contains('\n'));
         // One quote too many would swallow the lines behind it: then each line stands for itself.
-        let rows = match is_unbalanced {
-            false => rows,
+        let (rows, lines) = match is_unbalanced {
+            false => (rows, lines),
             true => {
-                let mut all = Vec::new();
-                for line in text.lines() {
-                    all.extend(self::rows(line, separator, 1)?);
+                let (mut all, mut lines) = (Vec::new(), Vec::new());
+                for (line, number) in text.lines().zip(1..) {
+                    let (rows, _) = self::rows(line, separator, 1)?;
+                    lines.extend(rows.iter().map(|_| number));
+                    all.extend(rows);
                 }
-                (all.len() <= most_rows).then_some(all)?
+                (all.len() <= most_rows).then_some((all, lines))?
             }
         };
-        Some(ReadCells { rows, separator })
+        Some(ReadCells {
+            rows,
+            lines,
+            separator,
+        })
     }
 }
 
@@ -47,13 +55,14 @@ fn decoded(bytes: &[u8]) -> Cow<'_, str> {
     String::from_utf16_lossy(&units).into()
 }
 
-fn rows(text: &str, separator: char, most: usize) -> Option<Vec<Vec<String>>> {
+/// Rows of cells, and on which line each begins.
+fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, Vec<u64>)> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
         .delimiter(separator as u8)
         .from_reader(text.as_bytes());
-    let mut rows = Vec::new();
+    let (mut rows, mut lines) = (Vec::new(), Vec::new());
     let mut cells = 0;
     for row in reader.records() {
         let Ok(row) = row else { continue };
@@ -61,9 +70,21 @@ fn rows(text: &str, separator: char, most: usize) -> Option<Vec<Vec<String>>> {
         if rows.len() >= most || cells > MOST_CELLS {
             return None;
         }
+        lines.push(row.position().map_or(0, |begin| line_of(text, begin)));
         rows.push(row.iter().map(|cell| cell.trim().to_owned()).collect());
     }
-    Some(rows)
+    Some((rows, lines))
+}
+
+/// The line of a row: its beginning is told as that of the empty lines before it.
+fn line_of(text: &str, begin: &csv::Position) -> u64 {
+    let from = usize::try_from(begin.byte()).ok();
+    let rest = from.and_then(|from| text.get(from..)).unwrap_or("");
+    let empty = rest.chars().take_while(|c| matches!(c, '\r' | '\n'));
+    (begin.line()..)
+        .zip(empty.filter(|c| *c == '\n'))
+        .last()
+        .map_or(begin.line(), |(line, _)| line + 1)
 }
 
 /// What stands between the cells: what the first line that has any of them has most.
@@ -92,6 +113,10 @@ mod tests {
     fn a_quote_too_many_swallows_no_line() {
         let rows = read(b"a,b,\"c\nd,e,\"1,5\"\ng,h,i\n");
         assert_eq!(rows, [["a", "b", "c"], ["d", "e", "1,5"], ["g", "h", "i"]]);
+        for text in ["a,b\n\n\n\"c\",d\ne,f\n", "a,b\r\n\r\n\r\nc,d\r\ne,f"] {
+            let lines = ReadCells::read(text.as_bytes(), 10).unwrap().lines;
+            assert_eq!(lines, [1, 4, 5], "{text:?}");
+        }
         assert!(ReadCells::read(b"a,\"b\nc\nd\n", 2).is_none());
     }
 

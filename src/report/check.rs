@@ -4,12 +4,13 @@ use super::choice_facts::ChoiceList;
 use super::forces::indeterminate;
 use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
+use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::range_text;
 use super::slide_facts::SlideFacts;
 use super::stop_facts::{StopFacts, stops};
 use crate::quantity::Catalogue;
-use crate::scene::{Parameter, Scene};
+use crate::scene::{Parameter, Scene, Unit};
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
 use crate::wording::words;
@@ -39,6 +40,9 @@ pub struct DriverFacts {
     pub kind: DriverKind,
     /// The driven link or slide.
     pub name: String,
+    /// The link that its motor sits on, where that is not the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
     /// Its coordinate at the opening, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub start: f64,
@@ -149,6 +153,9 @@ pub struct Check {
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverFacts,
+    /// How it moves over time, if it does not run by its speed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionFacts>,
     /// The inputs that follow it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<InputFacts>,
@@ -201,11 +208,42 @@ pub struct Check {
     pub first_loop: Option<LoopFacts>,
     /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
     pub acting: LoadCounts,
+    /// Knots of loads over the driver's coordinate at which the motion never is.
+    pub dead_knots: Vec<DeadKnots>,
     /// Reactions that the redundant constraints leave open, as their columns are named.
     pub indeterminate: Vec<String>,
     /// The range in words.
     #[serde(skip)]
     pub range_text: String,
+}
+
+/// Knots of a load that do nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DeadKnots {
+    /// What the load acts on.
+    pub on: String,
+    /// The driver's coordinates of the knots.
+    pub at: Vec<f64>,
+}
+
+/// The knots of every load between which and the next no place of the motion lies.
+fn dead_knots(scene: &Scene, range: Range) -> Vec<DeadKnots> {
+    let Range::Limited { low, high } = range else {
+        return Vec::new();
+    };
+    let mechanism = &scene.mechanism;
+    let turns = mechanism.driver().turns();
+    let of_load = |load: &Load| {
+        let (on, over) = match load {
+            Load::Force { point, over, .. } => (scene.point_name(*point)?, over),
+            Load::Torque { link, over, .. } => (scene.link_name(*link), over),
+            _ => return None,
+        };
+        let at = over.unused_between(low, high, turns);
+        let on = on.to_owned();
+        (!at.is_empty()).then_some(DeadKnots { on, at })
+    };
+    mechanism.loads().iter().filter_map(of_load).collect()
 }
 
 /// A number with a name.
@@ -218,14 +256,19 @@ pub struct ParameterFacts {
     /// The formula that it follows from, if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formula: Option<String>,
+    /// The unit of its worth, where it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
 }
 
 impl ParameterFacts {
-    fn of(parameter: &Parameter) -> ParameterFacts {
+    fn of(parameter: &Parameter, length: Unit) -> ParameterFacts {
+        let unit = parameter.dimension;
         ParameterFacts {
             name: parameter.name.clone(),
             value: parameter.number,
             formula: parameter.formula.clone(),
+            unit: unit.map(|unit| unit.symbol(length.symbol())),
         }
     }
 
@@ -233,7 +276,9 @@ impl ParameterFacts {
     pub(super) fn text(&self) -> String {
         let formula = self.formula.as_ref();
         let formula = formula.map_or(String::new(), |formula| format!("{formula} = "));
-        format!("{} = {formula}{}", self.name, self.value)
+        let unit = self.unit.as_ref();
+        let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+        format!("{} = {formula}{}{unit}", self.name, self.value)
     }
 }
 
@@ -329,8 +374,11 @@ impl Check {
             note: scene.note.clone(),
             unit: scene.unit.symbol(),
             driver: names.driver(),
-            inputs: InputFacts::of(scene),
-            parameters: scene.parameters.iter().map(ParameterFacts::of).collect(),
+            motion: MotionFacts::of(scene),
+            inputs: InputFacts::of(scene, solver.motion().range),
+            parameters: (scene.parameters.iter())
+                .map(|parameter| ParameterFacts::of(parameter, scene.unit))
+                .collect(),
             links: names.links(mechanism.link_ids()),
             joints: mechanism
                 .point_ids()
@@ -354,6 +402,7 @@ impl Check {
             transmission: names.transmission(solver),
             condition: names.condition(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
+            dead_knots: dead_knots(scene, solver.motion().range),
             acting: LoadCounts::on(mechanism, solver.motion().range),
             indeterminate: indeterminate(scene, solver),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
@@ -428,6 +477,7 @@ impl ElementNames<'_> {
         DriverFacts {
             kind,
             name,
+            from: self.scene.seat_name(driver.input).map(str::to_owned),
             start: driver.start,
             speed: driver.speed,
             acceleration: driver.acceleration,

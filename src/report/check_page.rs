@@ -4,10 +4,12 @@ use super::check::{
     Check, ConditionFacts, DriverFacts, DriverKind, GroupFacts, JointFacts, ParameterFacts,
     RedundancyFacts, TransmissionFacts,
 };
+use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
 use crate::page::{Content, Facts, Page, TextStyle};
+use crate::scene::from_seat;
 use crate::wording::words;
 
 /// Columns of the names, and of what stands before the rest of a fact that takes several lines.
@@ -56,6 +58,10 @@ impl Check {
             words().fact_driver(),
             [self.driver_text()].into_iter().chain(inputs),
         );
+        facts.tell(
+            words().fact_motion(),
+            self.motion.as_ref().map(MotionFacts::text),
+        );
         facts.tell(words().fact_links(), [self.links.join(", ")]);
         facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
         facts.tell(
@@ -93,7 +99,15 @@ impl Check {
         facts.tell(words().fact_transmission(), angles);
         let conditions = self.condition.iter().map(|c| condition_text(c, unit));
         facts.tell(words().fact_condition(), conditions);
-        facts.tell(words().fact_forces(), self.acting_text());
+        let dead = self.dead_knots.iter().map(|dead| {
+            let unit = self.driver_unit();
+            let at: Vec<String> = dead.at.iter().map(|at| place_text(*at, unit)).collect();
+            words().knots_outside(&dead.on, &at.join(", "))
+        });
+        facts.tell(
+            words().fact_forces(),
+            self.acting_text().into_iter().chain(dead),
+        );
         if !self.indeterminate.is_empty() {
             facts.tell(words().fact_open(), [self.open_text()]);
         }
@@ -176,19 +190,23 @@ impl Check {
             DriverKind::Slide => (self.unit, self.unit),
         };
         let driven = self.driven();
-        let start = concise(*start, usize::MAX);
+        let start = format!("{} {coordinate}", concise(*start, usize::MAX));
+        if self.motion.is_some() {
+            return words().driver_opens_at(&driven, &start);
+        }
         // Rates may come from rpm or deg/s, with digits of no use.
         let [speed, acceleration] = [speed, acceleration].map(|v| concise(*v, DIGITS));
         words().driver_opens(
             &driven,
-            &format!("{start} {coordinate}"),
+            &start,
             &format!("{speed} {rate}/s"),
             &format!("{acceleration} {rate}/s^2"),
         )
     }
 
     fn driven(&self) -> String {
-        self.driver.kind.named(&self.driver.name)
+        let name = from_seat(&self.driver.name, self.driver.from.as_deref());
+        self.driver.kind.named(&name)
     }
 
     fn group_text(&self, group: &GroupFacts) -> String {

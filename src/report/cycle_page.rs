@@ -2,7 +2,7 @@
 
 use super::check_page::{condition_text, place_text};
 use super::cycle_report::{CycleReport, FollowedFigure, WorstPlace};
-use super::number::{concise, significant};
+use super::number::{concise, known_digits, significant};
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::quantity::{Quantity, rate_unit};
 use crate::scene::Scene;
@@ -18,6 +18,8 @@ const ALL: usize = 9;
 const DIGITS: usize = 6;
 /// Of a dwell.
 const SOME: usize = 5;
+/// A place nearer to 0 than this part of the motion is 0.
+const SAME_PLACE: f64 = 1e-12;
 /// Of a tolerance.
 const FEW: usize = 3;
 
@@ -89,14 +91,27 @@ impl CycleReport {
                 let told = words().stays_at(&format!("{value} {unit}"));
                 facts.tell(&indented(label), [told]);
             }
-            Ok(excursion) => self.tell(excursion, &figure.quantity.unit, label, &mut facts),
+            Ok(excursion) => self.tell((figure, excursion), label, &mut facts),
         }
         Content::Facts(facts)
     }
 
-    fn tell(&self, excursion: &Excursion, unit: &str, label: &str, facts: &mut Facts) {
+    fn tell(
+        &self,
+        (figure, excursion): (&FollowedFigure, &Excursion),
+        label: &str,
+        facts: &mut Facts,
+    ) {
+        let unit = &figure.quantity.unit;
+        let bound = |at| figure.bound_at(at, self.range);
         let stroke = match excursion.stroke() {
-            Ok(stroke) => format!("{} {unit}", concise(stroke, ALL)),
+            Ok(stroke) => {
+                let bound = bound(excursion.least.at) + bound(excursion.greatest.at);
+                format!(
+                    "{} {unit}",
+                    concise(stroke, known_digits(stroke, bound, ALL))
+                )
+            }
             Err(_) if excursion.revolutions.abs() == 1.0 => words().turns_round_once().to_owned(),
             Err(_) => words().turns_round_times(&concise(excursion.revolutions.abs(), FEW)),
         };
@@ -104,7 +119,7 @@ impl CycleReport {
         let turns = excursion
             .turnings
             .iter()
-            .map(|turn| self.turn_text(turn, unit));
+            .map(|turn| self.turn_text(turn, unit, bound(turn.place.at)));
         facts.tell(&indented(words().label_turns()), turns);
         let ratio = match excursion.ratio {
             Ok(ratio) => Some(self.ratio_text(ratio)),
@@ -169,8 +184,9 @@ impl CycleReport {
         lines.collect()
     }
 
-    fn turn_text(&self, turn: &TurningPlace, unit: &str) -> String {
-        let value = format!("{} {unit}", concise(turn.place.value, ALL));
+    fn turn_text(&self, turn: &TurningPlace, unit: &str, bound: f64) -> String {
+        let value = turn.place.value;
+        let value = format!("{} {unit}", concise(value, known_digits(value, bound, ALL)));
         let at = place_text(turn.place.at, &self.driver.unit);
         let told = match turn.is_peak {
             true => words().peak_at(&value, &at),
@@ -202,8 +218,17 @@ impl CycleReport {
             Some(seconds) => words().in_seconds(&way, &significant(seconds, SOME)),
             None => way,
         };
-        let [from, to] = [dwell.from, dwell.to].map(|at| significant(at, SOME));
+        let (low, high) = self.range.ends();
+        let place = |at: f64| match at.abs() <= SAME_PLACE * (high - low) {
+            true => significant(0.0, SOME),
+            false => significant(at, SOME),
+        };
+        let [from, to] = [dwell.from, dwell.to].map(place);
         let of = concise(dwell.about.place.value, SOME);
+        let way = match dwell.there_and_back {
+            true => words().way_there_and_back(&way),
+            false => way,
+        };
         words().stays_within(&way, &from, &to, tolerance, &of)
     }
 

@@ -4,9 +4,9 @@ use super::check::{ConditionFacts, ElementNames};
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::range_text::range_text;
 use crate::Body;
-use crate::quantity::{Catalogue, Quantity, rate_unit};
+use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
 use crate::scene::Scene;
-use crate::solver::{Range, Solver};
+use crate::solver::{Condition, Range, Solver};
 use crate::study::{Excursion, ExcursionWish, FigurePlace, NoFigure};
 use crate::wording::{Language, Words, for_programs, words};
 use serde_json::{Value, json};
@@ -30,6 +30,21 @@ pub struct FollowedFigure {
     pub quantity: Quantity,
     /// What it does.
     pub excursion: Result<Excursion, NoFigure>,
+    /// By how much it may be off at the limits of the motion, the lower and the upper one: where these are dead points,
+    /// by the root of what rounding makes of the driver's coordinate. 0 where the driver turns fully; infinite where no
+    /// bound can be proved.
+    pub limit_bounds: [f64; 2],
+}
+
+impl FollowedFigure {
+    /// By how much its value at a place may be off, where that is a limit.
+    pub(super) fn bound_at(&self, at: f64, range: Range) -> f64 {
+        match range {
+            Range::Limited { low, .. } if at == low => self.limit_bounds[0],
+            Range::Limited { high, .. } if at == high => self.limit_bounds[1],
+            Range::Limited { .. } | Range::Full { .. } => 0.0,
+        }
+    }
 }
 
 /// What some figures of a scene do over the whole motion.
@@ -87,10 +102,12 @@ impl CycleReport {
             tolerance,
         };
         let found = Excursion::of_all(solver, columns, wish);
-        let figures = columns.iter().zip(found);
-        let figures = figures.map(|(quantity, excursion)| FollowedFigure {
+        let bounds = limit_bounds(solver, columns);
+        let figures = columns.iter().zip(found).zip(bounds);
+        let figures = figures.map(|((quantity, excursion), limit_bounds)| FollowedFigure {
             quantity: quantity.clone(),
             excursion,
+            limit_bounds,
         });
         CycleReport {
             figures: figures.collect(),
@@ -145,6 +162,7 @@ impl CycleReport {
             let dwells = dwells.iter().map(|d| {
                 json!({
                     "from": d.from, "to": d.to, "way": d.way, "seconds": d.seconds,
+                    "there_and_back": d.there_and_back,
                     "value": d.about.place.value,
                 })
             });
@@ -203,6 +221,7 @@ impl CycleReport {
         let FollowedFigure {
             quantity,
             excursion,
+            ..
         } = figure;
         let unit = &quantity.unit;
         let rate = rate_unit(unit);
@@ -278,12 +297,32 @@ pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     let slides = slides.map(|id| format!("{}.length", scene.slide_name(id)));
     let grounded = |id: &crate::LinkId| {
         let mut pins = mechanism.pins(*id);
-        !mechanism.is_turned(*id) && pins.any(|pin| mechanism.point(pin).ground.is_some())
+        !mechanism.is_directed(*id) && pins.any(|pin| mechanism.point(pin).ground.is_some())
     };
     let links = mechanism.link_ids().filter(grounded);
     let links = links.map(|id| format!("{}.angle", scene.link_name(id)));
     let names = own.chain(slides).chain(links);
     names.filter_map(|name| catalogue.find(&name)).collect()
+}
+
+/// By how much columns may be off at the limits of the motion.
+fn limit_bounds(solver: &Solver, columns: &[Quantity]) -> Vec<[f64; 2]> {
+    let mut bounds = vec![[0.0; 2]; columns.len()];
+    let Range::Limited { low, high } = solver.motion().range else {
+        return bounds;
+    };
+    let (wanted, order) = demand(columns);
+    let solver = solver.only(&wanted);
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    for (end, at) in [low, high].into_iter().enumerate() {
+        if solver.solve(at, order, &mut state) != Condition::NoAssembly {
+            solver.enclose(&mut state, order, &mut enclosure);
+        }
+        for (column, bounds) in columns.iter().zip(&mut bounds) {
+            bounds[end] = column.bound(&state, &enclosure).unwrap_or(f64::INFINITY);
+        }
+    }
+    bounds
 }
 
 /// Every dyad where its transmission angle is furthest from 90 degrees.

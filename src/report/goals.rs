@@ -1,11 +1,13 @@
 //! What a search for goals, or for the best design, came to.
 
+use super::cycle_report::figure_reason;
 use super::number::{concise, significant, trimmed};
 use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
+use crate::quantity::Catalogue;
 use crate::study::{
-    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoFigure, SearchOutcome,
+    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoDesign, NoFigure, SearchOutcome,
 };
-use crate::wording::words;
+use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
 
 /// Digits of what is read by eye, and of what meets a goal: as many as show that it does.
@@ -48,9 +50,19 @@ impl GoalReport<'_> {
         let wishes = self.goals.iter().map(written);
         facts.tell(words().to_be_met(), wishes);
         facts.tell(words().designs_found(), [self.verdict()]);
+        let lacks = self.lacks(words()).into_iter();
+        let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
+        let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
+        facts.tell(words().given_lacks(), unopened.into_iter().chain(lacks));
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
+    }
+
+    /// The figures that the given design has not, each with the reason.
+    fn lacks(&self, told: &dyn Words) -> Vec<(String, String)> {
+        let asked = self.goals.iter().map(|goal| &goal.figure);
+        lacks(self.space, asked, self.given.as_deref(), told)
     }
 
     fn verdict(&self) -> String {
@@ -64,8 +76,10 @@ impl GoalReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let numbered = match self.outcome.solutions.is_empty() {
-            true => vec![words().nearest_design().to_owned()],
+        let numbered: Vec<String> = match self.outcome.solutions.is_empty() {
+            true => (self.outcome.nearest.iter())
+                .map(|_| words().nearest_design().to_owned())
+                .collect(),
             false => (1..=self.outcome.solutions.len().min(MOST_SHOWN))
                 .map(|n| n.to_string())
                 .collect(),
@@ -117,6 +131,11 @@ impl GoalReport<'_> {
             "scene": self.space.scene().name,
             "goals": self.goals.iter().map(written).collect::<Vec<_>>(),
             "given": named(self.space, &self.space.given()),
+            "lacks": Value::Object(
+                (self.lacks(for_programs()).into_iter())
+                    .map(|(name, why)| (name, json!(why)))
+                    .collect()
+            ),
             "starts": self.outcome.starts,
             "solutions": self.outcome.solutions.iter().map(design).collect::<Vec<_>>(),
             "nearest": self.outcome.nearest.as_ref().map(design),
@@ -129,6 +148,34 @@ impl GoalReport<'_> {
             pairs.map(|(goal, value)| (goal.figure.name().to_owned(), json!(value.as_ref().ok())));
         Value::Object(pairs.collect::<Map<_, _>>())
     }
+}
+
+/// The figures that a design has not, each with the reason.
+fn lacks<'f>(
+    space: &DesignSpace,
+    asked: impl Iterator<Item = &'f CycleFigure>,
+    found: Option<&[Result<f64, NoFigure>]>,
+    told: &dyn Words,
+) -> Vec<(String, String)> {
+    let driver = Catalogue::new(space.scene()).driver().unit.clone();
+    let found = found.unwrap_or_default().iter();
+    let lacks = asked.zip(found).filter_map(|(figure, value)| {
+        let why = value.err()?;
+        Some((figure.name().to_owned(), figure_reason(why, &driver, told)))
+    });
+    lacks.collect()
+}
+
+/// Why there is no best design: the figures that the given one has not.
+#[must_use]
+pub fn no_best(
+    space: &DesignSpace,
+    figures: &[CycleFigure],
+    given: Option<&[Result<f64, NoFigure>]>,
+) -> String {
+    let lacks = lacks(space, figures.iter(), given, words()).into_iter();
+    let lacks = lacks.map(|(name, why)| format!("; {name}: {why}"));
+    words().keeps_nothing().to_owned() + &lacks.collect::<String>()
 }
 
 /// The best design.

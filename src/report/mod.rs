@@ -9,6 +9,8 @@
 mod accuracy;
 mod answers;
 mod beside;
+#[cfg(feature = "tui")]
+mod candidate_row;
 mod cells;
 mod check;
 mod check_page;
@@ -31,6 +33,7 @@ mod goals;
 mod input_facts;
 mod least;
 mod loop_facts;
+mod motion_facts;
 mod motor;
 mod motor_page;
 mod number;
@@ -78,15 +81,16 @@ pub use exercise::{
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
-pub use goals::{BestReport, GoalReport};
+pub use goals::{BestReport, GoalReport, no_best};
 pub use input_facts::InputFacts;
 pub use least::Least;
+pub use motion_facts::{MotionFacts, StepFacts};
 pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
-pub use stop_facts::{StopFacts, stops};
+pub use stop_facts::{StopFacts, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use synthesis::SynthesisReport;
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
@@ -102,6 +106,6 @@ pub use working::{
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
-    cycle_page::brief_cycle, forces::effort_word, forces_page::missed, number::shortest,
-    number::upwards,
+    candidate_row::CandidateRow, cycle_page::brief_cycle, forces::effort_word, forces_page::missed,
+    number::shortest, number::upwards, synthesis::wanted,
 };

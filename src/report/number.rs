@@ -28,6 +28,17 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// Of so many significant digits those that are known of a value that may be off by a bound: the unit of the last is no
+/// less than that. One at least, and all where no bound is finite.
+pub(super) fn known_digits(value: f64, bound: f64, digits: usize) -> usize {
+    if bound == 0.0 || !bound.is_finite() {
+        return digits;
+    }
+    let known = value.abs().log10().floor() - bound.log10().ceil() + 1.0;
+    // What is no more than its bound has none: the cast takes NaN and all below 0 for that.
+    digits.min(known as usize).max(1)
+}
+
 /// The same without noughts at its end.
 pub(super) fn trimmed(value: f64, digits: usize) -> String {
     without_noughts(significant(value, digits))
@@ -160,6 +171,25 @@ mod tests {
         assert_eq!(concise(1e300, usize::MAX), "1e300");
         let all = 36.869_897_645_844_02;
         assert_eq!(concise(all, usize::MAX), all.to_string());
+    }
+
+    #[test]
+    fn digits_beyond_a_bound_are_not_known() {
+        for (value, bound, known) in [
+            (41.409_621_7, 2.1e-6, 7),
+            (41.409_621_7, 1e-9, 9),
+            (-135.584_691_4, 6e-8, 9),
+            (1.5e-30, 1e-8, 1),
+            (0.0, 1e-8, 1),
+            (3.0, 0.0, 9),
+            (3.0, f64::INFINITY, 9),
+        ] {
+            assert_eq!(known_digits(value, bound, 9), known, "{value} +- {bound}");
+        }
+        assert_eq!(
+            significant(-41.409_621_7, known_digits(41.4, 2.1e-6, 9)),
+            "-41.40962"
+        );
     }
 
     #[test]

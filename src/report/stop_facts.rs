@@ -4,7 +4,7 @@ use super::number::concise;
 use crate::scene::Scene;
 use crate::solver::{EndStop, Solver};
 use crate::wording::words;
-use crate::{Input, LimitOf, StrokeEnd};
+use crate::{Input, LimitId, LimitOf, StrokeEnd};
 use serde::Serialize;
 
 /// A stop at an end of the range.
@@ -19,6 +19,9 @@ pub struct StopFacts {
     /// The unit of that.
     #[serde(skip)]
     unit: &'static str,
+    /// Whether it is the end of the table of this input.
+    #[serde(skip)]
+    is_table: bool,
 }
 
 /// The stops at which the motion ends, in order.
@@ -27,7 +30,9 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     let facts = |stop: &EndStop| {
         let limit = scene.mechanism.limit(stop.limit);
         let is_angle = match limit.of {
-            LimitOf::Driver => matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            LimitOf::Driver | LimitOf::Table(_) => {
+                matches!(scene.mechanism.driver().input, Input::Turn(_))
+            }
             LimitOf::Slide(_) => false,
             LimitOf::Angle { .. } => true,
         };
@@ -38,16 +43,48 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
                 StrokeEnd::Least => limit.low,
                 StrokeEnd::Greatest => limit.high,
             },
+            is_table: matches!(limit.of, LimitOf::Table(_)),
             unit: if is_angle { "deg" } else { scene.unit.symbol() },
         }
     };
     solver.motion().stops.iter().map(facts).collect()
 }
 
+/// What stops a motion, in words: what is limited, or the table that ends.
+#[must_use]
+pub fn stop_name(scene: &Scene, limit: LimitId) -> String {
+    let name = scene.limit_name(limit);
+    match scene.mechanism.limit(limit).of {
+        LimitOf::Table(_) => words().table_named(name),
+        LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Angle { .. } => name.to_owned(),
+    }
+}
+
 impl StopFacts {
+    /// What stops the motion, in words.
+    #[must_use]
+    pub fn called(&self) -> String {
+        match self.is_table {
+            true => words().table_named(&self.name),
+            false => self.name.clone(),
+        }
+    }
+
+    /// That it ends the motion before a place; `covered` is what the driver covers.
+    #[must_use]
+    pub fn before(&self, at: f64, unit: &str, covered: &str) -> String {
+        match self.is_table {
+            true => words().table_ends_before(&at, unit, &self.name, covered),
+            false => words().stopped_before(&at, unit, &self.name, covered),
+        }
+    }
+
     /// In words; `at` is the driver's coordinate in `unit`.
     #[must_use]
     pub fn text(&self, at: &str, unit: &str) -> String {
+        if self.is_table {
+            return words().table_ends_at(at, unit, &self.name);
+        }
         let value = format!("{} {}", concise(self.value, usize::MAX), self.unit);
         words().stop_at(at, unit, &self.name, &value)
     }

@@ -5,7 +5,7 @@ use crate::Input;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::quantity::Catalogue;
 use crate::scene::{Motor, Scene};
-use crate::study::motor::{MotorDemand, MotorFit, TimedDuty, TimedPeak};
+use crate::study::motor::{MotorDemand, MotorFit, NoTimedDuty, TimedDuty, TimedPeak};
 use crate::wording::words;
 use serde_json::{Value, json};
 
@@ -36,6 +36,18 @@ impl TimedMotorReport {
                 scene.unit.symbol().to_owned(),
             ],
             duty,
+        }
+    }
+
+    /// In words, why there is nothing to tell of a period.
+    #[must_use]
+    pub fn nothing(scene: &Scene, why: &NoTimedDuty) -> String {
+        let catalogue = Catalogue::new(scene);
+        let unit = &catalogue.driver().unit;
+        match why {
+            NoTimedDuty::NothingActs => words().nothing_acts_on_it().into(),
+            NoTimedDuty::Withheld(hidden) => hidden.text(unit),
+            NoTimedDuty::NoTorque(moment) => words().no_torque_on_the_way(moment.at, unit),
         }
     }
 

@@ -2,6 +2,7 @@
 //! worst.
 
 use super::loop_facts::LoopFacts;
+use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::stop_facts::stops;
 use crate::quantity::Catalogue;
@@ -20,7 +21,7 @@ const MOST_GROUPS: usize = 200;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verdict {
     /// Its parts, the most telling first; a part that does not apply keeps its place.
-    pub parts: [Option<VerdictPart>; 4],
+    pub parts: [Option<VerdictPart>; 5],
 }
 
 /// A part of a verdict in words, and in fewer where there is little room.
@@ -43,8 +44,8 @@ impl VerdictPart {
 }
 
 impl Verdict {
-    /// Of a scene as it was assembled: the driver's range, the class of its first loop, change points on the way, and the
-    /// transmission angle that is furthest from 90 degrees.
+    /// Of a scene as it was assembled: the driver's range, the class of its first loop, change points on the way, the
+    /// transmission angle that is furthest from 90 degrees, and what its motion over time asks for.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver) -> Verdict {
         let catalogue = Catalogue::new(scene);
@@ -69,6 +70,10 @@ impl Verdict {
             }
         };
         let class = solver.first_loop().map(LoopFacts::new);
+        let motion = MotionFacts::of(scene).map(|motion| {
+            let [long, short] = motion.in_short();
+            VerdictPart { long, short }
+        });
         let passed = solver.motion().change_points.len();
         Verdict {
             parts: [
@@ -76,6 +81,7 @@ impl Verdict {
                 class.map(|class| VerdictPart::of(class.name())),
                 (passed > 0).then(|| VerdictPart::of(words().some_change_points(passed))),
                 transmission(scene, solver, unit),
+                motion,
             ],
         }
     }
@@ -83,7 +89,7 @@ impl Verdict {
 
 /// What stops the driver, if anything does.
 fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
-    let met = stops(scene, solver).into_iter().map(|stop| stop.name);
+    let met = stops(scene, solver).into_iter().map(|stop| stop.called());
     let mut names: Vec<String> = met.collect();
     match names.as_slice() {
         [] => None,
@@ -98,7 +104,7 @@ fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
 /// The same, and where, if that is not where both ends are.
 fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) -> Option<String> {
     match stops(scene, solver).as_slice() {
-        [stop] => Some(words().stop_in_verdict(&stop.name, &place(stop.at))),
+        [stop] => Some(words().stop_in_verdict(&stop.called(), &place(stop.at))),
         _ => stops_named(scene, solver),
     }
 }

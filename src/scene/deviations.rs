@@ -22,6 +22,13 @@ pub(super) struct DraftTolerance {
     place: ByteSpan,
 }
 
+/// How loose a pin is, and where that is said.
+#[derive(Clone, Debug)]
+pub(super) struct DraftClearance {
+    size: f64,
+    place: ByteSpan,
+}
+
 /// A tolerance as it is given.
 #[derive(Clone, Copy, Debug)]
 enum AllowedDeviation {
@@ -35,8 +42,8 @@ enum AllowedDeviation {
 pub(super) struct DraftTolerances<'t> {
     pub(super) general: Option<DraftTolerance>,
     pub(super) points: Vec<(Name<'t>, DraftTolerance)>,
-    pub(super) clearance: f64,
-    pub(super) pins: Vec<(Name<'t>, f64)>,
+    pub(super) clearance: Option<DraftClearance>,
+    pub(super) pins: Vec<(Name<'t>, DraftClearance)>,
     /// Links that are the frame, and have a tolerance.
     pub(super) of_frame: Vec<(String, DraftTolerance)>,
 }
@@ -114,19 +121,28 @@ pub(super) fn points<'v>(
 }
 
 /// Reads `[clearances]`.
-pub(super) fn pins<'v>(reader: &mut Reader<'_>, value: &'v Deviations) -> Vec<(Name<'v>, f64)> {
+pub(super) fn pins<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v Deviations,
+) -> Vec<(Name<'v>, DraftClearance)> {
     reader.table("[clearances]", "B = 0.02", value);
     let read = |(name, value): (Name<'v>, &Lenient<f64>)| {
         let what = words().clearance_of_pin(&name.to_string());
-        let read = not_negative(reader, &what, value)?;
-        Some((name, read))
+        Some((name, loose_by(reader, &what, value)?))
     };
     value.entries().filter_map(read).collect()
 }
 
 /// Reads `clearance`.
-pub(super) fn clearance(reader: &mut Reader<'_>, value: &Lenient<f64>) -> f64 {
-    not_negative(reader, "`clearance`", value).unwrap_or(0.0)
+pub(super) fn clearance(reader: &mut Reader<'_>, value: &Lenient<f64>) -> Option<DraftClearance> {
+    loose_by(reader, "`clearance`", value)
+}
+
+fn loose_by(reader: &mut Reader<'_>, what: &str, value: &Lenient<f64>) -> Option<DraftClearance> {
+    Some(DraftClearance {
+        size: not_negative(reader, what, value)?,
+        place: value.span.clone(),
+    })
 }
 
 /// What is known of the scene when its tolerances are settled.
@@ -314,7 +330,7 @@ impl<'r> Settling<'r, '_, '_> {
 
     /// How loose every pin is: one that joins several links has a clearance for each but the first.
     fn clearances(&mut self) -> Vec<(LinkId, PointId, f64)> {
-        let mut own: HashMap<PointId, f64> = HashMap::new();
+        let mut own: HashMap<PointId, &DraftClearance> = HashMap::new();
         for (name, size) in &self.draft.tolerances.pins {
             let Some(point) = self.point("[clearances]", name) else {
                 continue;
@@ -327,18 +343,56 @@ impl<'r> Settling<'r, '_, '_> {
                         .help(words().pins_join()),
                 );
             }
-            own.insert(point, *size);
+            own.insert(point, size);
         }
-        let all = self.draft.tolerances.clearance;
+        let all = self.draft.tolerances.clearance.as_ref();
         let mut clearances = Vec::new();
         for point in self.mechanism.point_ids() {
-            let size = own.get(&point).copied().unwrap_or(all);
-            if size > 0.0 {
-                let links = loose(self.mechanism, point);
-                clearances.extend(links.into_iter().map(|link| (link, point, size)));
+            let Some(given) = own
+                .get(&point)
+                .copied()
+                .or(all)
+                .filter(|given| given.size > 0.0)
+            else {
+                continue;
+            };
+            let links = loose(self.mechanism, point);
+            if !links.is_empty() {
+                self.shorter_than(point, given);
             }
+            clearances.extend(links.into_iter().map(|link| (link, point, given.size)));
         }
         clearances
+    }
+
+    /// Reports a pin that is as loose as a length is long that ends there: the link could stand anywhere about it.
+    fn shorter_than(&mut self, pin: PointId, clearance: &DraftClearance) {
+        let ends_there = |length: &Length| match *length {
+            Length::Link(link) => {
+                let ends = self.mechanism.link(link).ends;
+                ends.is_some_and(|(from, to)| from == pin || to == pin)
+            }
+            Length::Arm(_, point) => point == pin,
+            _ => false,
+        };
+        let sized = |length: Length| (length, self.mechanism.given(length).abs());
+        let lengths = self.mechanism.lengths().into_iter();
+        let shortest = lengths.filter(ends_there).map(sized);
+        let shortest = shortest.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let Some((length, nominal)) = shortest.filter(|(_, nominal)| clearance.size >= *nominal)
+        else {
+            return;
+        };
+        let name = self.point_names[pin.index()].as_deref();
+        let what = words().clearance_of_pin(&quoted(name.unwrap_or_default()));
+        let literal = self.reader.literal(&clearance.place);
+        let of = self.called(length);
+        self.reader.report(
+            Diagnostic::new(words().clearance_beyond_length(&what, &of, nominal, &literal))
+                .at(clearance.place.clone(), words().is_too_large())
+                .and(self.place(length), words().of_this_length())
+                .help(words().give_it_its_own_clearance()),
+        );
     }
 }
 

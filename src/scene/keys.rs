@@ -81,17 +81,19 @@ pub(super) enum NumberMeasure {
     Of(Measure),
     /// The coordinate of the driver, or of the input that the table is for.
     Driver,
+    /// The coordinate of the driver, also where the table is for another input.
+    DriverItself,
     /// What a motor gives: a torque, or the force on a driven slide.
     Effort,
 }
 
 impl NumberMeasure {
-    /// `turns` tells that a link is driven, and no slide.
+    /// `turns` tells that a link is driven, and no slide, by what it is the coordinate of.
     pub(super) fn measure(self, turns: bool) -> Measure {
         match (self, turns) {
             (NumberMeasure::Of(measure), _) => measure,
-            (NumberMeasure::Driver, true) => Measure::Angle,
-            (NumberMeasure::Driver, false) => Measure::Coordinate,
+            (NumberMeasure::Driver | NumberMeasure::DriverItself, true) => Measure::Angle,
+            (NumberMeasure::Driver | NumberMeasure::DriverItself, false) => Measure::Coordinate,
             (NumberMeasure::Effort, true) => Measure::Torque,
             (NumberMeasure::Effort, false) => Measure::Force,
         }
@@ -125,7 +127,7 @@ use KeyKind::{
     Each, Ends, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters, Place, Places,
     Points, Rate, Steps, Table, Text, Vectors,
 };
-use NumberMeasure::{Driver, Effort, Of};
+use NumberMeasure::{Driver, DriverItself, Effort, Of};
 
 keys! {
 SCENE =
@@ -157,6 +159,7 @@ SCENE =
 DRIVER =
     "link": Text, ["link"], the_turning_link, "";
     "slide": Text, ["slide"], the_pushed_slide, "";
+    "from": Text, ["link"], seat_of_driver, "`\"ground\"`";
     "angle": Number(Of(Measure::Angle)), ["link"], opening_angle, "";
     "position": Number(Of(Measure::Coordinate)), ["slide"], opening_position, "";
     "range": Ends(Driver), [], range_of_driver, no_default;
@@ -175,6 +178,8 @@ STEP =
 TIMED =
     "ratio": Number(Of(Measure::Factor)), [], ratio_of_input, "1";
     "phase": Number(Driver), [], phase_of_input, "0";
+    "over": Knots([DriverItself, Driver], "value"), [], table_of_input, no_default;
+    "from": Text, [], seat_of_driver, "`\"ground\"`";
 
 LINK =
     "from": Text, [], "", "";

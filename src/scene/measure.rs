@@ -89,6 +89,17 @@ impl Measure {
         }
     }
 
+    /// Whether it is a speed or an acceleration of the driver.
+    pub(crate) fn is_rate(self) -> bool {
+        matches!(
+            self,
+            Measure::TurnSpeed
+                | Measure::TurnAcceleration
+                | Measure::PushSpeed
+                | Measure::PushAcceleration
+        )
+    }
+
     /// Its units in a scene with this unit of length.
     pub(super) fn units(self, scene: Unit) -> MeasureUnits {
         let push = RateKind::Push(scene);

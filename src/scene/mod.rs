@@ -102,7 +102,9 @@ pub use values::{Value, ValueOwner};
 
 use crate::document::{self, NamedNumbers};
 use crate::wording::words;
-use crate::{ElementId, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances};
+use crate::{
+    Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
+};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -321,10 +323,40 @@ impl Scene {
         &self.tolerances
     }
 
+    /// The name of the link that the motor of an input sits on, if it sits on one.
+    #[must_use]
+    pub fn seat_name(&self, input: Input) -> Option<&str> {
+        let Input::Turn(link) = input else {
+            return None;
+        };
+        match self.mechanism.turned_from(link) {
+            Body::Link(from) => Some(self.link_name(from)),
+            Body::Ground => None,
+        }
+    }
+
+    /// What an input drives, for people: with the link that its motor sits on.
+    #[must_use]
+    pub fn driven_name(&self, input: Input) -> String {
+        let name = match input {
+            Input::Turn(link) => self.link_name(link),
+            Input::Push(slide) => self.slide_name(slide),
+        };
+        from_seat(name, self.seat_name(input))
+    }
+
     /// A slide's name.
     #[must_use]
     pub fn slide_name(&self, slide: SlideId) -> &str {
         &self.slide_names[slide.index()]
+    }
+}
+
+/// A driven link or slide, with the link that its motor sits on if it sits on one.
+pub(crate) fn from_seat(name: &str, seat: Option<&str>) -> String {
+    match seat {
+        Some(from) => words().turned_from(name, from),
+        None => name.to_owned(),
     }
 }
 

@@ -5,6 +5,7 @@ use super::keys;
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use super::slide::DraftSlider;
 use crate::document::Diagnostic;
+use crate::expression;
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::collections::{HashMap, HashSet};
@@ -266,6 +267,17 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
         } else {
             fault
         });
+    }
+    let read_as = match sort {
+        Sort::Parameter if expression::is_unit(text) => Some(words().formulas_read_a_unit(text)),
+        Sort::Parameter if expression::is_function(text) => {
+            Some(words().formulas_read_a_function(text))
+        }
+        _ => None,
+    };
+    if let Some(help) = read_as {
+        let message = words().name_is_reserved(&name.to_string());
+        return Some(fault(message, words().is_reserved()).help(help));
     }
     if text.is_empty() {
         return Some(fault(words().name_is_empty().into(), words().is_empty()));

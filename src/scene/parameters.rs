@@ -4,7 +4,7 @@ use super::figures::FormulaPlace;
 use super::reader::{Name, Reader, number_of};
 use crate::arithmetic::Decimal;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
-use crate::expression::{self, ExpressionTree};
+use crate::expression::{self, Dimension, ExpressionTree, Measured};
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -17,6 +17,8 @@ pub struct Parameter {
     pub number: f64,
     /// The formula that it follows from, where it is no plain number.
     pub formula: Option<String>,
+    /// What it measures, if a unit tells: a plain number may stand for anything.
+    pub(crate) dimension: Option<Dimension>,
 }
 
 /// The section as it is written.
@@ -75,8 +77,9 @@ pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<
         let worth = (*named.worth.get(parameter.name.text)?)?;
         Some(Parameter {
             name: parameter.name.text.to_owned(),
-            number: worth.hi + 0.0,
+            number: worth.value.hi + 0.0,
             formula: parameter.formula.map(str::to_owned),
+            dimension: worth.dimension,
         })
     });
     told.collect()
@@ -86,9 +89,12 @@ fn what(name: &Name<'_>) -> String {
     words().parameter_called(&name.to_string())
 }
 
-fn number(reader: &mut Reader<'_>, name: &Name<'_>, value: &Lenient<f64>) -> Option<crate::Double> {
+fn number(reader: &mut Reader<'_>, name: &Name<'_>, value: &Lenient<f64>) -> Option<Measured> {
     let number = reader.number(&what(name), value)?;
-    Some(Decimal::of(number).value)
+    Some(Measured {
+        value: Decimal::of(number).value,
+        dimension: None,
+    })
 }
 
 fn parsed<'v>(

@@ -70,12 +70,51 @@ pub(super) fn over_time(
     example: &str,
     value: &Knots,
 ) -> Option<Vec<[f64; 2]>> {
-    let knots = knots(reader, what, words().time_and_coordinate(), example, value)?;
+    let words = words();
+    let sentences = CurveSentences {
+        form: words.time_and_coordinate(),
+        must_grow: &|what, first, second| words.times_must_grow(what, first, second),
+    };
+    curve(reader, what, example, value, &sentences)
+}
+
+/// Knots of the driver's coordinate and that of an input: no two at one place.
+pub(super) fn over_driver(
+    reader: &mut Reader<'_>,
+    what: &str,
+    example: &str,
+    value: &Knots,
+) -> Option<Vec<[f64; 2]>> {
+    let words = words();
+    let sentences = CurveSentences {
+        form: words.driver_and_input(),
+        must_grow: &|what, first, second| words.places_must_grow(what, first, second),
+    };
+    curve(reader, what, example, value, &sentences)
+}
+
+/// How the knots of a curve are spoken of.
+struct CurveSentences<'w> {
+    /// What a knot is.
+    form: &'w str,
+    /// Of what, and the places of two knots that do not grow.
+    must_grow: &'w dyn Fn(&str, &str, &str) -> String,
+}
+
+/// Knots without jumps.
+fn curve(
+    reader: &mut Reader<'_>,
+    what: &str,
+    example: &str,
+    value: &Knots,
+    sentences: &CurveSentences<'_>,
+) -> Option<Vec<[f64; 2]>> {
+    let knots = knots(reader, what, sentences.form, example, value)?;
     let grows = |pair: &[Knot]| pair[0].at < pair[1].at;
     if let Some(pair) = knots.windows(2).find(|pair| !grows(pair)) {
         let [first, second] = [&pair[0], &pair[1]].map(|knot| reader.literal(&knot.at_place));
         reader.report(
-            Diagnostic::new(words().times_must_grow(what, &first, &second))
+            Diagnostic::new((sentences.must_grow)(what, &first, &second))
                 .at(pair[1].at_place.clone(), words().does_not_grow())
                 .and(pair[0].at_place.clone(), words().the_knot_before()),
         );

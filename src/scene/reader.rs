@@ -22,7 +22,10 @@ impl Reader<'_> {
     pub(crate) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
             Ok(number) => number,
-            Err(Misplaced::Text(formula)) => self.worked_out(what, formula, &value.span)?,
+            Err(Misplaced::Text(formula)) => {
+                let worth = self.worked_out(what, formula, &value.span)?;
+                worth.value.hi + 0.0
+            }
             Err(found) => {
                 let fault = self.wrong_type(what, words().a_number(), found, &value.span);
                 self.report(fault);

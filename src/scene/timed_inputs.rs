@@ -1,14 +1,17 @@
 //! Reads the inputs that follow the driver.
 
-use super::input::DraftInput;
-use super::reader::{Name, Reader};
+use super::input::{DraftInput, seat};
+use super::profile::{self, Knots};
+use super::rate::RateKind;
+use super::reader::{ByteSpan, Name, Reader};
 use super::resolve::Resolver;
 use crate::document::{Diagnostic, Entries, Lenient};
 use crate::wording::words;
-use crate::{Input, TimedInput};
+use crate::{Input, InputLaw, InputTable, TimedInput};
 use serde::Deserialize;
 
 const INPUT: &str = "r7 = { ratio = 1, phase = 30 }";
+const TABLE: &str = "rod = { over = [[1.0, 0.2], [1.3, 0.35]] }";
 
 /// The section `[inputs]` as it is written.
 pub(super) type TimedInputs = Lenient<Entries<Lenient<TimedTable>>>;
@@ -18,14 +21,29 @@ pub(super) type TimedInputs = Lenient<Entries<Lenient<TimedTable>>>;
 pub(super) struct TimedTable {
     ratio: Option<Lenient<f64>>,
     phase: Option<Lenient<f64>>,
+    over: Option<Knots>,
+    from: Option<Lenient<String>>,
 }
 
 #[derive(Debug)]
 pub(super) struct DraftTimed<'t> {
     /// The link or the slide that is driven.
     pub(super) name: Name<'t>,
-    ratio: f64,
-    phase: f64,
+    law: DraftInputLaw,
+    /// The link that its motor sits on, as it is written; none on the ground.
+    from: Option<&'t Lenient<String>>,
+}
+
+#[derive(Debug)]
+enum DraftInputLaw {
+    Ratio {
+        ratio: f64,
+        phase: f64,
+    },
+    Table {
+        knots: Vec<[f64; 2]>,
+        place: ByteSpan,
+    },
 }
 
 /// Reads the section.
@@ -43,17 +61,50 @@ fn input<'v>(
     let of = words().input_called(&name.to_string());
     let table = reader.table(&of, INPUT, value)?;
     reader.only(&of, value);
+    let law = match &table.over {
+        Some(over) => by_table(reader, &of, value, over)?,
+        None => in_proportion(reader, &of, table)?,
+    };
+    Some(DraftTimed {
+        name,
+        law,
+        from: table.from.as_ref(),
+    })
+}
+
+fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftInputLaw> {
     let mut number = |key: &str, given: Option<&Lenient<f64>>, default| match given {
         None => Some(default),
-        Some(given) => reader.number(&words().key_of(key, &of), given),
+        Some(given) => reader.number(&words().key_of(key, of), given),
     };
     let ratio = number("ratio", table.ratio.as_ref(), 1.0);
     let phase = number("phase", table.phase.as_ref(), 0.0);
-    Some(DraftTimed {
-        ratio: ratio?,
-        phase: phase?,
-        name,
-    })
+    let (ratio, phase) = (ratio?, phase?);
+    Some(DraftInputLaw::Ratio { ratio, phase })
+}
+
+fn by_table(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<TimedTable>,
+    over: &Knots,
+) -> Option<DraftInputLaw> {
+    let mut others = value.keys.iter();
+    let other = others.find(|key| ["ratio", "phase"].contains(&key.get_ref().as_str()));
+    if let Some(other) = other {
+        let key = other.get_ref();
+        reader.report(
+            Diagnostic::new(words().table_beside(of, key))
+                .at(other.span(), words().says_the_same_otherwise())
+                .and(over.span.clone(), words().the_table())
+                .help(words().for_example(TABLE)),
+        );
+        return None;
+    }
+    let what = words().key_of("over", of);
+    let knots = profile::over_driver(reader, &what, TABLE, over)?;
+    let place = over.span.clone();
+    Some(DraftInputLaw::Table { knots, place })
 }
 
 impl<'t> Resolver<'_, '_, 't> {
@@ -64,17 +115,81 @@ impl<'t> Resolver<'_, '_, 't> {
                 continue;
             }
             let input = match self.slides.get(timed.name.text) {
-                Some(&slide) => Some(Input::Push(slide)),
-                None => self.driven_link(&of, &timed.name).map(Input::Turn),
+                Some(&slide) => {
+                    seat(
+                        self.reader,
+                        &of,
+                        RateKind::Push(self.draft.unit),
+                        timed.from,
+                    );
+                    Some(Input::Push(slide))
+                }
+                None => {
+                    let from = seat(self.reader, &of, RateKind::Turn, timed.from);
+                    if timed.from.is_some() && from.is_none() {
+                        continue;
+                    }
+                    let seat = words().key_of("from", &of);
+                    self.turned_link([&of, &seat], &timed.name, from.as_ref())
+                        .map(Input::Turn)
+                }
             };
-            if let Some(input) = input {
-                self.builder.timed(TimedInput {
-                    input,
-                    ratio: timed.ratio,
-                    phase: timed.phase,
-                });
+            let Some(input) = input else { continue };
+            let law = match &timed.law {
+                DraftInputLaw::Ratio { ratio, phase } => Some(InputLaw::Ratio {
+                    ratio: *ratio,
+                    phase: *phase,
+                }),
+                DraftInputLaw::Table { knots, place } => {
+                    self.table(&of, input, knots, place).map(InputLaw::Table)
+                }
+            };
+            let Some(law) = law else { continue };
+            if self.builder.timed(TimedInput { input, law }).is_some()
+                && let DraftInputLaw::Table { place, .. } = &timed.law
+            {
+                // The ends of the table are a limit.
+                let name = timed.name.text.to_owned();
+                self.limit_places.push((name, place.clone()));
             }
         }
+    }
+
+    /// A table that spans whole turns of a driven link closes, unless the driver has a range of its own.
+    fn table(
+        &mut self,
+        of: &str,
+        input: Input,
+        knots: &[[f64; 2]],
+        place: &ByteSpan,
+    ) -> Option<InputTable> {
+        let driver = self.draft.driver.as_ref();
+        let turns = driver.is_some_and(|driver| matches!(driver.input, DraftInput::Link(_)));
+        let closed = InputTable::closed(knots.to_vec()).filter(|_| turns);
+        let Some(closed) = closed else {
+            return InputTable::open(knots.to_vec());
+        };
+        let turns = matches!(input, Input::Turn(_));
+        if closed.comes_back(turns) {
+            return Some(closed);
+        }
+        if driver.is_some_and(|driver| driver.range.is_some()) {
+            return InputTable::open(knots.to_vec());
+        }
+        let [[_, first], .., [_, last]] = knots else {
+            return None;
+        };
+        let help = match turns {
+            true => words().table_of_link_closes(),
+            false => words().table_of_slide_closes(),
+        };
+        self.reader.report(
+            Diagnostic::new(words().table_does_not_close(of, *first, *last))
+                .at(place.clone(), words().ends_elsewhere())
+                .help(help)
+                .help(words().or_table_is_shorter()),
+        );
+        None
     }
 
     /// Reports an input that drives what the driver does.

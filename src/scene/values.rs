@@ -96,6 +96,12 @@ impl Value {
         }
     }
 
+    /// Whether it is a number, with its unit or without: nothing is worked out there.
+    pub(crate) fn is_number(&self) -> bool {
+        let tree = self.formula.as_deref().map(expression::parse);
+        tree.is_none_or(|tree| tree.is_ok_and(|tree| tree.is_number()))
+    }
+
     /// The parameters that its formula names.
     #[must_use]
     pub fn follows_from(&self) -> Vec<String> {
@@ -118,11 +124,18 @@ impl Value {
     }
 
     /// The text for another number in the same unit.
-    pub(super) fn written(&self, literal: &str) -> String {
+    pub(crate) fn written(&self, literal: &str) -> String {
         match self.measure.units(self.scene) {
             MeasureUnits::Rate(..) => format!("{literal} {}", self.unit),
             MeasureUnits::Length | MeasureUnits::Angle | MeasureUnits::Scales(_) => {
-                literal.to_owned()
+                // A parameter keeps its unit: formulas count on it.
+                let kept = self
+                    .dimension
+                    .filter(|_| self.measure == Measure::Parameter);
+                kept.map_or_else(
+                    || literal.to_owned(),
+                    |unit| quoted(&format!("{literal} {}", unit.written(self.scene.symbol()))),
+                )
             }
         }
     }

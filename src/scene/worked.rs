@@ -1,12 +1,11 @@
 //! Numbers of a scene that are worked out from formulas of its parameters.
 
-use super::Scene;
 use super::figures::FormulaPlace;
 use super::reader::{ByteSpan, Name, Reader, bare_number};
-use crate::Double;
+use super::{Scene, Value};
 use crate::document::{Diagnostic, NamedNumbers};
 use crate::expression::{
-    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, evaluate,
+    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, Measured, evaluate,
 };
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -16,7 +15,12 @@ const LISTED: usize = 12;
 
 impl Reader<'_> {
     /// What a formula that stands for a number is worth.
-    pub(crate) fn worked_out(&mut self, what: &str, text: &str, span: &ByteSpan) -> Option<f64> {
+    pub(crate) fn worked_out(
+        &mut self,
+        what: &str,
+        text: &str,
+        span: &ByteSpan,
+    ) -> Option<Measured> {
         let formula = Name {
             text,
             span: span.clone(),
@@ -30,17 +34,16 @@ impl Reader<'_> {
                 return None;
             }
         };
-        let worth = self.worth(what, &formula, &tree)?;
-        Some(worth.hi + 0.0)
+        self.worth(what, &formula, &tree)
     }
 
-    /// The same to twice the digits, of a formula that was parsed.
+    /// The same of a formula that was parsed.
     pub(super) fn worth(
         &mut self,
         what: &str,
         formula: &Name<'_>,
         tree: &ExpressionTree,
-    ) -> Option<Double> {
+    ) -> Option<Measured> {
         // What is wrong with a parameter is told there.
         if self.named.lacks(tree) {
             return None;
@@ -48,7 +51,7 @@ impl Reader<'_> {
         match self.named.worth_of(formula.text, tree) {
             Ok(found) => {
                 self.worked.insert(formula.span.start, found.value.hi + 0.0);
-                Some(found.value)
+                Some(found.measured())
             }
             Err(fault) => {
                 let place = FormulaPlace::of(self, formula);
@@ -85,8 +88,21 @@ impl NamedNumbers {
         self.worth_of(text, &expression::parse(text)?)
     }
 
+    /// The parameters with units that a value follows from, each with its own.
+    fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
+        let told = value.follows_from().into_iter().filter_map(|name| {
+            let dimension = (*self.worth.get(&name)?)?.dimension?;
+            Some((name, dimension.symbol(self.length.0)))
+        });
+        let told: Vec<_> = told.take(LISTED).collect();
+        (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
+    }
+
     /// What was probably meant by a name that is unknown.
     fn meant(&self, name: &str) -> Option<String> {
+        if expression::is_difference(name, |part| self.worth.contains_key(part)) {
+            return Some(words().minus_between_blanks().to_owned());
+        }
         let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
         names.sort_unstable();
         if let Some(meant) = did_you_mean(name, names.iter().copied()) {
@@ -119,7 +135,8 @@ pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
                 unit => unit,
             };
             let message = words().value_measures_other(&value.name, &found, wanted);
-            reader.report(Diagnostic::new(message).at(value.place, ""));
+            let fault = Diagnostic::new(message).at(value.place.clone(), "");
+            reader.report(fault.maybe_help(value.named.units_in(&value, wanted)));
         }
     }
     reader.found.len() == before

@@ -47,7 +47,7 @@ pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks
     let asked = points.chain(links).chain(slides);
     asked.for_each(|part| *needed.of(part) = true);
     let mut kept = Vec::new();
-    for &step in program.steps.iter().rev() {
+    for step in program.steps.drain(..).rev() {
         let mut parts = Vec::new();
         step.outputs(&program.coupled, &mut |part| parts.push(part));
         if demand.forces || parts.iter().any(|&part| *needed.of(part)) {

@@ -4,7 +4,7 @@ use super::change_point::Passages;
 use super::coupled::{Coupled, Scratch};
 use super::demand::{Marks, PlacedPart, prune};
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
-use super::following::InputMotion;
+use super::following::{Following, InputMotion};
 use super::frame::Frame;
 use super::motion::Folded;
 use super::plan::{Gauge, Program, WatchedConstraint};
@@ -26,8 +26,12 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    /// Whether steps read the angle itself, and not only its direction.
+    reads_angle: bool,
     /// The further inputs, to know when they come round.
     timed: Vec<TimedInput>,
+    /// Of these the ones that follow a table.
+    tables: Vec<Following>,
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
     /// What is not placed, because nobody asked for it.
@@ -43,18 +47,22 @@ impl Engine {
     pub(super) fn new(mechanism: &Mechanism, frame: Frame, program: Program) -> Engine {
         let driver = mechanism.driver();
         let driven = match driver.input {
-            Input::Turn(link) => Some(link),
+            Input::Turn(link) => mechanism.is_crank(link).then_some(link),
             Input::Push(_) => None,
         };
-        let turns = driven.is_some();
         let driver_rates = driver_rates(mechanism, &frame);
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
             program,
             frame,
-            turns,
+            turns: driver.turns(),
+            reads_angle: !mechanism.timed().is_empty() || mechanism.elbows().next().is_some(),
             timed: mechanism.timed().to_vec(),
+            tables: Following::all(mechanism, &frame)
+                .into_iter()
+                .filter(Following::is_table)
+                .collect(),
             driven,
             accepted: frame.length(mechanism.misfit()),
             driver_rates,
@@ -103,6 +111,7 @@ impl Engine {
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
+            is_turned: self.turns,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         };
         Workspace::new(state, self.scratch())
@@ -119,7 +128,7 @@ impl Engine {
         }
     }
 
-    /// The driven link, if the driver turns.
+    /// The link whose direction is the driver's coordinate, if it is one.
     pub(super) fn driven(&self) -> Option<LinkId> {
         self.driven
     }
@@ -297,15 +306,27 @@ impl Engine {
         self.timed.iter().all(|timed| timed.comes_round(turns))
     }
 
-    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any input follows it.
+    /// Whether any input follows a table.
+    pub(super) fn has_tables(&self) -> bool {
+        !self.tables.is_empty()
+    }
+
+    /// How far around a coordinate every input is one function of it, and can be told by a series: in radians or scaled
+    /// lengths.
+    pub(super) fn smooth(&self, at: f64) -> f64 {
+        let (q, unit) = match self.turns {
+            true => (at, 1_f64.to_radians()),
+            false => (at / self.frame.scale, 1.0),
+        };
+        let tables = self.tables.iter().map(|table| table.smooth(q) * unit);
+        tables.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any step reads it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
-            let q = if self.timed.is_empty() {
-                T::default()
-            } else {
-                at
-            };
+            let q = if self.reads_angle { at } else { T::default() };
             (q, T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())
@@ -373,17 +394,17 @@ impl Engine {
     pub(super) fn misses<T: Number>(
         &self,
         state: &State<T>,
-    ) -> impl Iterator<Item = (WatchedConstraint, T, f64)> {
+    ) -> impl Iterator<Item = (&WatchedConstraint, T, f64)> {
         let watches = self.program.watches.iter();
         watches.map(|watch| {
             let (miss, reach) = watch.gauge.misfit(state);
-            (*watch, miss, reach)
+            (watch, miss, reach)
         })
     }
 
     /// The first watched constraint that misses by more than rounding, or than the scene accepts, and
     /// by how much, in the solver's unit.
-    pub(super) fn misfit(&self, state: &State) -> Option<(WatchedConstraint, f64)> {
+    pub(super) fn misfit(&self, state: &State) -> Option<(&WatchedConstraint, f64)> {
         // Written so that NaN counts as a misfit.
         let fits = |miss: f64, reach: f64| miss.abs() <= (MISFIT * reach).max(self.accepted);
         let mut misses = self.misses(state);
@@ -494,13 +515,18 @@ impl Gauge {
             } => {
                 let t = turned(line.link, line.along);
                 let travel = t.dot(at(point) - at(line.through));
-                let q = if state.turns() {
-                    state.at
-                } else {
-                    state.at / T::exactly(state.frame.scale)
-                };
-                let pushed = InputMotion::of(following.as_ref(), q);
+                let pushed = InputMotion::of(following.as_ref(), state.coordinate());
                 (travel - pushed.p, at(point))
+            }
+            Gauge::Turned {
+                link,
+                from,
+                ref following,
+            } => {
+                let d = |link: LinkId| state.links[link.index()].d;
+                let turned = InputMotion::of(following.as_ref(), state.coordinate());
+                let wanted = d(from).turned(T::unit(turned.p));
+                (wanted.cross(d(link)), Vec2::default())
             }
         };
         (miss, place.nearest().norm().max(1.0))

@@ -115,6 +115,14 @@ impl Frame {
         self.read(Vec2::new(value, 0.0)).x
     }
 
+    /// The size of the solver's unit of an input's coordinate: a power of two, 1 for degrees.
+    pub(super) fn unit_of(&self, input: Input) -> f64 {
+        match input {
+            Input::Turn(_) => 1.0,
+            Input::Push(_) => self.scale,
+        }
+    }
+
     /// The solver's origin in the scene.
     pub(super) fn origin(&self) -> Vec2<Constant> {
         self.origin
@@ -192,7 +200,7 @@ fn grounded(mechanism: &Mechanism) -> impl Iterator<Item = Vec2> {
     points.chain(guides)
 }
 
-/// The driver's pivot, or else the first ground point.
+/// The driven link's pivot, or else the first ground point.
 fn origin(mechanism: &Mechanism) -> Vec2 {
     let ground = |id: crate::PointId| mechanism.point(id).ground;
     let pivot = match mechanism.driver().input {

@@ -74,12 +74,14 @@ impl Solver {
 }
 
 impl Engine {
-    /// Whether all steps are done in all lanes.
+    /// Whether all steps are done in all lanes; none where the lanes of an input would lie in different parts of its
+    /// table.
     pub(super) fn run_lanes(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
-        vectorized(
-            #[inline(always)]
-            || self.run_lanes_here(at, order, state),
-        )
+        !self.has_tables()
+            && vectorized(
+                #[inline(always)]
+                || self.run_lanes_here(at, order, state),
+            )
     }
 
     /// With the instructions that the code around is compiled for.

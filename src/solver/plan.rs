@@ -156,14 +156,14 @@ impl Plan {
 }
 
 /// A constraint that must hold whether or not the steps are built on it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct WatchedConstraint {
     pub element: ElementId,
     pub gauge: Gauge,
 }
 
 /// How far a watched constraint is from holding.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Gauge {
     /// The distance of two points.
     Distance {
@@ -188,6 +188,13 @@ pub(super) enum Gauge {
     Pushed {
         point: PointId,
         line: super::elements::GuideLine,
+        /// How the input follows the driver; none where it is the driver.
+        following: Option<Following>,
+    },
+    /// A link at the coordinate of its input from the one that its motor sits on.
+    Turned {
+        link: LinkId,
+        from: LinkId,
         /// How the input follows the driver; none where it is the driver.
         following: Option<Following>,
     },

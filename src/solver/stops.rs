@@ -66,10 +66,10 @@ impl Solver {
     /// Whether a limit holds the driver's own coordinate, by whichever name.
     fn is_driven(&self, of: LimitOf) -> bool {
         match (of, self.mechanism.driver().input) {
-            (LimitOf::Driver, _) => true,
+            (LimitOf::Driver | LimitOf::Table(_), _) => true,
             (LimitOf::Slide(slide), Input::Push(driven)) => slide == driven,
             (LimitOf::Angle { link, from }, Input::Turn(driven)) => {
-                link == driven && from == Body::Ground
+                link == driven && from == self.mechanism.turned_from(driven)
             }
             (LimitOf::Slide(_), Input::Turn(_)) | (LimitOf::Angle { .. }, Input::Push(_)) => false,
         }
@@ -79,7 +79,9 @@ impl Solver {
     fn driver_stops(&self, id: LimitId) -> Result<EndStops, Fault> {
         let limit = self.mechanism.limit(id);
         let at = self.opening;
-        let by = match self.engine.turns {
+        // A table stands where it was given.
+        let is_table = matches!(limit.of, LimitOf::Table(_));
+        let by = match self.engine.turns && !is_table {
             true => angle::TURN * turns_between(at, [limit.low, limit.high], angle::TURN),
             false => 0.0,
         };
@@ -154,7 +156,7 @@ impl<'s> LimitWatch<'s> {
         let limit = whole.mechanism.limit(id);
         let mut ends = [limit.low, limit.high];
         match of {
-            LimitOf::Driver => {}
+            LimitOf::Driver | LimitOf::Table(_) => {}
             LimitOf::Slide(slide) => {
                 demand.slides.push(slide);
                 ends = ends.map(|end| whole.engine.frame.length(end));
@@ -197,7 +199,9 @@ impl<'s> LimitWatch<'s> {
         {
             let value = match self.of {
                 LimitOf::Angle { .. } => start.value.to_degrees(),
-                LimitOf::Driver | LimitOf::Slide(_) => start.value * self.solver.engine.frame.scale,
+                LimitOf::Driver | LimitOf::Table(_) | LimitOf::Slide(_) => {
+                    start.value * self.solver.engine.frame.scale
+                }
             };
             return Err(Fault::BeyondStop {
                 limit: self.id,
@@ -284,7 +288,7 @@ impl<'s> LimitWatch<'s> {
             return None;
         }
         let (value, rates) = match self.of {
-            LimitOf::Driver => return None,
+            LimitOf::Driver | LimitOf::Table(_) => return None,
             LimitOf::Slide(slide) => {
                 let travel = &self.work.travels[slide.index()];
                 (travel.s, [travel.v, travel.a])
@@ -387,7 +391,7 @@ impl<'s> LimitWatch<'s> {
         };
         let frame = &exact.engine.frame;
         let inside = match self.of {
-            LimitOf::Driver => return None,
+            LimitOf::Driver | LimitOf::Table(_) => return None,
             LimitOf::Slide(slide) => {
                 let end = frame.local(Vec2::new(value, 0.0)).x.value();
                 close.travels[slide.index()].s - end

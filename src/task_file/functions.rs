@@ -2,6 +2,7 @@
 
 use super::{Reader, WrittenTask, lacks, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
+use crate::expression::Measured;
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
@@ -141,10 +142,13 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         return None;
     }
     let mut at = |x: f64| {
-        let worth = crate::Double::exactly(x);
+        let worth = Measured {
+            value: crate::Double::exactly(x),
+            dimension: None,
+        };
         reader.named.worth.insert("x".to_owned(), Some(worth));
         let y = reader.worked_out(&words().key_of("y", "`function`"), y.text, &y.span)?;
-        Some([x, y])
+        Some([x, y.value.hi + 0.0])
     };
     let places = chebyshev_pairs(Some, [from, to], points)?;
     let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(|[x, _]| at(x)).collect();

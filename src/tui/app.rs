@@ -22,6 +22,7 @@ mod recovering;
 mod searching;
 mod shell;
 mod storing;
+mod synthesizing;
 mod touring;
 mod typing;
 mod writing;
@@ -45,10 +46,11 @@ use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::search::FoundLine;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
-use crate::tui::player::playback::Playback;
+use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
 use crate::tui::views;
 use crate::tui::views::accuracy::study_run::StudyRun;
+use crate::tui::views::candidates::list::CandidateList;
 use crate::tui::views::layout::Composition;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::motion::viewport::Viewport;
@@ -117,6 +119,8 @@ pub(crate) struct App {
     guess: String,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
+    /// The linkages for the task that was looked at last.
+    candidates: Option<CandidateList>,
     /// What the open scene is held against.
     comparison: Comparison,
 
@@ -152,6 +156,7 @@ impl App {
             watched: None,
             guess: String::new(),
             previews: Previews::default(),
+            candidates: None,
             comparison: Comparison::default(),
             clerk: Clerk::default(),
             csv: CsvDialect::default(),
@@ -213,6 +218,11 @@ impl App {
 
     pub(crate) fn steps(&self) -> &StepLadder {
         &self.player.steps
+    }
+
+    /// What playing goes along.
+    pub(crate) fn track(&self) -> Track {
+        self.player.track()
     }
 
     pub(crate) fn playback(&self) -> &Playback {
@@ -374,18 +384,9 @@ impl App {
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
             Action::Play => self.player.toggle(now),
-            Action::Slower => self
-                .player
-                .playback
-                .slower(now, self.player.open_scene.at()),
-            Action::Faster => self
-                .player
-                .playback
-                .faster(now, self.player.open_scene.at()),
-            Action::Reverse => self
-                .player
-                .playback
-                .reverse(now, self.player.open_scene.at()),
+            Action::Slower => self.player.slower(now),
+            Action::Faster => self.player.faster(now),
+            Action::Reverse => self.player.reverse(now),
             Action::StepBack => self.step(-self.player.steps.size(), now),
             Action::StepForward => self.step(self.player.steps.size(), now),
             Action::SmallerStep => self.player.steps.smaller(),

@@ -82,3 +82,47 @@ fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
     let message = refused(2, &["motor", "toggle-press", "--fluctuation", "2.5"]);
     assert!(message.contains("impossible"), "{message}");
 }
+
+/// Used to be told to nine digits at a dead point, where rounding of the driver's coordinate leaves six or seven: both
+/// ends of a cell that is symmetrical differed.
+#[test]
+fn a_dead_point_has_as_many_digits_as_are_known() {
+    let text = done(&["cycle", "peaucellier"]);
+    let turns: Vec<&str> = text
+        .lines()
+        .filter(|line| line.contains("where the driver turns"))
+        .collect();
+    assert_eq!(turns.len(), 4, "{text}");
+    // By the cell's own closed form the limit is acos(1/8), and the arms stand at half of it.
+    for turn in turns {
+        let value: f64 = turn
+            .split_whitespace()
+            .nth_back(8)
+            .unwrap()
+            .parse()
+            .unwrap();
+        let digits = turn
+            .split_whitespace()
+            .nth_back(8)
+            .unwrap()
+            .trim_start_matches('-')
+            .len()
+            - 1;
+        assert!((6..=7).contains(&digits), "{turn}");
+        let half = 0.125_f64.acos().to_degrees() / 2.0;
+        assert!((value.abs() - half).abs() < 1.1e-5, "{turn}");
+    }
+    assert!(
+        text.contains("s there and back: -82.819 to -82.780"),
+        "{text}"
+    );
+    assert!(text.contains("0.46840 s: 63.709 to 77.761"), "{text}");
+}
+
+/// Rounding used to be told as an acceleration of 2e-11 rad/s^2.
+#[test]
+fn a_link_that_turns_evenly_has_no_acceleration() {
+    let text = done(&["cycle", "parallelogram"]);
+    assert!(text.contains("fastest      1.00000 rad/s"), "{text}");
+    assert!(text.contains("hardest      0 rad/s^2"), "{text}");
+}

@@ -1,6 +1,6 @@
 //! What a scene is handed over as: DXF, a drawing to scale, scripts, and rows beside measurements.
 
-use super::{done, folder, presets, refused, rows};
+use super::{done, folder, krank, presets, refused, rows};
 use std::process::Command;
 
 /// An entity of a DXF document: its kind, and its pairs of a code and a value.
@@ -175,6 +175,57 @@ fn python(file: &str, args: &[&str]) -> Option<String> {
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
+/// Runs scripts for Octave, if this machine has it, which speaks MATLAB: what all of them print.
+fn octave(file: &str) -> Option<String> {
+    let asked = ["--no-gui", "--quiet", "--no-init-file", file];
+    let output = Command::new("octave").args(asked).output().ok()?;
+    Some(String::from_utf8(output.stdout).unwrap())
+}
+
+/// From where to where a script is asked for a preset, and in which steps: not at round places, where a change point
+/// may be; there a script keeps half of its digits.
+fn asked(preset: &str) -> [&'static str; 3] {
+    match preset {
+        // Between their stops.
+        "double-wishbone" | "ackermann" => ["1.3", "13.3", "3"],
+        "lift-table" => ["260.5", "610.5", "50"],
+        "backhoe" => ["1", "1.6", "0.1"],
+        "scissor-lift" => ["0.5", "1.9", "0.2"],
+        "excavator-boom" => ["1.7", "3", "0.1"],
+        _ => ["37.3", "77.3", "10"],
+    }
+}
+
+/// What a script found is what krank finds.
+fn agrees(preset: &str, found: &str) {
+    let [from, to, step] = asked(preset);
+    let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+    let names: Vec<&str> = heads.iter().map(|h| h.split(' ').next().unwrap()).collect();
+    let columns = names[1..].join(",");
+    let window = ["--from", from, "--to", to, "--step", step];
+    let named = ["sweep", preset, "--columns", &columns];
+    let expected = done(&[&named[..], &window].concat());
+    assert_eq!(
+        expected.lines().next().unwrap(),
+        format!("{},state", heads.join(",")),
+        "{preset}"
+    );
+    let (found, expected) = (rows(found), rows(&expected));
+    assert_eq!(found.len(), expected.len(), "{preset}");
+    let number = |cell: &String| cell.parse::<f64>().unwrap();
+    let size = found
+        .iter()
+        .flatten()
+        .map(number)
+        .fold(0.0_f64, |m, v| m.max(v.abs()));
+    for (found, expected) in found.iter().zip(&expected) {
+        for (a, b) in found[1..].iter().zip(&expected[1..]) {
+            let off = (number(a) - number(b)).abs();
+            assert!(off < 1e-12 * size, "{preset} at {}: {off:e}", found[0]);
+        }
+    }
+}
+
 #[test]
 fn the_python_script_of_every_preset_finds_the_same_places() {
     let folder = folder("handover");
@@ -182,19 +233,66 @@ fn the_python_script_of_every_preset_finds_the_same_places() {
         let file = folder.join(format!("{}.py", preset.replace('-', "_")));
         let file = file.to_str().unwrap();
         done(&["export", &preset, "--format", "python", "-o", file]);
-        let turns =
-            !["scissor-lift", "excavator-boom", "backhoe", "lift-table"].contains(&preset.as_str());
-        // Not at round places, where a change point may be: there a script keeps half of its digits.
-        let (from, to, step) = match preset.as_str() {
-            // Between their stops.
-            "double-wishbone" | "ackermann" => ("1.3", "13.3", "3"),
-            "lift-table" => ("260.5", "610.5", "50"),
-            "backhoe" => ("1", "1.6", "0.1"),
-            _ if turns => ("37.3", "77.3", "10"),
-            "scissor-lift" => ("0.5", "1.9", "0.2"),
-            _ => ("1.7", "3", "0.1"),
+        let Some(found) = python(file, &asked(&preset)) else {
+            return;
         };
-        let Some(found) = python(file, &[from, to, step]) else {
+        agrees(&preset, &found);
+    }
+}
+
+#[test]
+fn the_matlab_script_of_every_preset_finds_the_same_places() {
+    let folder = folder("handover-matlab");
+    let mut all = format!("addpath('{}');\n", folder.display());
+    for preset in presets() {
+        let name = preset.replace('-', "_");
+        let file = folder.join(format!("{name}.m"));
+        let file = file.to_str().unwrap();
+        done(&["export", &preset, "--format", "matlab", "-o", file]);
+        let [from, to, step] = asked(&preset);
+        all += &format!(
+            "[r, h] = {name}({from}, {to}, {step});\nprintf('%s%s', strjoin(h, ','), char(10));\n\
+             for k = 1:rows(r), printf('%.17g,', r(k, 1:end-1)); printf('%.17g%s', r(k, end), char(10)); end\n\
+             printf('END %s%s', '{preset}', char(10));\n"
+        );
+    }
+    let file = folder.join("krank_runs_all.m");
+    std::fs::write(&file, all).unwrap();
+    let Some(mut found) = octave(file.to_str().unwrap()) else {
+        return;
+    };
+    for preset in presets() {
+        let end = format!("END {preset}\n");
+        let (one, rest) = found
+            .split_once(&end)
+            .unwrap_or_else(|| panic!("{preset}: {found}"));
+        agrees(&preset, one);
+        found = rest.to_owned();
+    }
+}
+
+/// A five-bar whose second crank follows by a closed table, and a telescope by an open one.
+#[test]
+fn scripts_follow_the_tables_of_inputs() {
+    let links = "[links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 260 }\n\
+        r4 = { from = \"E\", to = \"C\", length = 240 }\nr5 = { from = \"D\", to = \"E\", length = 80 }\n[start]\nC = [150, 250]\n";
+    let five_bar = format!(
+        "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [300, 0]\n[driver]\nlink = \"r2\"\nangle = 50\n[inputs]\n\
+         r5 = {{ over = [[0.5, 80], [40, 65], [90.1, 10], [200, -20.5], [360.5, -280]] }}\n{links}"
+    );
+    let telescope = "unit = \"mm\"\n[ground]\nO = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 50\n[inputs]\n\
+        rod = { over = [[0, 200], [40, 265], [90, 310], [150, 200]] }\n[links]\nr2 = { points = { O = [0, 0] } }\n\
+        [slides]\nrod = { point = \"T\", on = \"r2\", through = \"O\", angle = 0 }\n";
+    let folder = folder("handover-tables");
+    for (name, text, [from, to]) in [
+        ("five_bar", five_bar.as_str(), ["-400", "800"]),
+        ("telescope", telescope, ["0", "150"]),
+    ] {
+        let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("{name}.{end}")));
+        std::fs::write(&scene, text).unwrap();
+        let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
+        done(&["export", scene, "--format", "python", "-o", script]);
+        let Some(found) = python(script, &[from, to, "7.5"]) else {
             return;
         };
         let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
@@ -202,33 +300,22 @@ fn the_python_script_of_every_preset_finds_the_same_places() {
         let columns = names[1..].join(",");
         let expected = done(&[
             "sweep",
-            &preset,
+            scene,
             "--from",
             from,
             "--to",
             to,
             "--step",
-            step,
+            "7.5",
             "--columns",
             &columns,
         ]);
-        assert_eq!(
-            expected.lines().next().unwrap(),
-            format!("{},state", heads.join(",")),
-            "{preset}"
-        );
         let (found, expected) = (rows(&found), rows(&expected));
-        assert_eq!(found.len(), expected.len(), "{preset}");
-        let number = |cell: &String| cell.parse::<f64>().unwrap();
-        let size = found
-            .iter()
-            .flatten()
-            .map(number)
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        assert_eq!(found.len(), expected.len(), "{name}");
         for (found, expected) in found.iter().zip(&expected) {
             for (a, b) in found[1..].iter().zip(&expected[1..]) {
-                let off = (number(a) - number(b)).abs();
-                assert!(off < 1e-12 * size, "{preset} at {}: {off:e}", found[0]);
+                let off = (a.parse::<f64>().unwrap() - b.parse::<f64>().unwrap()).abs();
+                assert!(off < 1e-9, "{name} at {}: {off:e}", found[0]);
             }
         }
     }
@@ -259,6 +346,39 @@ fn a_script_reads_as_the_scene_does() {
     for text in [&script, &matlab, &coupled] {
         assert!(text.is_ascii() && !text.contains("<<"), "{text}");
     }
+}
+
+/// Used to be dropped without a word.
+#[test]
+fn a_measurement_that_is_no_number_is_told_with_its_place() {
+    let file = folder("measured-badly").join("run.csv");
+    let text = "driver.angle [deg],C.x [mm],C.y [mm]\n10,1,2\n\nx,3,4\n20,\"1,2,3\",5\n30,,6\n";
+    std::fs::write(&file, text).unwrap();
+    let path = file.to_str().unwrap();
+    let told = |columns: &str, format: &str| {
+        let asked = [
+            "sweep",
+            "four-bar",
+            "--measured",
+            path,
+            "--columns",
+            columns,
+        ];
+        let done = krank(&[&asked[..], &["--format", format]].concat());
+        assert_eq!(done.code, 0);
+        // In the text of a page lines are broken.
+        (done.out + &done.err)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let both = "since these are no numbers: line 4, driver.angle: `x`; line 5, C.x: `1,2,3`.";
+    for format in ["csv", "text", "json"] {
+        let told = told("C.x,C.y", format);
+        assert!(told.contains(both), "{told}");
+    }
+    // What nobody asked for is not missed.
+    assert!(told("C.y", "csv").contains("line 4, driver.angle: `x`."));
 }
 
 /// krank's own figures, some of them moved by what a person can add up.
@@ -335,4 +455,22 @@ fn measurements_stand_beside_krank_s_figures() {
         ],
     );
     assert!(wrong.contains("leave `--against` out"), "{wrong}");
+}
+
+/// Used to be taken: a drawing of 1e300 times the linkage is none.
+#[test]
+fn a_scale_beyond_all_paper_is_refused() {
+    for scale in [
+        "0:1", "1:0", "-1:2", "nan:1", "inf:1", "1e300:1", "1:1e300", "10001:1", "2",
+    ] {
+        let option = format!("--scale={scale}");
+        let said = refused(2, &["draw", "four-bar", "--format", "svg", &option]);
+        assert!(
+            said.contains("between 1:10000 and 10000:1"),
+            "{scale}: {said}"
+        );
+    }
+    for scale in ["1:10000", "10000:1", "2.5:1"] {
+        done(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
+    }
 }

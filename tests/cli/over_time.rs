@@ -207,3 +207,93 @@ fn the_motor_goes_through_the_period_of_the_motion() {
     );
     refused(1, &["motor", &still]);
 }
+
+/// A rod that comes out of a crank by a table: with p the spline, dp/dt = p' q' and d2p/dt2 = p' q'' + p'' q'^2. The
+/// table is one cubic at rest at both ends, p = 200 + 90 s^2 (3 - 2 s) mm with s a part of 120 deg.
+#[test]
+fn an_input_by_a_table_moves_with_the_law_of_its_driver() {
+    let text = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 0
+motion = [
+  { law = "cycloidal", to = 120, time = 0.5 },
+  { dwell = 0.2 },
+  { law = "harmonic", to = 0, time = 0.4 },
+]
+[inputs]
+rod = { over = [[0, 200], [120, 290]] }
+[links]
+r2 = { points = { A = [0, 0] } }
+[slides]
+rod = { point = "T", on = "r2", through = "A", angle = 0 }
+"#;
+    let scene = scene("telescope.toml", text);
+    let columns = "rod.length,rod.rate,rod.accel";
+    let swept = done(&[
+        "sweep",
+        &scene,
+        "--time",
+        "--step",
+        "0.05",
+        "--columns",
+        columns,
+    ]);
+    let mut count = 0;
+    for row in rows(&swept) {
+        let number = |cell: &String| cell.parse::<f64>().unwrap();
+        let [angle, speed, acceleration] = crank(number(&row[0]));
+        let width = 120_f64.to_radians();
+        let s = angle / width;
+        let (first, second) = (
+            540.0 * s * (1.0 - s) / width,
+            (540.0 - 1080.0 * s) / (width * width),
+        );
+        let expected = [
+            200.0 + 90.0 * s * s * (3.0 - 2.0 * s),
+            first * speed,
+            first * acceleration + second * speed * speed,
+        ];
+        let first = row.len() - 4;
+        for (cell, expected) in row[first..first + 3].iter().zip(expected) {
+            let off = (number(cell) - expected).abs();
+            assert!(off < 1e-9 * (1.0 + expected.abs()), "{row:?}: {expected}");
+        }
+        count += 1;
+    }
+    assert_eq!(count, 23);
+}
+
+/// 120 deg in 0.5 s by a cycloid has the greater speed, 2 h / T; back in 0.4 s by a cosine the greater acceleration,
+/// pi^2 h / (2 T^2).
+#[test]
+fn check_tells_of_the_motion_as_a_whole() {
+    let path = scene("told.toml", INDEXED);
+    let h = 120_f64.to_radians();
+    let told = done(&["check", &path]);
+    let line = "motion     cycloidal, harmonic, in 1.1 s, 0.2 s of them at rest; at most 8.378 rad/s and 64.60 rad/s^2";
+    assert!(
+        told.split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .contains(&line.split_whitespace().collect::<Vec<_>>().join(" ")),
+        "{told}"
+    );
+    assert!(told.contains("link r2, opens at 0 deg\n"), "{told}");
+    let facts = json(&done(&["check", &path, "--format", "json"]));
+    let motion = &facts["motion"];
+    near(motion["speed"].as_f64().unwrap(), 2.0 * h / 0.5, 1.0);
+    near(
+        motion["acceleration"].as_f64().unwrap(),
+        PI * PI * h / (2.0 * 0.16),
+        1.0,
+    );
+    assert_eq!(
+        (motion["steps"][1]["law"].as_str(), motion["rest"].as_f64()),
+        (Some("dwell"), Some(0.2))
+    );
+    assert!(motion["jump"].is_null());
+}

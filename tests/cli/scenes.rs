@@ -393,7 +393,24 @@ fn check_lists_parameters_with_what_they_are_worth() {
     assert!(!done(&["check", "four-bar"]).contains("parameters"));
 }
 
-/// A figure is made of columns and of parameters, which are plain numbers.
+#[test]
+fn check_tells_knots_that_the_motion_never_comes_to() {
+    let text = presets::find("double-rocker").unwrap().text;
+    let load = "[[loads]]\npoint = \"P\"\nforce = [10, 0]\n\
+                over = [[0, 1], [20, 2], [50, 3], [101, 4], [110, 5], [400, 6]]\n[vectors]";
+    let file = folder("dead-knots").join("scene.toml");
+    std::fs::write(&file, text.replacen("[vectors]", load, 1)).unwrap();
+    let name = file.to_str().unwrap();
+    let shown = done(&["check", name]);
+    let told = "knots of `over` at P that the motion never comes to: 0 deg, 400 deg";
+    assert!(shown.contains(told), "{shown}");
+    let found = json(&done(&["check", name, "--format", "json"]));
+    let dead = serde_json::json!([{ "on": "P", "at": [0.0, 400.0] }]);
+    assert_eq!(found["dead_knots"], dead);
+    assert!(!done(&["check", "drag-link-press"]).contains("never comes to"));
+}
+
+/// A figure is made of columns and of parameters, with their units or plain.
 #[test]
 fn figures_may_name_parameters() {
     let text = MINE.replacen(
@@ -423,4 +440,11 @@ fn figures_may_name_parameters() {
     std::fs::write(&file, text.replace(" * 1 cm", "")).unwrap();
     let said = refused(2, &["check", name]);
     assert!(said.contains("`2 * crank` is a plain number"), "{said}");
+    // It may bring that along.
+    let text = text
+        .replace(" * 1 cm", "")
+        .replace("crank = 1.35", "crank = \"13.5 mm\"");
+    std::fs::write(&file, text).unwrap();
+    let told = "parameters crank = 13.5 mm = 1.35 cm\n";
+    assert!(done(&["check", name]).contains(told));
 }

@@ -177,3 +177,52 @@ fn what_is_no_search_is_refused_with_a_mend() {
         assert!(heard.err.contains(words), "{args:?}: {}", heard.err);
     }
 }
+
+/// Used to be an empty column, and no reason anywhere.
+#[test]
+fn a_figure_that_no_design_has_is_told_with_the_reason() {
+    let goal = [
+        "solve",
+        "four-bar",
+        "--vary",
+        "r4.length",
+        "--starts",
+        "0",
+        "--goal",
+    ];
+    let asked = |figure: &str, more: &[&str]| {
+        let done = krank(&[&goal[..], &[figure], more].concat());
+        assert_eq!(done.code, 1);
+        done.out
+    };
+    let text = asked("driver.angle.ratio = 40", &[]);
+    assert!(
+        text.contains("driver.angle.ratio: it turns round"),
+        "{text}"
+    );
+    // The number of cells is that of the heads.
+    let heads = text
+        .lines()
+        .find(|line| line.trim_start().starts_with("given  ") || line.trim() == "given");
+    assert!(
+        heads.is_some_and(|heads| !heads.contains("nearest")),
+        "{text}"
+    );
+    let found = json(&asked("driver.angle.ratio = 40", &["--format", "json"]));
+    assert_eq!(found["lacks"]["driver.angle.ratio"], "it turns round");
+    let best = krank(&[
+        "solve",
+        "four-bar",
+        "--vary",
+        "r4.length=200..300",
+        "--maximize",
+        "driver.angle.ratio",
+        "--generations",
+        "1",
+    ]);
+    assert!(
+        best.err.contains("driver.angle.ratio: it turns round"),
+        "{}",
+        best.err
+    );
+}

@@ -141,6 +141,25 @@ fn gathered_edits_are_made_and_taken_back_as_one() {
     assert_eq!(session.find("A x").press("Esc {").look(), before);
 }
 
+/// What waits for a value stands in its row, not the formula that it will take the place of.
+#[test]
+fn a_formula_that_waits_is_shown_and_so_are_the_keys_that_make_it() {
+    let mut session = session(120, 30);
+    session.press("6").find("r3 len").press("b");
+    session
+        .press("Enter")
+        .type_in("3 * a")
+        .press("Enter")
+        .press("Enter Esc");
+    assert_eq!(row(&mut session), ">+r3 length mm = 3 * a");
+    let keys = session.last_line();
+    assert!(keys.contains("b make  Esc drop"), "{keys}");
+    session.press("Enter").type_in("301").press("Enter");
+    assert_eq!(row(&mut session), ">+r3 length 301 mm");
+    let keys = session.press("b u").last_line();
+    assert!(!keys.contains("Esc drop"), "{keys}");
+}
+
 #[test]
 fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
     let mut session = four_bar(80, 24);

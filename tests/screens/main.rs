@@ -52,6 +52,7 @@ mod tables;
 #[cfg(feature = "tui")]
 mod terminal;
 #[cfg(feature = "tui")]
+mod timed;
 mod tour;
 #[cfg(feature = "tui")]
 mod trust;

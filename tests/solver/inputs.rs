@@ -6,31 +6,32 @@
 use super::states::{at, check, kinds, push, solver, turn};
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Plan, Range, Solver};
 use krank::{
-    Body, Builder, Input, LANES, LinkId, Load, Mechanism, PointId, Profile, TimedInput, Vec2, angle,
+    Body, Builder, Input, InputLaw, LANES, LinkId, Load, Mechanism, PointId, Profile, TimedInput,
+    Vec2, angle,
 };
 
 const GROUND: Body = Body::Ground;
 
-/// A way to build a mechanism whose further input has this ratio and phase; the point that a force acts on.
-type Build = fn(f64, f64) -> (Builder, PointId);
+/// A way to build a mechanism whose further input follows by this law; the point that a force acts on.
+pub(super) type Build = fn(InputLaw) -> (Builder, PointId);
 
-fn follow(b: &mut Builder, input: Input, (ratio, phase): (f64, f64)) {
-    b.timed(TimedInput {
-        input,
-        ratio,
-        phase,
-    });
+fn line(ratio: f64, phase: f64) -> InputLaw {
+    InputLaw::Ratio { ratio, phase }
+}
+
+fn follow(b: &mut Builder, input: Input, law: InputLaw) {
+    b.timed(TimedInput { input, law });
 }
 
 /// Two cranks of lengths 1 and 0.8, their pivots 3 apart, and a dyad of 2.6 and 2.4 between their pins.
-fn five_bar(ratio: f64, phase: f64) -> (Builder, PointId) {
+pub(super) fn five_bar(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
     let [one, two, c] = [(); 3].map(|()| b.moving_point());
     let driven = b.link(a, one, 1.0);
     b.driver(turn(driven, 50.0));
     let other = b.link(e, two, 0.8);
-    follow(&mut b, Input::Turn(other), (ratio, phase));
+    follow(&mut b, Input::Turn(other), law);
     b.link(one, c, 2.6);
     b.link(two, c, 2.4);
     b.start(c, Vec2::new(1.5, 2.5));
@@ -38,7 +39,7 @@ fn five_bar(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// A boom that one cylinder lifts, and an arm on it that another one swings.
-fn excavator(ratio: f64, phase: f64) -> (Builder, PointId) {
+fn excavator(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [o, g] = [(0.0, 0.0), (0.2, -0.1)].map(|(x, y)| b.ground_point(x, y));
     let [p, q, j, r, tip] = [(); 5].map(|()| b.moving_point());
@@ -59,7 +60,7 @@ fn excavator(ratio: f64, phase: f64) -> (Builder, PointId) {
     let lift = b.pin_in_slot(p, Body::Link(barrels[0]), Vec2::ZERO, 0.0);
     let swing = b.pin_in_slot(r, Body::Link(barrels[1]), Vec2::new(0.0, 0.02), 0.0);
     b.driver(push(lift, 0.5));
-    follow(&mut b, Input::Push(swing), (ratio, phase));
+    follow(&mut b, Input::Push(swing), law);
     b.start(p, Vec2::new(0.3, 0.3));
     b.start(j, Vec2::new(0.8, 0.3));
     b.start(r, Vec2::new(0.7, 0.4));
@@ -67,14 +68,14 @@ fn excavator(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// A crank, and a block on the ground that is pushed as it turns.
-fn crank_and_block(ratio: f64, phase: f64) -> (Builder, PointId) {
+fn crank_and_block(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let o = b.ground_point(0.0, 0.0);
     let [one, two, c] = [(); 3].map(|()| b.moving_point());
     let crank = b.link(o, one, 1.0);
     b.driver(turn(crank, 50.0));
     let block = b.pin_in_slot(two, GROUND, Vec2::new(2.0, -0.5), 20.0);
-    follow(&mut b, Input::Push(block), (ratio, phase));
+    follow(&mut b, Input::Push(block), law);
     b.link(one, c, 2.6);
     b.link(two, c, 2.4);
     b.start(c, Vec2::new(1.5, 2.5));
@@ -82,14 +83,14 @@ fn crank_and_block(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// A block that is pushed, and a crank that turns with it.
-fn block_and_crank(ratio: f64, phase: f64) -> (Builder, PointId) {
+fn block_and_crank(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let o = b.ground_point(0.0, 0.0);
     let [one, two, c] = [(); 3].map(|()| b.moving_point());
     let crank = b.link(o, one, 1.0);
     let block = b.pin_in_slot(two, GROUND, Vec2::new(2.0, -0.5), 20.0);
     b.driver(push(block, 0.3));
-    follow(&mut b, Input::Turn(crank), (ratio, phase));
+    follow(&mut b, Input::Turn(crank), law);
     b.link(one, c, 2.6);
     b.link(two, c, 2.4);
     b.start(c, Vec2::new(1.5, 2.5));
@@ -97,14 +98,14 @@ fn block_and_crank(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// A crank with a rod that comes out of it as it turns.
-fn growing_crank(ratio: f64, phase: f64) -> (Builder, PointId) {
+pub(super) fn growing_crank(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [o, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
     let [pin, tip, c] = [(); 3].map(|()| b.moving_point());
     let crank = b.link(o, pin, 0.5);
     b.driver(turn(crank, 50.0));
     let rod = b.pin_in_slot(tip, Body::Link(crank), Vec2::new(0.2, 0.1), 15.0);
-    follow(&mut b, Input::Push(rod), (ratio, phase));
+    follow(&mut b, Input::Push(rod), law);
     b.link(tip, c, 2.6);
     b.link(e, c, 2.4);
     b.start(c, Vec2::new(1.5, 2.0));
@@ -112,14 +113,14 @@ fn growing_crank(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// A triangle on three bars, from two timed cranks and from the ground: four links at once.
-fn triad(ratio: f64, phase: f64) -> (Builder, PointId) {
+fn triad(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e, g] = [(0.0, 0.0), (4.0, 0.0), (2.0, 5.0)].map(|(x, y)| b.ground_point(x, y));
     let [one, two, p, q, r] = [(); 5].map(|()| b.moving_point());
     let driven = b.link(a, one, 0.5);
     b.driver(turn(driven, 50.0));
     let other = b.link(e, two, 0.4);
-    follow(&mut b, Input::Turn(other), (ratio, phase));
+    follow(&mut b, Input::Turn(other), law);
     let plate = b.free_link();
     for (point, x, y) in [(p, 0.0, 0.0), (q, 1.4, 0.0), (r, 0.7, 1.1)] {
         b.carry(plate, point, Vec2::new(x, y));
@@ -134,7 +135,7 @@ fn triad(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// Five bars of which one is turned, and a cylinder inside the loop that they close.
-fn strutted(ratio: f64, phase: f64) -> (Builder, PointId) {
+fn strutted(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
     let [one, two, c, p, q] = [(); 5].map(|()| b.moving_point());
@@ -148,7 +149,7 @@ fn strutted(ratio: f64, phase: f64) -> (Builder, PointId) {
     let barrel = b.free_link();
     b.carry(barrel, p, Vec2::ZERO);
     let rod = b.pin_in_slot(q, Body::Link(barrel), Vec2::new(0.0, 0.05), 0.0);
-    follow(&mut b, Input::Push(rod), (ratio, phase));
+    follow(&mut b, Input::Push(rod), law);
     b.start(c, Vec2::new(1.5, 2.2));
     b.start(two, Vec2::new(2.8, 1.4));
     b.start(p, Vec2::new(1.0, 1.0));
@@ -157,7 +158,7 @@ fn strutted(ratio: f64, phase: f64) -> (Builder, PointId) {
 }
 
 /// Each with a ratio and a phase, and what follows the driver's group.
-const MACHINES: [(Build, f64, f64, &[GroupKind]); 8] = [
+pub(super) const MACHINES: [(Build, f64, f64, &[GroupKind]); 8] = [
     (five_bar, 1.0, 30.0, &[GroupKind::Rrr]),
     (five_bar, -2.0, 110.0, &[GroupKind::Rrr]),
     (excavator, -0.4, 0.62, &[GroupKind::Rrr, GroupKind::Rrr]),
@@ -168,7 +169,7 @@ const MACHINES: [(Build, f64, f64, &[GroupKind]); 8] = [
     (strutted, 0.0005, 1.1, &[GroupKind::Coupled { unknowns: 0 }]),
 ];
 
-fn range(solver: &Solver) -> (f64, f64) {
+pub(super) fn range(solver: &Solver) -> (f64, f64) {
     match solver.motion().range {
         Range::Full { period } => (0.0, period),
         // Far enough for anybody.
@@ -176,7 +177,7 @@ fn range(solver: &Solver) -> (f64, f64) {
     }
 }
 
-fn places(solver: &Solver) -> Vec<f64> {
+pub(super) fn places(solver: &Solver) -> Vec<f64> {
     let (low, high) = range(solver);
     let place = |k: u8| low + (high - low) * (f64::from(k) + 0.37) / 32.0;
     (1..31).map(place).collect()
@@ -185,7 +186,7 @@ fn places(solver: &Solver) -> Vec<f64> {
 #[test]
 fn behind_timed_inputs_every_group_is_solved_with_its_rates() {
     for (number, (build, ratio, phase, expected)) in MACHINES.into_iter().enumerate() {
-        let (m, s) = solver(build(ratio, phase).0);
+        let (m, s) = solver(build(line(ratio, phase)).0);
         let is_same = |(seen, expected): (&GroupKind, &GroupKind)| match expected {
             GroupKind::Coupled { .. } => matches!(seen, GroupKind::Coupled { .. }),
             other => seen == other,
@@ -202,9 +203,9 @@ fn behind_timed_inputs_every_group_is_solved_with_its_rates() {
 #[test]
 fn a_timed_input_is_where_its_ratio_and_its_phase_put_it() {
     for (build, ratio, phase, _) in MACHINES {
-        let (m, s) = solver(build(ratio, phase).0);
+        let (m, s) = solver(build(line(ratio, phase)).0);
         let driver = *m.driver();
-        let timed = m.timed()[0];
+        let timed = &m.timed()[0];
         for q in places(&s) {
             let state = at(&s, q);
             let p = ratio * q + phase;
@@ -242,7 +243,7 @@ fn a_timed_input_is_where_its_ratio_and_its_phase_put_it() {
 /// sqrt(2.6^2 - x^2) to its left.
 #[test]
 fn a_five_bar_with_two_timed_cranks_is_where_the_cosine_rule_has_it() {
-    let (builder, c) = five_bar(-2.0, 110.0);
+    let (builder, c) = five_bar(line(-2.0, 110.0));
     let (_, s) = solver(builder);
     for q in places(&s) {
         let turned = |degrees: f64| {
@@ -263,7 +264,7 @@ fn a_five_bar_with_two_timed_cranks_is_where_the_cosine_rule_has_it() {
 /// The motion repeats when every crank is where it was.
 #[test]
 fn the_period_is_that_of_all_cranks_together() {
-    let period = |ratio: f64| match solver(five_bar(ratio, 30.0).0).1.motion().range {
+    let period = |ratio: f64| match solver(five_bar(line(ratio, 30.0)).0).1.motion().range {
         Range::Full { period } => period,
         Range::Limited { low, high } => low - high,
     };
@@ -278,7 +279,7 @@ fn the_period_is_that_of_all_cranks_together() {
         assert_eq!(period(ratio), expected, "{ratio}");
     }
     // Followed so far, it ends nowhere.
-    let (_, s) = solver(five_bar(0.712_345, 30.0).0);
+    let (_, s) = solver(five_bar(line(0.712_345, 30.0)).0);
     let Range::Limited { low, high } = s.motion().range else {
         panic!("{:?}", s.motion().range);
     };
@@ -289,7 +290,7 @@ fn the_period_is_that_of_all_cranks_together() {
 #[test]
 fn states_do_not_depend_on_what_was_solved_before_and_lanes_have_the_same_bits() {
     for (build, ratio, phase, _) in MACHINES {
-        let (m, s) = solver(build(ratio, phase).0);
+        let (m, s) = solver(build(line(ratio, phase)).0);
         let places = places(&s);
         let points = || m.point_ids();
         let mut shuffled = s.state();
@@ -337,7 +338,7 @@ fn states_do_not_depend_on_what_was_solved_before_and_lanes_have_the_same_bits()
 #[test]
 fn bounds_hold_what_twice_the_digits_say() {
     for (build, ratio, phase, _) in MACHINES {
-        let (m, s) = solver(build(ratio, phase).0);
+        let (m, s) = solver(build(line(ratio, phase)).0);
         let (mut work, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
         for q in places(&s) {
             assert_eq!(s.solve(q, Order::Acceleration, &mut work), Condition::Ok);
@@ -367,7 +368,7 @@ fn bounds_hold_what_twice_the_digits_say() {
 fn derivatives_by_lengths_are_those_of_differences() {
     const BY: f64 = 1e-6;
     for (build, ratio, phase, _) in MACHINES {
-        let (builder, point) = build(ratio, phase);
+        let (builder, point) = build(line(ratio, phase));
         let (m, s) = solver(builder);
         let demand = Demand {
             points: vec![point],
@@ -405,7 +406,7 @@ fn derivatives_by_lengths_are_those_of_differences() {
 
 /// The place of the loaded point at a coordinate, with the further input so much ahead.
 fn place(build: Build, (ratio, phase): (f64, f64), ahead: f64, q: f64) -> Vec2 {
-    let (builder, point) = build(ratio, phase + ahead);
+    let (builder, point) = build(line(ratio, phase + ahead));
     let (_, s) = solver(builder);
     at(&s, q).position(point).unwrap()
 }
@@ -416,7 +417,7 @@ fn place(build: Build, (ratio, phase): (f64, f64), ahead: f64, q: f64) -> Vec2 {
 fn every_input_does_its_own_part_of_the_virtual_work() {
     const FORCE: Vec2 = Vec2::new(30.0, -170.0);
     for (build, ratio, phase, _) in MACHINES {
-        let (mut builder, point) = build(ratio, phase);
+        let (mut builder, point) = build(line(ratio, phase));
         builder.load(Load::Force {
             point,
             force: FORCE,
@@ -424,7 +425,7 @@ fn every_input_does_its_own_part_of_the_virtual_work() {
             over: Profile::default(),
         });
         let (m, s) = solver(builder);
-        let (driver, timed) = (*m.driver(), m.timed()[0]);
+        let (driver, timed) = (*m.driver(), &m.timed()[0]);
         let unit = |input: Input| match input {
             Input::Turn(_) => 180.0 / std::f64::consts::PI,
             _ => 1.0,
@@ -461,7 +462,7 @@ fn every_input_does_its_own_part_of_the_virtual_work() {
 #[test]
 fn what_moves_with_timed_inputs_is_in_balance_with_the_frame() {
     for (build, ratio, phase, _) in MACHINES {
-        let (mut b, point) = build(ratio, phase);
+        let (mut b, point) = build(line(ratio, phase));
         b.gravity(Vec2::new(0.0, -9.81));
         let links: Vec<LinkId> = b.clone().build().unwrap().link_ids().collect();
         for link in links {
@@ -492,7 +493,7 @@ fn refused(m: &Mechanism) -> Fault {
 #[test]
 fn inputs_are_as_many_as_there_are_degrees_of_freedom() {
     // A five-bar without its second input.
-    let (with, _) = five_bar(1.0, 30.0);
+    let (with, _) = five_bar(line(1.0, 30.0));
     assert_eq!(Plan::of(&with.build().unwrap()).unwrap().mobility, 2);
     // A four-bar whose rocker is driven as well.
     let mut b = Builder::default();
@@ -502,16 +503,16 @@ fn inputs_are_as_many_as_there_are_degrees_of_freedom() {
     b.link(one, two, 2.5);
     let rocker = b.link(d, two, 2.0);
     b.driver(turn(crank, 50.0));
-    follow(&mut b, Input::Turn(rocker), (1.0, 30.0));
+    follow(&mut b, Input::Turn(rocker), line(1.0, 30.0));
     let fault = refused(&b.build().unwrap());
     assert!(matches!(fault, Fault::OverConstrained { .. }), "{fault:?}");
     // The driver once more, and the other input.
-    let (b, _) = crank_and_block(0.004, 0.2);
+    let (b, _) = crank_and_block(line(0.004, 0.2));
     let driven: Vec<Input> = b.clone().build().unwrap().inputs().collect();
     assert_eq!(driven.len(), 2);
     for input in driven {
         let mut b = b.clone();
-        follow(&mut b, input, (1.0, 0.0));
+        follow(&mut b, input, line(1.0, 0.0));
         assert!(b.build().is_err(), "{input:?}");
     }
 }

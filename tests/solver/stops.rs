@@ -76,7 +76,7 @@ fn values(mechanism: &Mechanism, state: &State) -> Vec<f64> {
         value + 360.0 * ((middle - value) / 360.0).round()
     };
     let value = |limit: &Limit| match limit.of {
-        LimitOf::Driver => state.at(),
+        LimitOf::Driver | LimitOf::Table(_) => state.at(),
         LimitOf::Slide(slide) => state.travel(slide).unwrap().position,
         LimitOf::Angle { link, from } => {
             let from = match from {

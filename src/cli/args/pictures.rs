@@ -104,12 +104,15 @@ impl FromStr for PaperScale {
                 .filter(|n: &f64| n.is_normal() && *n > 0.0)
         };
         let factor = sides.and_then(|(paper, linkage)| Some(side(paper)? / side(linkage)?));
-        let factor = factor.filter(|factor| factor.is_normal());
+        let factor = factor.filter(|factor| (1.0 / LARGEST_SCALE..=LARGEST_SCALE).contains(factor));
         factor
             .map(PaperScale)
-            .ok_or_else(|| words().scale_is_meant().into())
+            .ok_or_else(|| words().scale_is_meant(LARGEST_SCALE))
     }
 }
+
+/// Nothing is drawn so much larger or smaller: ISO 5455 ends at 1:10000.
+const LARGEST_SCALE: f64 = 10_000.0;
 
 /// More positions would hide each other.
 const MOST_GHOSTS: i64 = 360;

@@ -186,6 +186,7 @@ fn layers(args: &DrawArgs) -> Layers {
 fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
     let (traces, arrows) = (drawing::usual_traces, drawing::usual_arrows);
     Ok(Wanted {
+        is_timed: false,
         traces: points(scene, "--traces", args.traces.as_deref(), traces)?,
         velocities: points(scene, "--velocities", args.velocities.as_deref(), arrows)?,
         accelerations: points(

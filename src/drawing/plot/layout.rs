@@ -4,7 +4,6 @@ use super::path::CellBlock;
 use super::ticks::{TickStyle, Ticks};
 use super::{Plot, PlotStyle};
 use crate::Vec2;
-use crate::drawing::Glyphs;
 
 /// The axis and its labels, below the last panel.
 const FOOT: i32 = 2;
@@ -51,7 +50,7 @@ pub(super) struct PanelArea {
     pub(super) style: TickStyle,
 }
 
-/// From values to cells: the ends lie on the middle of the first and the last cell, or dot.
+/// From values to cells: the ends lie on the middle of the first and the last cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CellScale {
     low: f64,
@@ -165,10 +164,8 @@ impl Plot {
         }
         let count = shown(self.panels.len(), rows);
         let first = look.first.min(self.panels.len() - count);
-        let inset = match look.glyphs {
-            Glyphs::Ascii | Glyphs::Line => Vec2::new(0.5, 0.5),
-            Glyphs::Braille | Glyphs::Blocks(_) => Vec2::new(0.25, 0.125),
-        };
+        // Ticks and marks stand in the same cells whatever a curve is drawn with.
+        let inset = Vec2::new(0.5, 0.5);
         let body = rows - FOOT;
         let shares = i32::try_from(count).unwrap_or(1);
         let mut frames = Vec::with_capacity(count);

@@ -51,11 +51,46 @@ impl Plot {
                 strokes: FrameGlyphs::of(look.glyphs),
                 layout: &layout,
             };
-            painter.paint(&mut raster);
+            let seats = look
+                .glyphs
+                .is_dotted()
+                .then(|| self.plain_seats(look, &layout, here));
+            painter.paint(&mut raster, seats.as_deref());
         }
         settle(&mut raster, look.glyphs);
         raster
     }
+
+    /// Where what is written beside turns stands in the plot of plain characters: a curve of dots grazes a few cells
+    /// more, and would leave less room than that has.
+    fn plain_seats(
+        &self,
+        look: &PlotStyle,
+        layout: &PlotLayout,
+        here: Option<&Here>,
+    ) -> Vec<WrittenTurn> {
+        let look = &PlotStyle {
+            glyphs: Glyphs::Ascii,
+            ..*look
+        };
+        let mut raster = Raster::new();
+        raster.reset(look.cols, look.rows);
+        let painter = PlotPainter {
+            plot: self,
+            look,
+            here,
+            strokes: FrameGlyphs::of(look.glyphs),
+            layout,
+        };
+        painter.paint(&mut raster, None)
+    }
+}
+
+/// What is written beside a turn of a curve, and where.
+struct WrittenTurn {
+    panel: usize,
+    at: (i32, i32),
+    text: String,
 }
 
 struct PlotPainter<'a> {
@@ -67,7 +102,9 @@ struct PlotPainter<'a> {
 }
 
 impl PlotPainter<'_> {
-    fn paint(&self, raster: &mut Raster) {
+    /// Paints all of it, and writes beside turns where that is `given`, or where there is room; gives where that is.
+    fn paint(&self, raster: &mut Raster, given: Option<&[WrittenTurn]>) -> Vec<WrittenTurn> {
+        let mut written = Vec::new();
         self.level_axis(raster);
         let cursor = self.cursor_title(raster);
         for (k, (number, frame)) in self.layout.panels.iter().enumerate() {
@@ -77,10 +114,20 @@ impl PlotPainter<'_> {
             self.legend(panel, frame, right, raster);
             self.curves(panel, frame, raster);
             if self.look.extrema {
-                self.turns(panel, frame, raster);
+                self.mark_turns(panel, frame, raster);
+                match given {
+                    Some(given) => {
+                        for turn in given.iter().filter(|turn| turn.panel == *number) {
+                            let (col, row) = turn.at;
+                            write(raster, col, row, &turn.text, Role::Label);
+                        }
+                    }
+                    None => self.write_turns((*number, panel), frame, raster, &mut written),
+                }
             }
             self.meeting_points(panel, frame, raster);
         }
+        written
     }
 
     fn level_axis(&self, raster: &mut Raster) {
@@ -300,20 +347,37 @@ impl PlotPainter<'_> {
         Vec2::new(self.layout.x.place(p.x), frame.y.place(p.y))
     }
 
-    /// Marks where curves turn, and says what and where, as far as there is room: of the largest and the
-    /// smallest first.
-    fn turns(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
+    /// Where curves turn.
+    fn turns<'p>(
+        &self,
+        panel: &'p Panel,
+        frame: &PanelArea,
+    ) -> Vec<(&'p CurveTurn, Role, (i32, i32))> {
         let lines = panel.curves.iter().enumerate();
         let lines = lines.map(|(i, line)| (line, panel.role(i)));
         let turns = lines.flat_map(|(line, role)| line.turns.iter().map(move |turn| (turn, role)));
         let cell =
             |turn: &CurveTurn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));
         let placed = turns.filter_map(|(turn, role)| Some((turn, role, cell(turn)?)));
-        let mut placed: Vec<(&CurveTurn, Role, (i32, i32))> = placed.collect();
-        for &(turn, _, (col, row)) in &placed {
+        placed.collect()
+    }
+
+    fn mark_turns(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
+        for (turn, _, (col, row)) in self.turns(panel, frame) {
             let glyph = if turn.is_peak { PEAK } else { DIP };
             raster.put(col, row, glyph, Role::Front);
         }
+    }
+
+    /// Says what curves are where they turn, as far as there is room: of the largest and the smallest first.
+    fn write_turns(
+        &self,
+        (number, panel): (usize, &Panel),
+        frame: &PanelArea,
+        raster: &mut Raster,
+        written: &mut Vec<WrittenTurn>,
+    ) {
+        let mut placed = self.turns(panel, frame);
         placed.sort_by_key(|(turn, ..)| !turn.is_extreme);
         let x = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
         for (turn, role, point) in placed {
@@ -325,8 +389,13 @@ impl PlotPainter<'_> {
             };
             let inwards = if turn.is_peak { 1 } else { -1 };
             let place = seats(raster, point, inwards, role, &text).find(inside);
-            if let Some((col, row)) = place {
-                write(raster, col, row, &text, Role::Label);
+            if let Some(at) = place {
+                write(raster, at.0, at.1, &text, Role::Label);
+                written.push(WrittenTurn {
+                    panel: number,
+                    at,
+                    text,
+                });
             }
         }
     }

@@ -292,12 +292,24 @@ impl Curves {
     pub fn here(&self, state: &State) -> Here {
         let place = self.place_of(state.at());
         let pace = place.and_then(|time| self.clock.as_ref()?.pace(time));
+        self.beside(place, |quantity| paced(quantity, state, pace))
+    }
+
+    /// The same of curves over time in a state whose driver passes as it does then, see [`DriverStand`].
+    ///
+    /// [`DriverStand`]: crate::quantity::DriverStand
+    #[must_use]
+    pub fn here_at(&self, time: f64, state: &State) -> Here {
+        self.beside(self.within(time), |quantity| quantity.value(state))
+    }
+
+    fn beside(&self, place: Option<f64>, value: impl Fn(&Quantity) -> Option<f64>) -> Here {
         let along = match &self.abscissa {
             Abscissa::Driver | Abscissa::Time => place,
-            Abscissa::Figure(figure) => place.and_then(|_| figure.value(state)),
+            Abscissa::Figure(figure) => place.and_then(|_| value(figure)),
         };
         let value = |curve: &Curve| {
-            let value = paced(&curve.quantity, state, pace)?;
+            let value = value(&curve.quantity)?;
             Some(match curve.level {
                 Some(level) if curve.quantity.is_direction() => beside(level, value),
                 Some(_) | None => value,
@@ -313,14 +325,20 @@ impl Curves {
     fn place_of(&self, at: f64) -> Option<f64> {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let (low, high) = (first.min(last), first.max(last));
-        let place = match (&self.clock, self.period) {
+        self.within(match (&self.clock, self.period) {
             (None, _) => at,
             (Some(clock), Some(_)) if clock.is_even() => clock.time(at)?,
             (Some(clock), _) => {
                 let comes_by = |at| clock.time_between(at, low, high);
                 comes_by(at).or_else(|| comes_by(self.reduced(at)))?
             }
-        };
+        })
+    }
+
+    /// A coordinate or a time among the samples, or after whole periods.
+    fn within(&self, place: f64) -> Option<f64> {
+        let (first, last) = (self.places(0), self.places(usize::MAX));
+        let (low, high) = (first.min(last), first.max(last));
         let place = match self.period {
             Some(_) if (low..=high).contains(&place) => place,
             Some(period) => low + (place - low).rem_euclid(period),

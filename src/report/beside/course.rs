@@ -52,6 +52,9 @@ pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCourse, sol
     if !course.strangers.is_empty() {
         page.text(words().not_compared(&course.strangers.join(", ")));
     }
+    if let Some(left_out) = course.left_out() {
+        page.text(left_out);
+    }
 }
 
 impl Furthest {

@@ -1,8 +1,10 @@
 //! A table of cells that somebody else wrote: what of it are figures that krank knows.
 
+use crate::document::quoted;
 use crate::quantity::{Catalogue, Quantity, unit_factor};
 use crate::report::cells::ReadCells;
 use crate::study::WrittenFigure;
+use crate::wording::words;
 
 /// What is read at the most.
 const MOST_ROWS: usize = 100_000;
@@ -13,6 +15,8 @@ const MOST_ROWS: usize = 100_000;
 pub struct ForeignFigures {
     name: String,
     rows: Vec<Vec<String>>,
+    /// On which line of the file each row begins.
+    lines: Vec<u64>,
 }
 
 /// Why a file holds no figures.
@@ -58,15 +62,33 @@ pub(super) struct ForeignCourse {
     pub(super) rows: Vec<(f64, Vec<Option<ForeignValue>>)>,
     /// Heads that are no columns of krank's.
     pub(super) strangers: Vec<String>,
+    /// Cells where a number should stand and something else does: the line, the column and what stands there.
+    pub(super) unread: Vec<(u64, String, String)>,
 }
 
+/// Cells that a message lists at most.
+const LISTED: usize = 5;
+
 impl ForeignCourse {
+    /// What was left out of the file, in words, if anything was.
+    pub(super) fn left_out(&self) -> Option<String> {
+        let listed: Vec<_> = (self.unread.iter().take(LISTED))
+            .map(|(line, column, cell)| (*line, column.as_str(), quoted(cell)))
+            .collect();
+        let more = self.unread.len() - listed.len();
+        (!listed.is_empty()).then(|| words().cells_left_out(&listed, more))
+    }
+
     /// Leaves out the columns that are not wanted.
     pub(super) fn keep(&mut self, wanted: impl Fn(&Quantity) -> bool) {
         let kept: Vec<bool> = self.columns.iter().map(wanted).collect();
         let mut marks = kept.iter();
         self.columns
             .retain(|_| marks.next().is_some_and(|&kept| kept));
+        let (driver, columns) = (&self.driver, &self.columns);
+        let left = [driver].into_iter().chain(columns);
+        self.unread
+            .retain(|(_, column, _)| left.clone().any(|quantity| quantity.name == *column));
         for (_, values) in &mut self.rows {
             let mut marks = kept.iter();
             values.retain(|_| marks.next().is_some_and(|&kept| kept));
@@ -80,12 +102,14 @@ impl ForeignFigures {
     /// # Errors
     /// Where no row has a name with a number beside it, or a number at all; or where there are too many.
     pub fn read(name: &str, bytes: &[u8]) -> Result<ForeignFigures, NoFigures> {
-        let ReadCells { rows, .. } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoFigures::TooLong)?;
+        let ReadCells { rows, lines, .. } =
+            ReadCells::read(bytes, MOST_ROWS).ok_or(NoFigures::TooLong)?;
         let is_figure = |cells: &Vec<String>| cells.iter().any(|cell| number(cell).is_some());
         match rows.iter().any(is_figure) && rows.iter().any(|cells| cells.len() > 1) {
             true => Ok(ForeignFigures {
                 name: name.to_owned(),
                 rows,
+                lines,
             }),
             false => Err(NoFigures::Nothing),
         }
@@ -153,7 +177,24 @@ impl ForeignFigures {
             };
             Some((at, columns.iter().map(value).collect()))
         };
+        let mut unread = Vec::new();
+        for (cells, line) in self.rows.iter().zip(&self.lines).skip(1) {
+            let is_there = |k: usize| cells.get(k).is_some_and(|cell| !cell.is_empty());
+            let is_row = turned.is_some() && (0..cells.len()).any(is_there);
+            let read = |k: usize| cells.get(k).is_some_and(|cell| number(cell).is_some());
+            let cell = |k: usize| cells.get(k).cloned().unwrap_or_default();
+            // Without its place nothing of a row is read.
+            if is_row && !read(place) {
+                unread.push((*line, driver.name.clone(), cell(place)));
+                continue;
+            }
+            let bad = columns
+                .iter()
+                .filter(|(k, ..)| is_row && is_there(*k) && !read(*k));
+            unread.extend(bad.map(|(k, _, quantity)| (*line, quantity.name.clone(), cell(*k))));
+        }
         ForeignCourse {
+            unread,
             rows: self.rows.iter().skip(1).filter_map(row).collect(),
             driver,
             columns: columns

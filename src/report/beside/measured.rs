@@ -50,6 +50,12 @@ impl Measured {
         &self.course.strangers
     }
 
+    /// Cells that are no numbers and were left out, each with its line and column, in words; `None` where all were read.
+    #[must_use]
+    pub fn left_out(&self) -> Option<String> {
+        self.course.left_out()
+    }
+
     /// The driver's coordinate and the value of every measurement of a figure.
     #[must_use]
     pub fn points(&self, figure: usize) -> Vec<(f64, f64)> {

@@ -107,8 +107,9 @@ impl AnswerFile {
     /// # Errors
     /// Where it holds no figure at all, or too many rows.
     pub fn read(bytes: &[u8]) -> Result<AnswerFile, NoAnswers> {
-        let ReadCells { rows, separator } =
-            ReadCells::read(bytes, MOST_ROWS).ok_or(NoAnswers::TooLong)?;
+        let ReadCells {
+            rows, separator, ..
+        } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoAnswers::TooLong)?;
         let mut file = AnswerFile::default();
         let places = RowPlaces::of(&rows, separator);
         for row in &rows {

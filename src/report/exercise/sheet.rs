@@ -38,7 +38,7 @@ impl Report {
         page.text(words().name_and_number());
         reported.drawing(&mut page);
         page.part(words().given_part());
-        page.add(Content::Facts(given(scene, state, &reported)));
+        page.add(Content::Facts(given(scene, solver, state, &reported)));
         page.part(words().asked_part());
         page.text(words().what_is_asked());
         if reported.has_loops() {
@@ -118,7 +118,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
 }
 
 /// All dimensions, and how the driver moves.
-fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
+fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState<'_>) -> Facts {
     let mechanism = &scene.mechanism;
     let mut facts = Facts::default();
     let unit = scene.unit.symbol();
@@ -134,8 +134,8 @@ fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
         facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
     let (kind, _) = DriverKind::of(scene, mechanism.driver().input);
-    let inputs = InputFacts::of(scene);
-    let inputs = inputs.iter().map(|input| input.text(kind, unit));
+    let inputs = InputFacts::of(scene, solver.motion().range);
+    let inputs = inputs.iter().map(|input| input.given(kind, unit));
     facts.tell(
         words().driver(),
         [driver_told(scene, state)].into_iter().chain(inputs),
@@ -147,19 +147,19 @@ fn given(scene: &Scene, state: &State, reported: &ReportedState<'_>) -> Facts {
 fn driver_told(scene: &Scene, state: &State) -> String {
     let unit = scene.unit.symbol();
     let (name, [at, speed, acceleration]) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (
-            scene.link_name(link),
+        input @ Input::Turn(_) => (
+            scene.driven_name(input),
             ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
         ),
-        Input::Push(slide) => (
-            scene.slide_name(slide),
+        input @ Input::Push(_) => (
+            scene.driven_name(input),
             ["", "/s", "/s^2"].map(|per| format!("{unit}{per}")),
         ),
     };
     let rates = [Measure::TurnSpeed, Measure::PushSpeed];
     let second = [Measure::TurnAcceleration, Measure::PushAcceleration];
     words().driver_stands(
-        name,
+        &name,
         &format!("{} {at}", figure(state.at())),
         &rate_told(scene, rates, state.driver_speed(), &speed),
         &rate_told(scene, second, state.driver_acceleration(), &acceleration),

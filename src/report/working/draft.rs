@@ -88,8 +88,11 @@ impl<'a> Context<'a> {
                 continue;
             };
             let timed = mechanism.timed_input(input);
-            let ratio = timed.map_or(1.0, |timed| timed.rate(mechanism.driver().input));
-            let rates = rates.map(|rate| rate * ratio);
+            let rates = timed.map_or(rates, |timed| {
+                let [first, second] = timed.rates(self.state.at(), mechanism.driver().input);
+                let [speed, acceleration] = rates;
+                [first * speed, first * acceleration + second * speed * speed]
+            });
             match input {
                 Input::Push(_) => [reading.rate, reading.accel] = rates,
                 Input::Turn(_) if !self.has_rates() => [reading.omega, reading.alpha] = rates,

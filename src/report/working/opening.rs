@@ -10,7 +10,7 @@ use crate::report::number::concise;
 use crate::report::range_text::limits_text;
 use crate::solver::Condition;
 use crate::wording::words;
-use crate::{Input, LinkId};
+use crate::{Body, Input, InputLaw, LinkId};
 
 /// The title, and where the driver is.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
@@ -21,15 +21,12 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
         ..
     } = context;
     draft.page.title(&scene.title());
-    let (is_turning, name, units) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (
-            true,
-            scene.link_name(link),
-            ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
-        ),
-        Input::Push(slide) => {
+    let name = &scene.driven_name(scene.mechanism.driver().input);
+    let (is_turning, units) = match scene.mechanism.driver().input {
+        Input::Turn(_) => (true, ["deg", "rad/s", "rad/s^2"].map(str::to_owned)),
+        Input::Push(_) => {
             let units = [0, 1, 2].map(|order| figures.length_unit(order));
-            (false, scene.slide_name(slide), units)
+            (false, units)
         }
     };
     let condition = &words().condition_called(state_word(state.condition()));
@@ -51,24 +48,55 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
 fn inputs(context: &Context<'_>, draft: &mut Draft) {
     let mechanism = &context.scene.mechanism;
     let symbol = |input| match input {
-        Input::Turn(link) => symbols::theta(context.scene.link_name(link)),
+        Input::Turn(link) => {
+            let name = |link| symbols::theta(context.scene.link_name(link));
+            match mechanism.turned_from(link) {
+                Body::Ground => name(link),
+                Body::Link(from) => format!("{} - {}", name(link), name(from)),
+            }
+        }
         Input::Push(slide) => context.scene.slide_name(slide).to_owned(),
     };
     if !mechanism.timed().is_empty() {
         draft.page.text(words().inputs_are_given());
     }
     for timed in mechanism.timed() {
-        let [ratio, phase] = [timed.ratio, timed.phase].map(|v| concise(v, usize::MAX));
         let at = timed.coordinate(context.state.at());
-        let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
-        let law = law.replace("+ -", "- ");
         let [at, unit] = match timed.input {
             Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
             Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
         };
-        draft
-            .page
-            .equation([symbol(timed.input), law, format!("{at} {unit}")]);
+        let (name, at) = (symbol(timed.input), format!("{at} {unit}"));
+        match timed.law {
+            InputLaw::Ratio { ratio, phase } => {
+                let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
+                let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
+                let law = law.replace("+ -", "- ");
+                draft.page.equation([name, law, at]);
+            }
+            InputLaw::Table(_) => {
+                draft.page.text(words().inputs_have_tables(&name));
+                draft.page.equation([name.clone(), at]);
+                let driver = mechanism.driver().input;
+                let by = symbol(driver);
+                let names = [format!("d{name}/d{by}"), format!("d²{name}/d{by}²")];
+                let rates = timed.rates(context.state.at(), driver);
+                let unit = |input| match input {
+                    Input::Turn(_) => "rad".to_owned(),
+                    Input::Push(_) => context.figures.length_unit(0),
+                };
+                let [own, per] = [unit(timed.input), unit(driver)];
+                let units = match own == per {
+                    true => [String::new(), format!(" 1/{per}")],
+                    false => [format!(" {own}/{per}"), format!(" {own}/{per}^2")],
+                };
+                for ((name, rate), unit) in names.into_iter().zip(rates).zip(units) {
+                    draft
+                        .page
+                        .equation([name, context.figures.given(rate) + &unit]);
+                }
+            }
+        }
     }
 }
 
@@ -264,10 +292,10 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
     links
         .map(|link| {
             let turns = context.polygon.locks.turns(crate::Body::Link(link), 0.0);
-            let driven = mechanism.driver().input == Input::Turn(link);
+            let driven = mechanism.is_crank(link);
             let mark = match turns {
                 Turns::Never => words().given().into(),
-                _ if mechanism.is_turned(link) && !driven => words().given().into(),
+                _ if mechanism.is_directed(link) && !driven => words().given().into(),
                 _ if driven => words().driver().into(),
                 Turns::With(root, _) if root == link => words().is_sought().into(),
                 Turns::With(root, offset) => with_offset(context, root, offset),

@@ -22,11 +22,13 @@ pub(super) fn values(scene: &Scene) -> Vec<Value> {
         // It was read once before.
         return Vec::new();
     };
+    let turns = matches!(scene.mechanism.driver().input, Input::Turn(_));
     let mut collector = Collector {
         text: scene.text(),
         unit: scene.unit,
         slides: &scene.slide_names,
-        turns: matches!(scene.mechanism.driver().input, Input::Turn(_)),
+        turns,
+        driver_turns: turns,
         is_torsion: false,
         owner: ValueOwner::Scene,
         met: HashMap::new(),
@@ -44,6 +46,8 @@ struct Collector<'t> {
     slides: &'t [String],
     /// Whether a link is driven, and no slide.
     turns: bool,
+    /// The same of the driver, also in the table of another input.
+    driver_turns: bool,
     /// Whether the table at hand is that of a torsion spring.
     is_torsion: bool,
     /// What the values that are found now belong to.
@@ -275,7 +279,11 @@ impl Collector<'_> {
             }
             Err(_) => return,
         };
-        let measure = match (size.measure(self.turns), self.is_torsion) {
+        let turns = match size {
+            NumberMeasure::DriverItself => self.driver_turns,
+            NumberMeasure::Of(_) | NumberMeasure::Driver | NumberMeasure::Effort => self.turns,
+        };
+        let measure = match (size.measure(turns), self.is_torsion) {
             (measure, true) => measure.of_torsion(),
             (measure, false) => measure,
         };

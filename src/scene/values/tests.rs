@@ -504,6 +504,51 @@ fn a_formula_is_shown_and_replaced_and_every_other_byte_stays() {
     );
 }
 
+/// Used to be lost: `a = "10 kg"` stood for a length, and a new number of a parameter came without its unit, so that
+/// what is made of it no longer went together.
+#[test]
+fn a_parameter_keeps_its_unit() {
+    let with = |parameters: &str, length: &str| {
+        let parameters = format!("[parameters]\n{parameters}\n[ground]");
+        BY_NUMBERS.replacen("[ground]", &parameters, 1).replacen(
+            "length = 300",
+            &format!("length = \"{length}\""),
+            1,
+        )
+    };
+    for (parameters, length, fits) in [
+        ("a = \"30 cm\"", "a", true),
+        ("a = \"30 cm\"", "a + 1 in", true),
+        ("a = \"30 cm\"\nb = \"a / 2 mm\"", "2 * b", true),
+        ("a = \"30 cm\"\nb = \"a - 2 mm\"", "b", true),
+        ("a = 300", "a", true),
+        ("a = \"300 kg\"", "a", false),
+        ("a = \"300 kg\"\nb = \"2 * a\"", "b", false),
+        ("a = \"300 deg\"", "a", false),
+        ("a = \"30 cm\"", "a * a", false),
+        ("a = \"30 cm\"", "a + 2 kg", false),
+    ] {
+        let read = Scene::parse(&with(parameters, length), "test");
+        assert_eq!(read.is_ok(), fits, "{parameters}: {length}");
+    }
+    let scene = with(
+        "a = \"30 cm\"\nb = \"a / 2 mm\"\nk = \"5 N/mm\"\nl = \"1 rad\"",
+        "2 * b",
+    );
+    let scene = Scene::parse(&scene, "test").unwrap();
+    for (name, text) in [
+        ("a", "\"310.5 mm\""),
+        ("b", "310.5"),
+        ("k", "\"310.5 N/m\""),
+        ("l", "\"310.5 deg\""),
+    ] {
+        let value = scene.value_named(name).unwrap();
+        assert_eq!(value.with_number(310.5), text);
+        let changed = scene.again(&scene.with_value(&value, text)).unwrap();
+        assert_eq!(changed.value_named(name).unwrap().number, 310.5, "{name}");
+    }
+}
+
 #[test]
 fn long_chains_of_parameters_are_worked_out_in_any_order() {
     let count = 20_000;

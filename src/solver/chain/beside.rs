@@ -56,10 +56,19 @@ impl Chain<'_> {
             ScalarEquation::Push(slide) => {
                 let point = self.network.mechanism.slide(slide).slider.point();
                 let line = self.line(slide)?;
-                let following = self.network.following(Input::Push(slide));
+                let following = self.network.following(Input::Push(slide)).cloned();
                 Some(Gauge::Pushed {
                     point,
                     line,
+                    following,
+                })
+            }
+            ScalarEquation::Elbow(link) => {
+                let [link, from] = self.network.elbow(link);
+                let following = self.network.following(Input::Turn(link)).cloned();
+                Some(Gauge::Turned {
+                    link,
+                    from,
                     following,
                 })
             }

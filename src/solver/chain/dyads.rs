@@ -276,7 +276,7 @@ impl Chain<'_> {
             far,
             group,
             slide,
-            following: self.network.following(Input::Push(slide)),
+            following: self.network.following(Input::Push(slide)).cloned(),
         });
         self.learn_point(point);
         self.learn_class(link);

@@ -1,7 +1,7 @@
 //! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
 //! the equations between them.
 
-use super::{ArmSeat, Base, GroupEquation, Remainder, Spot, Turning};
+use super::{ArmSeat, Base, Bearing, GroupEquation, Remainder, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -64,7 +64,7 @@ impl<'a> Maker<'a> {
         self.spots
             .iter()
             .find(|(p, _)| *p == point)
-            .map(|&(_, spot)| spot)
+            .map(|(_, spot)| spot.clone())
     }
 
     fn free_spot(&mut self) -> Spot {
@@ -195,7 +195,7 @@ impl<'a> Maker<'a> {
         let spot = self.free_spot();
         // A joint that sits on another frame's arm becomes free, and is tied to that arm.
         if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
-            let arm = std::mem::replace(there, spot);
+            let arm = std::mem::replace(there, spot.clone());
             self.equations.push(GroupEquation::Meeting {
                 a: spot,
                 b: arm,
@@ -215,6 +215,28 @@ impl<'a> Maker<'a> {
         }
         for &slide in self.part.slides {
             self.add_slide(slide);
+        }
+        for &link in self.part.elbows {
+            self.add_elbow(link);
+        }
+    }
+
+    fn add_elbow(&mut self, turned: LinkId) {
+        let network = self.part.network;
+        let bearings = network.elbow(turned).map(|link| {
+            let (turning, turn) = self.turning(link)?;
+            Some(Bearing {
+                link,
+                turning,
+                turn,
+            })
+        });
+        if let [Some(link), Some(from)] = bearings {
+            self.equations.push(GroupEquation::Elbow {
+                link,
+                from,
+                following: network.following(Input::Turn(turned)).cloned(),
+            });
         }
     }
 
@@ -257,7 +279,7 @@ impl<'a> Maker<'a> {
                 a: x,
                 b: Spot {
                     along,
-                    following: network.following(Input::Push(slide)),
+                    following: network.following(Input::Push(slide)).cloned(),
                     ..q
                 },
                 pushed: Some(slide),

@@ -12,10 +12,10 @@ const MOST_STEPS: u32 = 50;
 const MOST_HALVINGS: u32 = 60;
 
 /// How the one unknown of a group is an angle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::solver) struct Closing(ClosingWay);
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[expect(
     clippy::large_enum_variant,
     reason = "a group has one, and a copy of it is made once"
@@ -127,7 +127,7 @@ impl Coupled {
     /// exactly one closing lies on either side, follow from three values.
     pub(in crate::solver) fn bisect(
         &self,
-        Closing(way): Closing,
+        Closing(way): &Closing,
         side: f64,
         q: f64,
         state: &State,
@@ -171,7 +171,7 @@ impl Coupled {
     /// Puts the group at an angle, and says how far the condition is from holding there.
     fn condition(
         &self,
-        way: ClosingWay,
+        way: &ClosingWay,
         direction: Vec2,
         q: f64,
         state: &State,
@@ -184,8 +184,8 @@ impl Coupled {
                 length,
                 row,
             } => {
-                let centre = self.moving(&centre, q, state, room).p;
-                (centre + direction * length, row)
+                let centre = self.moving(centre, q, state, room).p;
+                (centre + direction * *length, *row)
             }
         };
         (room.z[0], room.z[1]) = (at.x, at.y);
@@ -205,7 +205,7 @@ fn circle(equation: &GroupEquation, row: usize) -> Option<Closing> {
         matches!(spot.base, Base::Known(_)) && is_still
     };
     let centre = match (a, b) {
-        (free, centre) | (centre, free) if is_free(free) && is_known(centre) => *centre,
+        (free, centre) | (centre, free) if is_free(free) && is_known(centre) => centre.clone(),
         _ => return None,
     };
     let length = length.nearest();

@@ -15,7 +15,7 @@ use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
 /// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder. The sign is +1
 /// where the point lies on the left of pivot -> far.pivot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::solver) struct Cylinder {
     pub point: PointId,
     pub pivot: PointId,
@@ -192,7 +192,7 @@ impl Element for Cylinder {
             along: self.along,
             far: site.reach(&self.far, self.point),
             slide: self.slide,
-            following: self.following,
+            following: self.following.clone(),
         })
     }
 
@@ -297,7 +297,7 @@ impl Backwards for CylinderBack {
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let force = forces.share(self.point, &self.barrel, &self.far, state);
         let tau = Vec2::of(self.along).turned(state.links[self.barrel.link.index()].d);
-        forces.drive_by(self.following.as_ref(), force.dot(tau));
+        forces.drive_by(self.following.as_ref(), force.dot(tau), state);
         forces.normals[self.slide.index()] = -tau.cross(force);
     }
 }

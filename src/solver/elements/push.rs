@@ -9,7 +9,7 @@ use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
 /// A driven slide: the point lies at `along p` on a link, seen from `base`, with p the coordinate of its input.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::solver) struct Push {
     pub point: PointId,
     pub base: PointId,
@@ -59,7 +59,7 @@ impl Element for Push {
 
     fn back(&self, site: &Site<'_>) -> Option<PushBack> {
         Some(PushBack {
-            step: *self,
+            step: self.clone(),
             slot: site.slot(self.link, self.base),
         })
     }
@@ -89,7 +89,7 @@ impl Backwards for PushBack {
         forces.note(self.slot, -force);
         forces.points[base.index()] += force;
         forces.links[link.index()] += r.cross(force);
-        forces.drive_by(self.step.following.as_ref(), force.dot(tau));
+        forces.drive_by(self.step.following.as_ref(), force.dot(tau), state);
         forces.normals[slide.index()] = -tau.cross(force);
     }
 }

@@ -8,7 +8,7 @@ use crate::solver::state::{LinkState, State};
 use crate::{LinkId, Number, Vec2};
 
 /// A link whose angle follows the driver's coordinate.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::solver) struct Timed {
     pub link: LinkId,
     pub following: Following,
@@ -37,7 +37,7 @@ impl Element for Timed {
     }
 
     fn back(&self, _site: &Site<'_>) -> Option<TimedBack> {
-        Some(TimedBack { step: *self })
+        Some(TimedBack { step: self.clone() })
     }
 }
 
@@ -49,9 +49,9 @@ pub(in crate::solver) struct TimedBack {
 
 impl Backwards for TimedBack {
     #[inline(always)]
-    fn run<T: Number>(&self, _state: &State<T>, forces: &mut ForceState<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let Timed { link, following } = &self.step;
         let couple = forces.links[link.index()];
-        forces.drive_by(Some(following), couple);
+        forces.drive_by(Some(following), couple, state);
     }
 }

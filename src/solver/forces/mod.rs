@@ -159,7 +159,7 @@ impl<T: Number> ForceState<T> {
 
     /// What comes to an input: it goes on to the driver that it follows.
     #[inline(always)]
-    pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T) {
+    pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T, state: &State<T>) {
         match following {
             None => {
                 self.efforts[0] += effort;
@@ -167,7 +167,7 @@ impl<T: Number> ForceState<T> {
             }
             Some(following) => {
                 self.efforts[following.number] += effort;
-                self.drive += effort * following.rate();
+                self.drive += effort * following.at(state.coordinate()).w;
             }
         }
     }
@@ -418,7 +418,7 @@ impl Balance {
             if self.run_back(engine, state, scratch, &mut forces) {
                 if let Some(link) = engine.driven() {
                     let couple = forces.links[link.index()];
-                    forces.drive_by(None, couple);
+                    forces.drive_by(None, couple, state);
                 }
                 self.locked.finish(&mut forces);
                 self.frame.free_origins(state, &mut forces);

@@ -156,7 +156,9 @@ impl Runner {
                 run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
                     let own = closings.next().and_then(|(number, closing)| {
                         let side = group.side * rows.flip(number, solver, signs);
-                        closing.and_then(|way| group.bisect(way, side, q, state, scratch))
+                        closing
+                            .as_ref()
+                            .and_then(|way| group.bisect(way, side, q, state, scratch))
                     });
                     *halvings += own.unwrap_or(0);
                     own.is_some()

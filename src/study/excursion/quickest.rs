@@ -2,6 +2,7 @@
 
 use super::sampler::{MotionSampler, SampledFigure, SlopeSource};
 use super::{FigurePlace, NoFigure};
+use crate::Input;
 use crate::numeric::{Unsettled, lowest, root};
 use crate::solver::Range;
 
@@ -9,6 +10,11 @@ use crate::solver::Range;
 const CLOSE: f64 = 0.95;
 /// So near to each other, as a part of what is between two samples, two ways to find a place mean the same.
 const NEAR: f64 = 1e-4;
+
+/// A rate that changes by no more than this part of itself over the motion is level, and one of a rate that comes to no
+/// more than this part of it on a radian, or on the whole way of a slide, is nought: what is left is rounding, which a
+/// second slope has some thousand times as much of as the figure.
+const LEVEL: f64 = 1e-9;
 
 /// Halvings of the step between two samples, down to which a peak beside a near miss is looked for.
 const NARROWEST: i32 = 34;
@@ -100,8 +106,16 @@ impl MotionSampler {
             .collect();
         let highest = sizes.iter().fold(0.0_f64, |most, &size| most.max(size));
         let first = (sampled.at[0], sizes[0]);
-        if is_level || highest == 0.0 {
-            return Ok(place((first.0, 0.0)));
+        let noise = LEVEL * self.rate_of_steady(sampled, rate);
+        let is_nought = is_level || highest <= noise;
+        let lowest_size = sizes
+            .iter()
+            .fold(f64::INFINITY, |least, &size| least.min(size));
+        let is_steady = is_nought || highest - lowest_size <= LEVEL * highest;
+        // Something may happen at a near miss, however narrow it is.
+        if is_steady && self.near_misses().is_empty() {
+            let size = if is_nought { 0.0 } else { first.1 };
+            return Ok(place((first.0, size)));
         }
         let goes_round = matches!(self.range(), Range::Full { .. });
         let mut best = first;
@@ -134,6 +148,20 @@ impl MotionSampler {
             best = if found.1 > best.1 { found } else { best };
         }
         Ok(place(best))
+    }
+
+    /// What a rate of a second slope would be if the largest first one came about on a radian of the driver or on its
+    /// whole way; 0 of a rate that has no second slope in it.
+    fn rate_of_steady(&self, sampled: &SampledFigure, rate: RateSum) -> f64 {
+        let slopes = sampled.by_degree[1].iter();
+        let steepest = slopes
+            .filter(|slope| slope.is_finite())
+            .fold(0.0_f64, |most, slope| most.max(slope.abs()));
+        let way = match self.driver().input {
+            Input::Turn(_) => 1.0_f64.to_degrees(),
+            Input::Push(_) => sampled.at[sampled.at.len() - 1] - sampled.at[0],
+        };
+        (rate.second * steepest / way).abs()
     }
 
     /// The size of a rate somewhere, negative: it is largest where this is lowest.

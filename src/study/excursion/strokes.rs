@@ -34,6 +34,8 @@ pub struct DwellStretch {
     pub to: f64,
     /// The way of the driver between; at a limit, where it turns, there and back.
     pub way: f64,
+    /// Whether that is at a limit: it counts the stretch twice.
+    pub there_and_back: bool,
     /// The same in s; `None` where the driver stands still or does not keep its speed.
     pub seconds: Option<f64>,
 }
@@ -161,23 +163,24 @@ impl Excursion {
             .map(|forwards| self.stays_until(about, forwards, sampler, column, tolerance));
         let (low, high) = (low?, high?);
         let (mut way, mut from, to) = (low + high, turning.place.at - low, turning.place.at + high);
-        match sampler.range() {
+        let there_and_back = match sampler.range() {
             Range::Full { period } => {
                 way = way.min(period);
                 from = from.max(to - period);
+                false
             }
             // At a limit the driver turns and comes by once more.
-            Range::Limited { low, high } => {
-                if from <= low || to >= high {
-                    way *= 2.0;
-                }
-            }
+            Range::Limited { low, high } => from <= low || to >= high,
+        };
+        if there_and_back {
+            way *= 2.0;
         }
         Some(DwellStretch {
             about: turning,
             from,
             to,
             way,
+            there_and_back,
             seconds: sampler.seconds(way),
         })
     }

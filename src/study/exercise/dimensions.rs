@@ -3,6 +3,7 @@
 use super::agreeable::{agreeable, exactly};
 use crate::numeric::SeededChance;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
+use std::collections::{HashMap, HashSet};
 
 /// The dimensions of a scene.
 #[derive(Clone, Debug)]
@@ -49,7 +50,10 @@ const WHOLE: [u32; 2] = [60, 160];
 impl Dimensions {
     /// The dimensions of a scene: lengths of links, points on links and on the ground, guides, centres of mass.
     pub(super) fn of(scene: &Scene) -> Dimensions {
-        let values: Vec<Value> = scene.values().into_iter().filter(is_dimension).collect();
+        let values = scene.values();
+        let lengths = LengthParameters::of(&values);
+        let is_drawn = |value: &Value| is_dimension(value) || lengths.has(value);
+        let values: Vec<Value> = values.iter().filter(|v| is_drawn(v)).cloned().collect();
         let lengths: Vec<(String, f64)> = scene
             .mechanism
             .link_ids()
@@ -137,7 +141,12 @@ impl Dimensions {
             DrawnApart::Together => self.together(chance)?,
         };
         let values = self.list.iter().map(|dimension| dimension.value.clone());
-        Some(values.zip(texts).collect())
+        let put = |(value, text): (Value, String)| {
+            // A parameter with a unit keeps it.
+            let text = value.written(&text);
+            (value, text)
+        };
+        Some(values.zip(texts).map(put).collect())
     }
 
     fn together(&self, chance: &mut SeededChance) -> Option<Vec<String>> {
@@ -174,13 +183,59 @@ impl Dimensions {
     }
 }
 
+/// The parameters that stand for lengths: parts are made of them, and no angle, no time and no plain number is.
+struct LengthParameters {
+    names: HashSet<String>,
+}
+
+impl LengthParameters {
+    fn of(values: &[Value]) -> LengthParameters {
+        let parameters: HashMap<&str, &Value> = values
+            .iter()
+            .filter(|value| value.measure == Measure::Parameter)
+            .map(|value| (value.name.as_str(), value))
+            .collect();
+        // All that a value follows from, by whatever way.
+        let behind = |of: &mut dyn Iterator<Item = &Value>| {
+            let mut met: HashSet<String> = HashSet::new();
+            let mut names: Vec<String> = of.flat_map(Value::follows_from).collect();
+            while let Some(name) = names.pop() {
+                let parameter = parameters.get(name.as_str());
+                if met.insert(name) {
+                    names.extend(parameter.into_iter().flat_map(|value| value.follows_from()));
+                }
+            }
+            met
+        };
+        let is_else = |value: &&Value| {
+            let measure = value.measure;
+            matches!(measure, Measure::Angle | Measure::Time | Measure::Factor) || measure.is_rate()
+        };
+        let of_parts = behind(&mut values.iter().filter(|value| is_of_a_part(value)));
+        let of_others = behind(&mut values.iter().filter(is_else));
+        LengthParameters {
+            names: of_parts.difference(&of_others).cloned().collect(),
+        }
+    }
+
+    /// Whether a value is one of them, and a number.
+    fn has(&self, value: &Value) -> bool {
+        let is_own = value.is_number() && value.number != 0.0;
+        value.measure == Measure::Parameter && is_own && self.names.contains(&value.name)
+    }
+}
+
+/// Whether a value is a length of a part.
+fn is_of_a_part(value: &Value) -> bool {
+    let is_length = matches!(value.measure, Measure::Length | Measure::Coordinate);
+    let is_of_part = matches!(value.owner, ValueOwner::Element(_) | ValueOwner::Driver);
+    is_length && is_of_part && !value.name.contains(" knot ")
+}
+
 /// Whether a value is a dimension that is not 0: zeros place things on axes. What acts, where it starts and what a
 /// motor keeps is none; what follows from a formula keeps it.
 fn is_dimension(value: &Value) -> bool {
-    let is_length = matches!(value.measure, Measure::Length | Measure::Coordinate);
-    let is_of_part = matches!(value.owner, ValueOwner::Element(_) | ValueOwner::Driver);
-    let is_own = value.formula.is_none() && value.number != 0.0;
-    is_length && is_of_part && is_own && !value.name.contains(" knot ")
+    value.formula.is_none() && value.number != 0.0 && is_of_a_part(value)
 }
 
 /// Whether a value tells of a place on a link: a coordinate, or how far it is from another place. A link's own length
@@ -261,6 +316,36 @@ mod tests {
             let half = |name: &str| number(&list, name) / 2.0;
             assert_eq!(number(&list, "r3 com length"), half("r3 length"));
             assert_eq!(number(&list, "r4 E length"), half("r4 length"));
+        }
+    }
+
+    /// Used to keep what follows from a parameter, so that a scene of parameters had nothing to draw.
+    #[test]
+    fn parameters_that_are_lengths_are_drawn_and_formulas_stay() {
+        let text = "unit = \"mm\"\n[parameters]\nframe = 400\ncrank = \"10 cm\"\nrod = \"3 * crank\"\nlean = 60\n\
+            twice = 2\nunused = 7\n[ground]\nA = [0, 0]\nD = [\"frame\", 0]\n[driver]\nlink = \"r2\"\nangle = \"lean\"\n\
+            speed = \"twice rad/s\"\n[links]\nr2 = { from = \"A\", to = \"B\", length = \"crank\" }\n\
+            r3 = { from = \"B\", to = \"C\", length = \"rod\", com = [\"rod / 2\", 0] }\n\
+            r4 = { from = \"C\", to = \"D\", length = 250 }\n[start]\nC = [310, 230]\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let dimensions = Dimensions::of(&scene);
+        for seed in 0..10 {
+            let changed = dimensions
+                .changed(&mut SeededChance::new(seed), DrawnApart::Each(25))
+                .unwrap();
+            let names: Vec<&str> = changed
+                .iter()
+                .map(|(value, _)| value.name.as_str())
+                .collect();
+            assert_eq!(names, ["frame", "crank", "r4 length"]);
+            let drawn = scene.again(&scene.with_values(&changed)).unwrap();
+            let worth = |name: &str| drawn.value_named(name).unwrap().number;
+            assert!(worth("crank") != 100.0 || worth("frame") != 400.0);
+            assert_eq!(worth("r3 length"), 3.0 * worth("crank"));
+            assert!(
+                drawn.text().contains("crank = \"")
+                    && drawn.text().contains(" mm\"\nrod = \"3 * crank\"")
+            );
         }
     }
 

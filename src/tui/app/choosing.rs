@@ -43,8 +43,7 @@ impl App {
                 self.study_run.forget();
                 self.look(self.shell.view);
                 self.shell.mode = Mode::Normal;
-                let at = self.player.open_scene.at();
-                self.player.playback.rebase(now, at);
+                self.player.rebase(now);
                 let is_told = self.record_assembly(&wish);
                 self.shell.say(match self.shell.keymap.key(Action::Save) {
                     _ if !is_told => words().assembly_now_untold(&wish),

@@ -3,7 +3,7 @@
 use super::super::views::{self, Copied};
 use super::{App, Effect, Mode};
 use crate::capability::{Detected, PictureProtocol};
-use crate::quantity::Catalogue;
+use crate::quantity::{Catalogue, Clock};
 use crate::report::{Columns, Report, RowFormat, Steps, Sweep, WrittenDecimal};
 use crate::solver::Order;
 use crate::tui::Origin;
@@ -153,17 +153,28 @@ impl App {
 
     /// All figures here, as a sweep of one row has them.
     pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
-        let (scene, at) = (self.player.open_scene.scene(), self.player.open_scene.at());
+        let open_scene = &self.player.open_scene;
+        let scene = open_scene.scene();
+        // In the motion over time that it has a row is told by its time.
+        let time = open_scene
+            .time()
+            .and_then(|time| Some((time, Clock::of(scene)?)));
+        let at = time.as_ref().map_or(open_scene.at(), |(time, _)| *time);
         let catalogue = Catalogue::new(scene);
         let broken = || words().no_figures_to_write().to_owned();
         let here = WrittenDecimal::of(at).ok_or_else(broken)?;
         let step = WrittenDecimal::of(1.0).ok_or_else(broken)?;
+        let columns = Columns::new(catalogue.driver(), catalogue.all(), true);
+        let columns = match time {
+            Some(_) => columns.over_time(),
+            None => columns,
+        };
         let sweep = Sweep {
             scene,
             solver: self.player.open_scene.solver(),
-            columns: &Columns::new(catalogue.driver(), catalogue.all(), true),
+            columns: &columns,
             steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
-            clock: None,
+            clock: time.as_ref().map(|(_, clock)| clock),
             format: RowFormat::Csv(self.csv_dialect()),
         };
         let mut text = Vec::new();
@@ -193,7 +204,7 @@ impl App {
             return self.shell.say(words().too_many_links_to_report());
         }
         let mut state = solver.state();
-        let _ = solver.solve(open_scene.at(), Order::Force, &mut state);
+        let _ = open_scene.stand().solve(solver, Order::Force, &mut state);
         solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
         let report = Report::new(scene, solver, &state, DIGITS);
         let text = Text::of_report(words().the_report(), &report);
@@ -205,7 +216,7 @@ impl App {
     /// `four-bar-plot.csv`.
     fn proposal(&self, ending: &str) -> String {
         let stem = match self.player.open_scene.origin() {
-            Origin::Preset(name) => Some(name.clone()),
+            Origin::Preset(name) | Origin::New(name) => Some(name.clone()),
             Origin::File(path) => path.file_stem().map(|s| s.to_string_lossy().into_owned()),
             Origin::Stdin => None,
         };

@@ -1,9 +1,8 @@
 //! Figures as text for other programs: full digits, so that each reads back to the same double, cells
 //! between tabs, and above them what they are.
 
-use crate::quantity::{Abscissa, Curves};
+use crate::quantity::{Abscissa, Curves, Here};
 use crate::report::{Entry, Forces, Tables, shortest};
-use crate::solver::State;
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::sheet::{Sheet, SheetPart};
 use crate::wording::words;
@@ -22,15 +21,15 @@ fn cell(entry: Option<Entry>) -> String {
 }
 
 /// What is plotted, where the driver is: the values below their names.
-pub(crate) fn plotted(curves: &Curves, state: &State) -> String {
-    let here = curves.here(state);
+pub(crate) fn plotted(curves: &Curves, at: f64, here: Option<Here>) -> String {
+    let here = here.unwrap_or_default();
     let [name, unit] = &curves.title;
     let along = match curves.abscissa {
         Abscissa::Driver => None,
         Abscissa::Time | Abscissa::Figure(_) => Some((format!("{name} [{unit}]"), here.along)),
     };
     let figures = curves.curves.iter().map(|curve| curve.quantity.header());
-    let driver = (curves.driver.header(), Some(state.at()));
+    let driver = (curves.driver.header(), Some(at));
     let columns = std::iter::once(driver).chain(along);
     let (names, values): (Vec<_>, Vec<_>) = columns.chain(figures.zip(here.values)).unzip();
     line(names.into_iter()) + &line(values.into_iter().map(number))

@@ -2,6 +2,7 @@
 //! what the figures differ by.
 
 use crate::drawing::{self, Figure, Reach};
+use crate::quantity::DriverStand;
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
@@ -11,7 +12,7 @@ use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::{OpenScene, solved};
 use crate::wording::words;
-use crate::{Ball, Input};
+use crate::{Ball, DriverMoment, Input};
 
 /// Of the places that figures are fitted to, differences are fitted to one of so many.
 const STRIDE: usize = 4;
@@ -36,7 +37,7 @@ pub(crate) struct ComparedScene {
     sheet: Sheet,
     /// What the figures of the open scene are more than its own.
     tables: Tables,
-    at: f64,
+    stand: DriverStand,
 }
 
 /// The scene itself, solved where the open one is.
@@ -64,9 +65,9 @@ impl ComparedScene {
             opened,
         };
         let own = Reach::of(&other.opened.scene, &other.opened.solver);
-        let pairing = Pairing::of(open_scene.tables(), &other.tables(open_scene.at()));
+        let pairing = Pairing::of(open_scene.tables(), &other.tables(open_scene.stand()));
         let sheet = Sheet::of_differences(&samples(open_scene, &mut other, &pairing));
-        let there = other.tables(open_scene.at());
+        let there = other.tables(open_scene.stand());
         Ok(ComparedScene {
             edition: Edition::default(),
             beside: open_scene.edition().clone(),
@@ -77,7 +78,7 @@ impl ComparedScene {
             sheet,
             other,
             own,
-            at: open_scene.at(),
+            stand: *open_scene.stand(),
         })
     }
 
@@ -88,11 +89,11 @@ impl ComparedScene {
 
     /// Goes where the open scene is.
     pub(crate) fn follow(&mut self, open_scene: &OpenScene) {
-        if self.at.to_bits() == open_scene.at().to_bits() {
+        if self.stand == *open_scene.stand() {
             return;
         }
-        self.at = open_scene.at();
-        let there = self.other.tables(self.at);
+        self.stand = *open_scene.stand();
+        let there = self.other.tables(&self.stand);
         self.tables = self
             .pairing
             .difference(open_scene.tables(), &there, self.other.scale);
@@ -125,8 +126,11 @@ impl ComparedScene {
         self.other.scale
     }
 
-    /// The speeds of both drivers, where they differ: then every rate does.
+    /// The speeds of both drivers, where they differ: then every rate does. By a motion over time both pass alike.
     pub(crate) fn speeds(&self, open_scene: &OpenScene) -> Option<String> {
+        if open_scene.timetable().is_some() {
+            return None;
+        }
         let driver = open_scene.scene().mechanism.driver();
         let other = self.other.opened.scene.mechanism.driver();
         let (scale, unit) = match driver.input {
@@ -188,11 +192,18 @@ impl Other {
         }
     }
 
-    /// Its tables where the driver of the open scene is at `at`.
-    fn tables(&mut self, at: f64) -> Tables {
+    /// Its tables where the driver of the open scene is, which it passes in the same way if that has a motion over time.
+    fn tables(&mut self, stand: &DriverStand) -> Tables {
+        let unit = self.driver();
+        let pace = stand.pace.map(|moment| DriverMoment {
+            at: moment.at / unit,
+            speed: moment.speed / unit,
+            acceleration: moment.acceleration / unit,
+        });
+        let at = stand.at / unit;
         solved(
             &self.opened,
-            at / self.driver(),
+            &DriverStand { at, pace },
             Order::Acceleration,
             &mut self.state,
             &mut self.enclosure,
@@ -205,9 +216,9 @@ fn samples(open_scene: &OpenScene, other: &mut Other, pairing: &Pairing) -> Vec<
     let (mut state, mut enclosure) = (open_scene.solver().state(), open_scene.solver().enclosure());
     // Fewer places than for figures: they tell the digits well enough, and an edit has to wait for them.
     let places = open_scene.places().into_iter().step_by(STRIDE);
-    let differences = places.map(|at| {
-        let here = open_scene.tables_at(at, &mut state, &mut enclosure);
-        pairing.difference(&here, &other.tables(at), other.scale)
+    let differences = places.map(|stand| {
+        let here = open_scene.tables_at(&stand, &mut state, &mut enclosure);
+        pairing.difference(&here, &other.tables(&stand), other.scale)
     });
     differences.collect()
 }

@@ -4,6 +4,7 @@ use crate::angle::TURN;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
 use crate::tui::figures::format::{FINEST, rounded};
+use crate::tui::player::playback::Track;
 use crate::{Driver, Input};
 
 /// The driver's coordinate as the workbench moves it: in degrees, or in the scene's length unit.
@@ -70,11 +71,6 @@ impl DriverRange {
         self.opening
     }
 
-    /// How fast the scene drives, per second, without its sign.
-    pub(crate) fn speed(&self) -> f64 {
-        self.speed
-    }
-
     /// What is covered in one sweep: a turn, or the travel of a slide.
     pub(crate) fn span(&self) -> f64 {
         self.span
@@ -83,6 +79,15 @@ impl DriverRange {
     /// Decimals of the coordinate while playing.
     pub(crate) fn decimals(&self) -> usize {
         self.decimals
+    }
+
+    /// What playing goes along, of a driver that runs by its speed.
+    pub(crate) fn track(&self) -> Track {
+        Track {
+            span: self.span,
+            shuttle: self.shuttle(),
+            speed: self.speed,
+        }
     }
 
     /// Between where and where playing goes to and fro; `None` if it goes round for ever.

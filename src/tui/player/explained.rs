@@ -2,6 +2,7 @@
 
 use crate::Ball;
 use crate::page::Page;
+use crate::quantity::DriverStand;
 use crate::report::Working;
 use crate::scene::Scene;
 use crate::solver::{Order, Workspace};
@@ -27,8 +28,8 @@ impl Explained {
         scene.mechanism.links().len() <= MOST_LINKS
     }
 
-    /// The working at a coordinate; `None` where the scene has too many links for it.
-    pub(crate) fn new(opened: &Opened, at: f64) -> Option<Explained> {
+    /// The working at a place; `None` where the scene has too many links for it.
+    pub(crate) fn new(opened: &Opened, stand: &DriverStand) -> Option<Explained> {
         let Opened { scene, solver, .. } = opened;
         if !Explained::is_possible(scene) {
             return None;
@@ -39,14 +40,15 @@ impl Explained {
             enclosure: solver.enclosure(),
             page: Page::default(),
         };
-        explained.go(opened, at);
+        explained.go(opened, stand);
         Some(explained)
     }
 
     /// The driver is somewhere else.
-    pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
+    pub(crate) fn go(&mut self, opened: &Opened, stand: &DriverStand) {
         let Opened { scene, solver, .. } = opened;
-        let _ = solver.solve(at, Order::Force, &mut self.state);
+        let _ = stand.solve(solver, Order::Force, &mut self.state);
+        stand.drive(solver, &mut self.enclosure);
         solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
         let worked = self.working.of(scene, solver, &self.state, DIGITS);
         self.page = worked.page;

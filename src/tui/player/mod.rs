@@ -10,6 +10,7 @@ pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
 pub(crate) mod steps;
+pub(crate) mod timetable;
 pub(crate) mod watched_method;
 
 use super::Opened;
@@ -17,12 +18,12 @@ use crate::tui::figures::format::rounded;
 use driver_range::OutOfRange;
 use edition::Edition;
 use open_scene::OpenScene;
-use playback::Playback;
+use playback::{Playback, Track};
 use std::time::Duration;
 use steps::StepLadder;
 
 /// Time between two frames while playing.
-const FRAME: Duration = Duration::from_millis(33);
+pub(crate) const FRAME: Duration = Duration::from_millis(33);
 /// Decimals to which a step is exact.
 const STEP_DECIMALS: usize = 9;
 
@@ -55,12 +56,16 @@ impl Player {
     /// that it had.
     pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) -> OpenScene {
         let (at, turned) = (self.open_scene.at(), self.turns());
+        let time = self.open_scene.time();
         let before = std::mem::replace(&mut self.open_scene, open_scene);
         // A file that was read again may have a slide for a driver where it had a link.
         if turned != self.turns() {
             self.steps = steps_of(&self.open_scene);
         }
-        self.arrive(self.open_scene.driver_range().clamp(at), now);
+        match time.filter(|_| self.open_scene.timetable().is_some()) {
+            Some(time) => self.arrive_at(time, now),
+            None => self.arrive(self.open_scene.driver_range().clamp(at), now),
+        }
         before
     }
 
@@ -73,7 +78,40 @@ impl Player {
     /// The driver is here now, and goes on from here if it is playing.
     pub(crate) fn arrive(&mut self, at: f64, now: Duration) {
         self.open_scene.go(at);
-        self.playback.rebase(now, at);
+        self.rebase(now);
+    }
+
+    /// The same of a time of its motion.
+    pub(crate) fn arrive_at(&mut self, time: f64, now: Duration) {
+        self.open_scene.go_to_time(time);
+        self.rebase(now);
+    }
+
+    /// The same of a time that is pointed at.
+    pub(crate) fn lead_to_time(&mut self, time: f64, now: Duration) {
+        if let Some(timetable) = self.open_scene.timetable() {
+            self.arrive_at(timetable.on_grid(time), now);
+        }
+    }
+
+    /// What playing goes along.
+    pub(crate) fn track(&self) -> Track {
+        match self.open_scene.timetable() {
+            Some(timetable) => Track {
+                span: timetable.period(),
+                shuttle: None,
+                speed: 1.0,
+            },
+            None => self.open_scene.driver_range().track(),
+        }
+    }
+
+    /// Where on that it is; off its motion the driver is where that begins.
+    fn place(&self) -> f64 {
+        match self.open_scene.timetable() {
+            Some(_) => self.open_scene.time().unwrap_or(0.0),
+            None => self.open_scene.at(),
+        }
     }
 
     /// Goes to a coordinate, or to the place that is meant by it; that place.
@@ -85,6 +123,9 @@ impl Player {
 
     /// Goes to where the scene opens.
     pub(crate) fn go_to_opening(&mut self, now: Duration) {
+        if self.open_scene.timetable().is_some() {
+            return self.arrive_at(0.0, now);
+        }
         let driver_range = self.open_scene.driver_range();
         self.arrive(driver_range.clamp(driver_range.opening()), now);
     }
@@ -104,14 +145,29 @@ impl Player {
         if self.playback.is_playing() {
             self.playback.pause();
         } else {
-            self.playback.play(now, self.open_scene.at());
+            self.playback.play(now, self.place());
             self.frame = now;
         }
     }
 
     /// What is played goes on from here: time has passed that nobody has seen.
     pub(crate) fn rebase(&mut self, now: Duration) {
-        self.playback.rebase(now, self.open_scene.at());
+        self.playback.rebase(now, self.place());
+    }
+
+    /// Turns round.
+    pub(crate) fn reverse(&mut self, now: Duration) {
+        self.playback.reverse(now, self.place());
+    }
+
+    /// The next faster pace, if there is one.
+    pub(crate) fn faster(&mut self, now: Duration) {
+        self.playback.faster(now, self.place());
+    }
+
+    /// The next slower pace, if there is one.
+    pub(crate) fn slower(&mut self, now: Duration) {
+        self.playback.slower(now, self.place());
     }
 
     /// The same where frames were not looked for either.
@@ -122,11 +178,19 @@ impl Player {
 
     /// Moves to where what is played is now.
     pub(crate) fn follow(&mut self, now: Duration) {
-        let driver_range = self.open_scene.driver_range();
-        if let Some(at) = self.playback.position(now, driver_range) {
-            self.frame = now;
-            let at = driver_range.on_grid(at);
-            self.open_scene.go(at);
+        let Some(place) = self.playback.position(now, &self.track()) else {
+            return;
+        };
+        self.frame = now;
+        match self.open_scene.timetable() {
+            Some(timetable) => {
+                let time = timetable.on_grid(place);
+                self.open_scene.go_to_time(time);
+            }
+            None => {
+                let at = self.open_scene.driver_range().on_grid(place);
+                self.open_scene.go(at);
+            }
         }
     }
 

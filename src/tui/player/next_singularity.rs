@@ -2,6 +2,7 @@
 //! is near enough to be worth a word.
 
 use crate::LimitId;
+use crate::report::stop_name;
 use crate::scene::Scene;
 use crate::solver::{Motion, Range};
 use crate::tui::figures::format::coordinate;
@@ -86,7 +87,7 @@ impl NextSingularity {
         let stop;
         let kind = match self.kind {
             SingularityKind::Stop(limit) => {
-                stop = words().stop_of(scene.limit_name(limit));
+                stop = words().stop_of(&stop_name(scene, limit));
                 &stop
             }
             SingularityKind::DeadPoint => words().dead_point(),

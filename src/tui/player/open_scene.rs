@@ -3,7 +3,7 @@
 use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
-use crate::quantity::{Catalogue, Quantity, Sensitivity};
+use crate::quantity::{Catalogue, DriverStand, Quantity, Sensitivity};
 use crate::report::{Answers, Forces, PositionMethod, Tables, ToleranceAnswers, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
@@ -16,6 +16,7 @@ use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::explained::Explained;
+use crate::tui::player::timetable::Timetable;
 use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::{Opened, Origin};
 use std::borrow::Cow;
@@ -37,7 +38,10 @@ pub(crate) struct OpenScene {
     sheet: Sheet,
     /// What the links of the vectors are drawn as.
     vector_roles: Vec<Option<Role>>,
-    at: f64,
+    /// Where the driver is, and when, of one that moves by a law of time.
+    stand: DriverStand,
+    time: Option<f64>,
+    timetable: Option<Timetable>,
     state: Workspace,
     enclosure: Workspace<Ball>,
     tables: Tables,
@@ -72,15 +76,23 @@ impl OpenScene {
         let driver_range = DriverRange::new(&opened.scene, &opened.solver);
         let reach = Reach::of(&opened.scene, &opened.solver);
         let mut state = opened.solver.state();
-        let samples = samples(&opened, &driver_range, &mut state);
-        let at = driver_range.opening();
+        let timetable = Timetable::new(&opened.scene, opened.solver.motion().range);
+        let places = places(&opened.scene, &driver_range, timetable.as_ref());
+        let samples = samples(&opened, &places, &mut state);
+        let stand = places[0];
         let mut enclosure = opened.solver.enclosure();
         OpenScene {
             edition: Edition::default(),
             verdict: Verdict::new(&opened.scene, &opened.solver),
             sheet: Sheet::new(&samples),
             vector_roles: vector_roles(&opened.scene),
-            tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
+            tables: solved(
+                &opened,
+                &stand,
+                Order::Acceleration,
+                &mut state,
+                &mut enclosure,
+            ),
             answers: None,
             force_figures: None,
             cost: Cost::default(),
@@ -88,7 +100,9 @@ impl OpenScene {
             opened,
             driver_range,
             reach,
-            at,
+            stand,
+            time: timetable.is_some().then_some(0.0),
+            timetable,
             state,
             assembly_list: None,
             explained: None,
@@ -108,7 +122,7 @@ impl OpenScene {
             solver,
             origin,
         } = &self.opened;
-        let switched = solver.switched(self.at, group, pick);
+        let switched = solver.switched(self.at(), group, pick);
         let solver = switched.map_err(|fault| scene.explain(&fault).first_words().to_owned())?;
         let (scene, origin) = (scene.clone(), origin.clone());
         let mut open_scene = OpenScene::new(Opened {
@@ -116,14 +130,14 @@ impl OpenScene {
             solver,
             origin,
         });
-        open_scene.go(self.at);
+        open_scene.stand_at(self.stand, self.time);
         Ok(open_scene)
     }
 
     /// Looks for the assemblies of all groups here.
     pub(crate) fn look_around(&mut self) -> Option<&AssemblyList> {
         let Opened { scene, solver, .. } = &self.opened;
-        self.assembly_list = AssemblyList::new(scene, solver, self.at, &self.reach);
+        self.assembly_list = AssemblyList::new(scene, solver, self.at(), &self.reach);
         self.assembly_list.as_ref()
     }
 
@@ -135,12 +149,13 @@ impl OpenScene {
     /// The text of the scene with the start positions of this assembly.
     pub(crate) fn saved_text(&self) -> Option<String> {
         let Opened { scene, solver, .. } = &self.opened;
-        scene.with_start_of(solver, self.at)
+        scene.with_start_of(solver, self.at())
     }
 
     /// The scene is told by another text now, of the same mechanism.
     pub(crate) fn retell(&mut self, scene: Scene) {
         self.opened.scene = scene;
+        self.timetable = Timetable::new(&self.opened.scene, self.opened.solver.motion().range);
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
     }
 
@@ -151,16 +166,33 @@ impl OpenScene {
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
     }
 
-    /// Moves the driver to a coordinate, wherever that is.
+    /// Moves the driver to a coordinate, wherever that is: where it moves by a law of time, to where it is there
+    /// next.
     pub(crate) fn go(&mut self, at: f64) {
-        self.at = at;
+        let Some(timetable) = &self.timetable else {
+            return self.stand_at(DriverStand::at(at), None);
+        };
+        let time = timetable.nearest(at, self.time.unwrap_or(0.0));
+        self.stand_at(timetable.stand_at(at, time), time);
+    }
+
+    /// Moves the driver to where its motion is at a time, if it has one.
+    pub(crate) fn go_to_time(&mut self, time: f64) {
+        if let Some(timetable) = &self.timetable {
+            self.stand_at(timetable.stand(time), Some(time));
+        }
+    }
+
+    fn stand_at(&mut self, stand: DriverStand, time: Option<f64>) {
+        (self.stand, self.time) = (stand, time);
+        let at = stand.at;
         self.assembly_list = None;
         let order = match self.force_figures {
             Some(_) => Order::Force,
             None => Order::Acceleration,
         };
         let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        self.tables = solved(&self.opened, at, order, state, enclosure);
+        self.tables = solved(&self.opened, &stand, order, state, enclosure);
         if let Some(asked) = &mut self.answers {
             let unit = self.opened.scene.unit.symbol();
             asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
@@ -174,7 +206,7 @@ impl OpenScene {
             force_figures.follow(forces);
         }
         if let Some(explained) = &mut self.explained {
-            explained.go(&self.opened, at);
+            explained.go(&self.opened, &stand);
         }
         if let Some(watched) = &mut self.watched {
             watched.go(&self.opened, at);
@@ -192,13 +224,13 @@ impl OpenScene {
         }
         let Opened { scene, solver, .. } = &self.opened;
         let mut state = solver.state();
-        let samples = self.places().into_iter().filter_map(|at| {
-            let _ = solver.solve(at, Order::Force, &mut state);
+        let samples = self.places().into_iter().filter_map(|stand| {
+            let _ = stand.solve(solver, Order::Force, &mut state);
             Forces::new(scene, solver, &state, None)
         });
         let samples: Vec<Forces> = samples.collect();
         let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        let _ = solver.solve(self.at, Order::Force, state);
+        let _ = self.stand.solve(solver, Order::Force, state);
         solver.enclose(state, Order::Force, enclosure);
         let forces = Forces::new(scene, solver, state, Some(enclosure));
         self.force_figures = forces.map(|forces| ForceFigures::new(forces, &samples));
@@ -215,7 +247,7 @@ impl OpenScene {
             return;
         }
         self.explained = wanted
-            .then(|| Explained::new(&self.opened, self.at))
+            .then(|| Explained::new(&self.opened, &self.stand))
             .flatten();
     }
 
@@ -227,7 +259,7 @@ impl OpenScene {
     /// Watches a method from a guess, here and from now on, or none.
     pub(crate) fn watch(&mut self, method: Option<PositionMethod>, guess: &str) {
         if self.watched.as_ref().map(WatchedMethod::method) != method {
-            let new = |method| WatchedMethod::new((method, guess), &self.opened, self.at);
+            let new = |method| WatchedMethod::new((method, guess), &self.opened, self.at());
             self.watched = method.and_then(new);
         }
     }
@@ -248,10 +280,12 @@ impl OpenScene {
 
     /// Measures what the state costs, without its bounds. What is shown of the state stays: it may have forces.
     pub(crate) fn weigh(&mut self) {
-        let OpenScene { opened, at, .. } = self;
+        let OpenScene { opened, stand, .. } = self;
         let mut state = opened.solver.state();
         self.cost.measure(|| {
-            let _ = opened.solver.solve(*at, Order::Acceleration, &mut state);
+            let _ = opened
+                .solver
+                .solve(stand.at, Order::Acceleration, &mut state);
         });
     }
 
@@ -277,13 +311,13 @@ impl OpenScene {
             let Opened { scene, solver, .. } = &self.opened;
             let figures = Catalogue::new(scene).figures();
             let mut sensitivity = Sensitivity::new(scene, solver, &figures);
-            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
+            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at());
             let answers = answers.worth_reading();
             let of_motion = figures.into_iter().filter(|q| q.order() != Order::Force);
             let of_motion: Vec<Quantity> = of_motion.collect();
             let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &of_motion);
             let tolerances = study.ok().map(|mut study| {
-                let found = ToleranceAnswers::at(scene, &mut study, self.at);
+                let found = ToleranceAnswers::at(scene, &mut study, self.at());
                 (study, found)
             });
             self.answers = Some(LengthsQuestion {
@@ -352,7 +386,33 @@ impl OpenScene {
 
     /// The driver's coordinate, in degrees or in the scene's length unit.
     pub(crate) fn at(&self) -> f64 {
-        self.at
+        self.stand.at
+    }
+
+    /// The same, and how it passes there.
+    pub(crate) fn stand(&self) -> &DriverStand {
+        &self.stand
+    }
+
+    /// When the driver is there, in s from the opening; `None` off its motion, and of one that runs by its speed.
+    pub(crate) fn time(&self) -> Option<f64> {
+        self.time
+    }
+
+    /// The motion over time, of a scene that has one.
+    pub(crate) fn timetable(&self) -> Option<&Timetable> {
+        self.timetable.as_ref()
+    }
+
+    /// The state here with all rates as they are at the scene's own speed, whatever its motion.
+    pub(crate) fn state_by_speed(&self) -> State {
+        let mut state = self.opened.solver.state();
+        let order = match self.force_figures {
+            Some(_) => Order::Force,
+            None => Order::Acceleration,
+        };
+        let _ = self.opened.solver.solve(self.at(), order, &mut state);
+        state.into_state()
     }
 
     pub(crate) fn state(&self) -> &State {
@@ -367,19 +427,23 @@ impl OpenScene {
         &self.tables
     }
 
-    /// The tables at another coordinate, with their bounds.
+    /// The tables at another place, with their bounds.
     pub(crate) fn tables_at(
         &self,
-        at: f64,
+        stand: &DriverStand,
         state: &mut Workspace,
         enclosure: &mut Workspace<Ball>,
     ) -> Tables {
-        solved(&self.opened, at, Order::Acceleration, state, enclosure)
+        solved(&self.opened, stand, Order::Acceleration, state, enclosure)
     }
 
-    /// Coordinates spread over the whole motion, the opening first.
-    pub(crate) fn places(&self) -> Vec<f64> {
-        places(&self.opened.scene, &self.driver_range)
+    /// Places spread over the whole motion, the opening first.
+    pub(crate) fn places(&self) -> Vec<DriverStand> {
+        places(
+            &self.opened.scene,
+            &self.driver_range,
+            self.timetable.as_ref(),
+        )
     }
 
     /// The unit of the driver's coordinate.
@@ -396,7 +460,7 @@ impl OpenScene {
         let all = presets::all();
         let position = match &self.opened.origin {
             Origin::Preset(name) => all.iter().position(|preset| preset.name == name.as_str()),
-            Origin::File(_) | Origin::Stdin => None,
+            Origin::File(_) | Origin::New(_) | Origin::Stdin => None,
         };
         let count = isize::try_from(all.len()).ok().filter(|&n| n > 0)?;
         let target = match position {
@@ -408,32 +472,37 @@ impl OpenScene {
     }
 }
 
-/// The tables at a coordinate, with their bounds, of a state that is solved as far as that.
+/// The tables at a place, with their bounds, of a state that is solved as far as that.
 pub(crate) fn solved(
     opened: &Opened,
-    at: f64,
+    stand: &DriverStand,
     order: Order,
     state: &mut Workspace,
     enclosure: &mut Workspace<Ball>,
 ) -> Tables {
-    let _ = opened.solver.solve(at, order, state);
+    let _ = stand.solve(&opened.solver, order, state);
+    stand.drive(&opened.solver, enclosure);
     opened.solver.enclose(state, order, enclosure);
     Tables::bounded(&opened.scene, state, enclosure)
 }
 
-/// The tables at coordinates spread over the whole motion, the opening first.
-fn samples(opened: &Opened, driver_range: &DriverRange, state: &mut Workspace) -> Vec<Tables> {
-    let places = places(&opened.scene, driver_range).into_iter();
+/// The tables at these places.
+fn samples(opened: &Opened, places: &[DriverStand], state: &mut Workspace) -> Vec<Tables> {
     places
-        .map(|at| {
-            let _ = opened.solver.solve(at, Order::Acceleration, state);
+        .iter()
+        .map(|stand| {
+            let _ = stand.solve(&opened.solver, Order::Acceleration, state);
             Tables::new(&opened.scene, state)
         })
         .collect()
 }
 
-/// Coordinates spread over the whole motion, the opening first.
-fn places(scene: &Scene, driver_range: &DriverRange) -> Vec<f64> {
+/// Places spread over the whole motion, the opening first.
+fn places(
+    scene: &Scene,
+    driver_range: &DriverRange,
+    timetable: Option<&Timetable>,
+) -> Vec<DriverStand> {
     let (low, high) = driver_range.shuttle().unwrap_or((
         driver_range.opening(),
         driver_range.opening() + driver_range.span(),
@@ -444,9 +513,19 @@ fn places(scene: &Scene, driver_range: &DriverRange) -> Vec<f64> {
     let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
     let share = |k: u16| f64::from(k) / f64::from(count);
     let spread = (0..=count).map(|k| low + (high - low) * share(k));
-    std::iter::once(driver_range.opening())
-        .chain(spread)
-        .collect()
+    let spread = std::iter::once(driver_range.opening()).chain(spread);
+    match timetable {
+        None => spread.map(DriverStand::at).collect(),
+        // Where it does not go by its motion it passes as the scene says without one.
+        Some(timetable) => {
+            let times = (0..=count).map(|k| timetable.period() * share(k));
+            let moved = times.map(|time| timetable.stand(time));
+            let off = spread.filter(|&at| timetable.nearest(at, 0.0).is_none());
+            moved
+                .chain(off.map(|at| timetable.stand_at(at, None)))
+                .collect()
+        }
+    }
 }
 
 /// Text of a scene that may be shown: one column to a character, and only such characters as the

@@ -1,15 +1,25 @@
-//! Slow motion: where the driver is at what time.
+//! Slow motion: how far the driver is at what time, along its coordinate or along the time of its own motion.
 //!
 //! Positions follow from the wall clock alone, never from how many frames were drawn: a slow line
 //! drops frames, not truth. Time comes in from outside, so a test can let it pass.
 
-use crate::tui::player::driver_range::DriverRange;
 use std::time::Duration;
 
 /// Seconds that a sweep takes: a turn, or the travel of a slide. Slower to the left.
 const PACES: [f64; 11] = [120.0, 60.0, 30.0, 20.0, 12.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25];
 /// One turn in 4 s, whatever the driver's speed.
 const OPENING_PACE: usize = 6;
+
+/// What playing goes along: the driver's coordinate, or the time of its motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Track {
+    /// What is covered in one sweep: a turn, the travel of a slide, or a period.
+    pub(crate) span: f64,
+    /// Between where and where it goes to and fro; `None` if it goes on for ever.
+    pub(crate) shuttle: Option<(f64, f64)>,
+    /// How fast the scene goes along it, per second, without its sign.
+    pub(crate) speed: f64,
+}
 
 /// Whether, how fast and which way the driver moves on the screen.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,8 +54,8 @@ impl Playback {
     }
 
     /// How much faster than in the scene the driver moves; `None` if it stands still there.
-    pub(crate) fn ratio(&self, driver_range: &DriverRange) -> Option<f64> {
-        let ratio = driver_range.span() / self.seconds() / driver_range.speed();
+    pub(crate) fn ratio(&self, track: &Track) -> Option<f64> {
+        let ratio = track.span / self.seconds() / track.speed;
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
     }
 
@@ -84,12 +94,12 @@ impl Playback {
         }
     }
 
-    /// Where the driver is `now`; `None` while paused. Turns round at the ends of a limited range.
-    pub(crate) fn position(&mut self, now: Duration, driver_range: &DriverRange) -> Option<f64> {
+    /// Where on the track it is `now`; `None` while paused. Turns round at the ends of a limited range.
+    pub(crate) fn position(&mut self, now: Duration, track: &Track) -> Option<f64> {
         let (since, from) = self.begun?;
         let passed = now.saturating_sub(since).as_secs_f64();
-        let moved = passed * driver_range.span() / self.seconds();
-        let Some((low, high)) = driver_range.shuttle() else {
+        let moved = passed * track.span / self.seconds();
+        let Some((low, high)) = track.shuttle else {
             let signed = if self.backwards { -moved } else { moved };
             return Some(from + signed);
         };
@@ -118,11 +128,12 @@ mod tests {
     use super::*;
     use crate::scene::{Scene, presets};
     use crate::solver::Solver;
+    use crate::tui::player::driver_range::DriverRange;
 
-    fn driver_range(preset: &str) -> DriverRange {
+    fn track(preset: &str) -> Track {
         let preset = presets::find(preset).unwrap();
         let scene = Scene::parse(preset.text, preset.name).unwrap();
-        DriverRange::new(&scene, &Solver::new(&scene.mechanism).unwrap())
+        DriverRange::new(&scene, &Solver::new(&scene.mechanism).unwrap()).track()
     }
 
     fn seconds(s: f64) -> Duration {
@@ -131,38 +142,35 @@ mod tests {
 
     #[test]
     fn a_turn_takes_four_seconds_whatever_the_drivers_speed() {
-        let (driver_range, mut playback) = (driver_range("four-bar"), Playback::new());
-        assert_eq!(playback.position(seconds(9.0), &driver_range), None);
+        let (track, mut playback) = (track("four-bar"), Playback::new());
+        assert_eq!(playback.position(seconds(9.0), &track), None);
         playback.play(seconds(10.0), 60.0);
-        assert_eq!(playback.position(seconds(11.0), &driver_range), Some(150.0));
-        assert_eq!(
-            playback.position(seconds(22.0), &driver_range),
-            Some(1140.0)
-        );
+        assert_eq!(playback.position(seconds(11.0), &track), Some(150.0));
+        assert_eq!(playback.position(seconds(22.0), &track), Some(1140.0));
         // 15 rad/s is 859.4 deg/s; a turn in 4 s is 90 deg/s.
-        let ratio = playback.ratio(&driver_range).unwrap();
+        let ratio = playback.ratio(&track).unwrap();
         assert!((1.0 / ratio - 9.549).abs() < 1e-3, "{ratio}");
     }
 
     #[test]
     fn a_change_of_pace_or_direction_does_not_jump() {
-        let (driver_range, mut playback) = (driver_range("four-bar"), Playback::new());
+        let (track, mut playback) = (track("four-bar"), Playback::new());
         playback.play(seconds(0.0), 60.0);
         playback.faster(seconds(1.0), 150.0);
-        assert_eq!(playback.position(seconds(1.0), &driver_range), Some(150.0));
-        assert_eq!(playback.position(seconds(2.0), &driver_range), Some(330.0));
+        assert_eq!(playback.position(seconds(1.0), &track), Some(150.0));
+        assert_eq!(playback.position(seconds(2.0), &track), Some(330.0));
         playback.reverse(seconds(2.0), 330.0);
-        assert_eq!(playback.position(seconds(2.5), &driver_range), Some(240.0));
+        assert_eq!(playback.position(seconds(2.5), &track), Some(240.0));
         // Paused: nothing begins by itself.
         playback.pause();
         playback.slower(seconds(3.0), 240.0);
-        assert_eq!(playback.position(seconds(4.0), &driver_range), None);
+        assert_eq!(playback.position(seconds(4.0), &track), None);
     }
 
     #[test]
     fn a_slide_sweeps_its_travel_to_and_fro() {
-        let (driver_range, mut playback) = (driver_range("excavator-boom"), Playback::new());
-        let (low, high) = driver_range.shuttle().unwrap();
+        let (track, mut playback) = (track("excavator-boom"), Playback::new());
+        let (low, high) = track.shuttle.unwrap();
         let span = high - low;
         playback.play(seconds(0.0), low);
         for (time, share) in [
@@ -172,7 +180,7 @@ mod tests {
             (8.0, 0.0),
             (41.0, 0.25),
         ] {
-            let at = playback.position(seconds(time), &driver_range).unwrap();
+            let at = playback.position(seconds(time), &track).unwrap();
             assert!(
                 (at - (low + share * span)).abs() < 1e-9 * span,
                 "{time} s: {at}"
@@ -181,7 +189,7 @@ mod tests {
         // Begun at the end and backwards, as after a step to the limit.
         playback.play(seconds(0.0), high);
         playback.reverse(seconds(0.0), high);
-        let at = playback.position(seconds(1.0), &driver_range).unwrap();
+        let at = playback.position(seconds(1.0), &track).unwrap();
         assert!((at - (low + 0.75 * span)).abs() < 1e-9 * span, "{at}");
     }
 }

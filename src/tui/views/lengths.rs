@@ -45,6 +45,10 @@ impl Pane for LengthsView {
         too_many.then(|| words().too_many_lengths())
     }
 
+    fn is_timed(&self, _app: &App) -> bool {
+        false
+    }
+
     fn needs(&self) -> Need {
         Need::Lengths
     }

@@ -108,6 +108,11 @@ pub(crate) trait Pane {
         None
     }
 
+    /// Whether its rates are those of the scene's motion over time, if that has one.
+    fn is_timed(&self, _app: &App) -> bool {
+        true
+    }
+
     /// How far its work has come, where that is of more interest than the driver.
     fn progress(&self, _app: &App) -> Option<String> {
         None
@@ -180,6 +185,8 @@ pub(crate) enum PaneSpot {
     Value(usize),
     /// A coordinate of the driver along a plot.
     Along(f64),
+    /// A time of its motion along a plot, in s.
+    Time(f64),
 }
 
 /// What there is to copy.

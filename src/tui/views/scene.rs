@@ -180,7 +180,17 @@ impl Pane for SceneView {
         )
     }
 
-    fn hints(&self, _app: &App) -> &'static [Action] {
+    fn hints(&self, app: &App) -> &'static [Action] {
+        if app.editor().gathered.is_some() {
+            return &[
+                Action::Scene(SceneAction::Gather),
+                Action::Back,
+                Action::Scene(SceneAction::Edit),
+                Action::Scene(SceneAction::NudgeDown),
+                Action::Scene(SceneAction::NudgeUp),
+                Action::Help,
+            ];
+        }
         &[
             Action::Help,
             Action::Scene(SceneAction::Edit),
@@ -302,20 +312,23 @@ impl ColumnWidths {
             Some(_) => theme::part(ScreenPart::Warning),
             None => part(ScreenPart::Text),
         };
+        let is_wide = area.width >= self.width();
         let shown = waiting.as_ref().unwrap_or(value);
-        let number = match waiting {
-            // What it will come to is not known before.
-            Some(_) => shown.literal.clone(),
+        let number = match &waiting {
+            // What a formula will come to is not known before: where there is room it stands beside.
+            Some(waiting) if waiting.formula.is_some() && is_wide => String::new(),
+            Some(waiting) => waiting.literal.clone(),
             None => number_of(value),
         };
         self.number(&number, point, y, style, buffer);
         let beside = match filed {
+            _ if waiting.is_some() && shown.formula.is_some() => formula_of(shown),
             Some(filed) if filed.unit == value.unit => Some(filed.literal.clone()),
             Some(filed) => Some(filed.text()),
-            None => formula_of(value),
+            None => formula_of(shown),
         };
         if let Some(text) = beside
-            && area.width >= self.width()
+            && is_wide
         {
             let text = cut(&text, self.filed.into());
             print_right(
@@ -323,7 +336,10 @@ impl ColumnWidths {
                 area.x + self.width(),
                 y,
                 &text,
-                theme::part(ScreenPart::Quiet),
+                match waiting {
+                    Some(waiting) if waiting.formula.is_some() => style,
+                    _ => theme::part(ScreenPart::Quiet),
+                },
             );
         }
     }

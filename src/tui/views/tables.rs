@@ -169,9 +169,14 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     if right > area.right() {
         return;
     }
-    // There is a blank at either side of every figure.
-    print(buffer, left.saturating_sub(1), area.y, 1, "[", key);
-    print(buffer, right, area.y, 1, "]", key);
+    // There is a blank at either side of every figure; where the next one begins behind that, a bracket would touch it.
+    let beyond = [left.checked_sub(2), Some(right.saturating_add(1))];
+    let is_blank =
+        |x: u16| !area.contains((x, area.y).into()) || buffer[(x, area.y)].symbol() == " ";
+    if beyond.into_iter().flatten().all(is_blank) {
+        print(buffer, left.saturating_sub(1), area.y, 1, "[", key);
+        print(buffer, right, area.y, 1, "]", key);
+    }
     for x in left..right {
         buffer[(x, area.y)].set_style(theme::part(ScreenPart::Cursor));
     }

@@ -140,15 +140,15 @@ fn settings(app: &App) -> Vec<String> {
     let (open_scene, playback) = (app.open_scene(), app.playback());
     let step = coordinate(app.steps().size(), 0);
     let mut settings: Vec<String> = app.viewport().lens.enlarged().into_iter().collect();
+    let (seconds, backwards) = (playback.seconds(), playback.is_backwards());
     settings.extend([
         words().step_of(&step, open_scene.unit()),
-        words().plays_in(
-            open_scene.driver_range().turns(),
-            &playback.seconds(),
-            playback.is_backwards(),
-        ),
+        match open_scene.timetable() {
+            Some(_) => words().plays_period_in(&seconds, backwards),
+            None => words().plays_in(open_scene.driver_range().turns(), &seconds, backwards),
+        },
     ]);
-    settings.push(match playback.ratio(open_scene.driver_range()) {
+    settings.push(match playback.ratio(&app.track()) {
         None => words().driver_stands_still().into(),
         Some(ratio) if ratio < 1.0 => words().slower_than_real(&short(1.0 / ratio)),
         Some(ratio) => words().faster_than_real(&short(ratio)),

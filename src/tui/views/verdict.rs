@@ -107,6 +107,7 @@ mod tests {
                 part("rocker", "rocker"),
                 None,
                 part(angle, &angle[..4]),
+                None,
             ],
         };
         let (old, new) = (of("turns", "30.0 of mu"), of("rocks", "30.0 of mu"));

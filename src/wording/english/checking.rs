@@ -13,9 +13,11 @@ catalogue! {
         fact_parameters = "parameters";
         fact_parts = "parts";
         fact_driver = "driver";
+        fact_motion = "motion";
         fact_links = "links";
         fact_joints = "joints";
         fact_slides = "slides";
+        knots_outside(of: &str, at: &str) = "knots of `over` at {of} that the motion never comes to: {at}";
         fact_mobility = "mobility";
         fact_redundant = "redundant";
         fact_groups = "groups";
@@ -41,11 +43,41 @@ catalogue! {
             )
         };
         driven_link(name: &str) = "link {name}";
+        turned_from(name: &str, from: &str) = "{name} from {from}";
         driven_slide(name: &str) = "slide {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, opens at {at}, {speed}, {acceleration}";
+        driver_opens_at(driven: &str, at: &str) = "{driven}, opens at {at}";
+        motion_in_time(laws: &str, period: &str) = "{laws}, in {period} s";
+        motion_rests(rest: &str) = ", {rest} s of them at rest";
+        motion_at_most(speed: &str, acceleration: &str) = "; at most {speed} and {acceleration}";
+        motion_jumps(time: &str) = "; the speed jumps at {time} s";
+        motion_verdict(period: &str, speed: &str, acceleration: &str) =
+            "{period} s, at most {speed} and {acceleration}";
+        motion_in_short(period: &str, speed: &str) = "{period} s, {speed}";
         input_follows(driven: &str, ratio: &str, phase: &str) =
             "{driven} follows: {ratio} times the driver's coordinate plus {phase}";
+        input_follows_table(driven: &str, knots: usize, ends: [&str; 2], unit: &str) = {
+            let [first, last] = ends;
+            format!("{driven} follows a table: {knots} knots, the driver from {first} to {last} {unit}")
+        };
+        table_repeats(period: &str) = ", which repeats after {period} deg";
+        knots_beyond_motion(knots: usize) = {
+            match knots {
+                1 => "; 1 of them lies beyond the motion".into(),
+                _ => format!("; {knots} of them lie beyond the motion"),
+            }
+        };
+        input_given_by_table(driven: &str, knots: &str, units: [&str; 2], closes: bool) = {
+            let [driver, own] = units;
+            let ends = match closes {
+                true => "whose end goes on as it begins",
+                false => "at rest at both ends",
+            };
+            format!(
+                "{driven} follows by the cubic spline {ends} through [driver in {driver}, own coordinate in {own}]: {knots}"
+            )
+        };
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pin {pin} in a slot of {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: link {link} along {guide}, without turning against it";
@@ -125,6 +157,8 @@ catalogue! {
         range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
             "{at} {unit}: {name} at {value}";
+        table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: the table of {name} ends";
+        table_named(name: &str) = "the table of {name}";
         change_points_at(places: &str, unit: &str) = "points at {places} {unit}, passed smoothly";
         equal_as_typed = "lengths count as equal where they are equal as typed";
         equal_within(tolerance: &str, unit: &str) =

@@ -82,6 +82,8 @@ catalogue! {
             "the mechanism cannot be assembled at {at} {unit}: the driver covers {covered}";
         stopped_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
             "a stop of {name} ends the motion before {at} {unit}: the driver covers {covered}";
+        table_ends_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
+            "the table of {name} ends, and the motion with it, before {at} {unit}: the driver covers {covered}";
         no_start_tells_assembly =
             "no start positions tell this assembly from the others where the scene opens";
         no_finite_limits = "the motion has no finite limits";

@@ -31,6 +31,17 @@ catalogue! {
         time_and_coordinate = "[time, coordinate]";
         times_must_grow(what: &str, first: &str, second: &str) =
             "{what}: the times must grow from knot to knot, but {second} follows {first}";
+        driver_and_input = "[driver's coordinate, own coordinate]";
+        places_must_grow(what: &str, first: &str, second: &str) =
+            "{what}: the driver's coordinates must grow from knot to knot, but {second} follows {first}";
+        table_beside(of: &str, key: &str) = "{of} has a table `over` and `{key}`";
+        says_the_same_otherwise = "says otherwise how it follows";
+        the_table = "the table";
+        table_does_not_close(of: &str, first: f64, last: f64) =
+            "{of}: the table spans whole turns of the driver, but begins at {first} and ends at {last}: the next turn cannot go on from there";
+        table_of_link_closes = "let the last value be the first, or whole turns from it: the table repeats";
+        table_of_slide_closes = "let the last value be the first: the table repeats";
+        or_table_is_shorter = "or let it end where the motion ends, or give the driver a `range`";
         table_of_one_knot(what: &str) = "{what} has one knot: nothing moves";
         table_begins_elsewhere(of: &str, literal: &str) =
             "{of}: the first knot must be {literal}, where the step before it ends";

@@ -50,6 +50,7 @@ catalogue! {
             let way = if rises { "up" } else { "down" };
             format!("{ratio}: {slow} {way}, {quick} back")
         };
+        way_there_and_back(way: &str) = "{way} there and back";
         stays_within(way: &str, from: &str, to: &str, tolerance: &str, of: &str) =
             "{way}: {from} to {to}, within {tolerance} of {of}";
         never_dwells = "nowhere";

@@ -51,6 +51,7 @@ catalogue! {
         goals_and_best = "a goal is met, or a figure is the best: give --goal, or --minimize or --maximize with --keep";
         free_without_ends(name: &str) = "`{name}` needs ends here: write `{name}=LOW..HIGH`";
         no_such_design(number: usize, count: usize) = "there is no design {number}: {count} were found";
+        given_lacks = "given has no";
         goals_not_met = "no design was found that meets all goals";
         keeps_nothing = "no design was found that keeps all of that";
         start_was_written = "the text alone would open in another assembly: its [start] was written anew";

@@ -19,6 +19,8 @@ catalogue! {
             }
         };
         edits_wait(key: &str) = "edits wait: {key} makes them together, Esc drops them";
+        make_gathered = "make";
+        drop_gathered = "drop";
         gathered_made(count: usize) = {
             match count {
                 0 => "edits are made at once again".to_owned(),

@@ -34,6 +34,7 @@ catalogue! {
         script_lines = "Where two lines meet.";
         script_swing = "The direction of a guide that passes its pivot at an offset and leads to what is seen from there.";
         script_side = "The side at q, where it changes over on the way.";
+        script_follow = "The coordinate of an input by its table: a cubic between each two knots, with the second derivatives there.";
         script_newton = "Unknowns for which a misfit vanishes: Newton's method from a seed, by central differences.";
         script_given = "What the scene gives.";
         script_positions = "The points at q.";

@@ -47,6 +47,8 @@ catalogue! {
                 "{missing} missing: join a floating link to another by a common point, or add a slide"
             )
         };
+        or_further_inputs(more: usize) =
+            "or let {more} of them be driven too, at a ratio of the driver: `[inputs]`, `NAME = {{ ratio = 1 }}`";
         are_dimensions_equal =
             "what repeats others may be what is missing elsewhere: are its dimensions meant to be \
              equal?";
@@ -101,6 +103,11 @@ catalogue! {
             "or open the scene elsewhere, at another `{coordinate}` of the driver";
         opens_beyond_stop(limit: &str, value: &str, low: &str, high: &str) =
             "the scene opens beyond a stop: {limit} is at {value}, and must stay between {low} and {high}";
+        opens_beyond_table(table: &str, value: &str, low: &str, high: &str) =
+            "the scene opens where the table of {table} says nothing: the driver is at {value}, and the table goes from {low} to {high}";
+        not_in_the_table = "the driver is outside this table";
+        open_within_table(coordinate: &str) =
+            "let the driver's `{coordinate}` lie in the table, or let the table go so far";
         held_by_stops(one: &str, other: &str) =
             "the scene opens at two stops, and nothing can move: those of {one} and {other}";
         no_way_down = "the driver cannot go back";

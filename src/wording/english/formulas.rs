@@ -72,6 +72,22 @@ catalogue! {
         give_one_a_number = "give one of them a number";
         parameter_reads_as_number(name: &str) = "the name {name} would be read as a number";
         begin_it_with_a_letter = "begin it with a letter";
+        formulas_read_a_unit(name: &str) =
+            "formulas read `{name}` as a unit: choose another name, as `{name}1`";
+        formulas_read_a_function(name: &str) =
+            "formulas read `{name}` as a function: choose another name, as `{name}1`";
+        parameters_measured_in(named: &[(String, String)], wanted: &str) = {
+            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` is in {unit}")).collect();
+            let wanted = match wanted {
+                "1" => String::new(),
+                wanted => format!("in {wanted}, or "),
+            };
+            format!("{}: write it {wanted}as a plain number, which takes the unit of its place", named.join(", "))
+        };
+        rate_of_units(key: &str, of: &str, formula: &str, found: &str) =
+            "`{key}` of {of} takes a plain number in front of its unit, and `{formula}` is in {found}";
+        rate_brings_its_unit(formula: &str, unit: &str) =
+            "`{unit}` is the unit of the whole: give the parameters in `{formula}` as plain numbers";
         value_measures_other(value: &str, found: &str, wanted: &str) =
             "{value} is measured in {wanted}, and this is in {found}";
         no_value_named(name: &str, meant: Option<&str>) = {

@@ -25,6 +25,11 @@ catalogue! {
             let sweep = if turns { "turn" } else { "sweep" };
             format!("1 {sweep} in {seconds} s{}", if backwards { ", backwards" } else { "" })
         };
+        plays_period_in(seconds: &dyn Display, backwards: bool) = {
+            format!("the motion in {seconds} s{}", if backwards { ", backwards" } else { "" })
+        };
+        time_of_motion(time: &str) = "t {time} s";
+        at_driver_speed(unit: &str) = "at 1 {unit}/s";
         driver_stands_still = "the driver stands still";
         slower_than_real(times: &str) = "1/{times} of real time";
         faster_than_real(times: &str) = "{times} times real time";

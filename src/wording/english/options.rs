@@ -60,7 +60,7 @@ catalogue! {
         format_png = "Pixels, for a slide";
         format_gif = "A turn in pixels";
         scale_on_paper = "The scale at which an SVG prints, as 1:2 [default: as large as suits a screen]";
-        scale_is_meant = "a scale is meant, as 1:2 or 5:1";
+        scale_is_meant(most: f64) = "a scale is meant, as 1:2 or 5:1, between 1:{most} and {most}:1";
         width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
         on_a_dark_ground = "An SVG, PNG or GIF on a dark ground, whatever the reader prefers";
         seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back [default: 6]";

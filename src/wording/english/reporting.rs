@@ -90,6 +90,14 @@ any other needs --format beside it.";
         agrees = "agrees";
         not_compared(names: &str) =
             "Not compared, since krank has no such figure here, or in no such unit: {names}.";
+        cells_left_out(cells: &[(u64, &str, String)], more: usize) = {
+            let cell = |(line, column, cell): &(u64, &str, String)| format!("line {line}, {column}: {cell}");
+            let mut told: Vec<String> = cells.iter().map(cell).collect();
+            if more > 0 {
+                told.push(format!("and {more} more"));
+            }
+            format!("Left out, since these are no numbers: {}.", told.join("; "))
+        };
         root_mean_square = "rms";
         rows_compared = "rows";
         largest_difference = "most off";

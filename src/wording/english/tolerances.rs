@@ -79,6 +79,9 @@ catalogue! {
         of_this_length = "of this length";
         by_this_class = "by this class";
         give_it_its_own_tolerance = "give it a tolerance of its own";
+        clearance_beyond_length(what: &str, of: &str, length: f64, literal: &str) =
+            "{what} must be less than the {of} beside it, {length}, but is {literal}";
+        give_it_its_own_clearance = "give the pin a clearance of its own in [clearances]";
         is_no_pin(what: &str) = "{what}: the point joins nothing";
         joins_nothing = "no pin";
         pins_join = "a pin joins two links, or a link and the ground or a slot";

@@ -12,6 +12,8 @@ catalogue! {
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "State: {state}. The driver {driver} slides: at {at}, with {speed} and {acceleration}.";
         inputs_are_given = "The other inputs follow the driver: their coordinates are given as its own is.";
+        inputs_have_tables(names: &str) =
+            "By its table in the scene, a cubic spline, {names} has here:";
         forces_of_inputs_in_tables =
             "Where several inputs share the work, forces are not written out: the table of forces has them.";
         dead_point_explained =

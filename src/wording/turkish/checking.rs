@@ -13,9 +13,11 @@ catalogue! {
         fact_parameters = "parametreler";
         fact_parts = "parçalar";
         fact_driver = "tahrik";
+        fact_motion = "hareket";
         fact_links = "uzuvlar";
         fact_joints = "mafsallar";
         fact_slides = "kızaklar";
+        knots_outside(of: &str, at: &str) = "`over` ({of}): hareketin hiç varmadığı düğümler: {at}";
         fact_mobility = "serbestlik";
         fact_redundant = "fazla";
         fact_groups = "gruplar";
@@ -41,11 +43,36 @@ catalogue! {
             )
         };
         driven_link(name: &str) = "uzuv {name}";
+        turned_from(name: &str, from: &str) = "{name} ({from} uzvuna göre)";
         driven_slide(name: &str) = "kızak {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, açılışta {at}, {speed}, {acceleration}";
+        driver_opens_at(driven: &str, at: &str) = "{driven}, açılışta {at}";
+        motion_in_time(laws: &str, period: &str) = "{laws}, {period} s sürer";
+        motion_rests(rest: &str) = ", bunun {rest} s kadarı duruş";
+        motion_at_most(speed: &str, acceleration: &str) = "; en çok {speed} ve {acceleration}";
+        motion_jumps(time: &str) = "; hız {time} s anında sıçrar";
+        motion_verdict(period: &str, speed: &str, acceleration: &str) =
+            "{period} s, en çok {speed} ve {acceleration}";
+        motion_in_short(period: &str, speed: &str) = "{period} s, {speed}";
         input_follows(driven: &str, ratio: &str, phase: &str) =
             "{driven} izler: tahrikin koordinatının {ratio} katı, artı {phase}";
+        input_follows_table(driven: &str, knots: usize, ends: [&str; 2], unit: &str) = {
+            let [first, last] = ends;
+            format!("{driven} bir tabloyu izler: {knots} düğüm, tahrik {first} ile {last} {unit} arasında")
+        };
+        table_repeats(period: &str) = ", {period} deg sonra yinelenir";
+        knots_beyond_motion(knots: usize) = "; {knots} düğüm hareketin dışında kalır";
+        input_given_by_table(driven: &str, knots: &str, units: [&str; 2], closes: bool) = {
+            let [driver, own] = units;
+            let ends = match closes {
+                true => "sonu başı gibi süren",
+                false => "iki ucunda duran",
+            };
+            format!(
+                "{driven}, şu düğümlerden geçen, {ends} kübik spline ile izler [tahrik {driver}, kendi koordinatı {own}]: {knots}"
+            )
+        };
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pim {pin}, yarığı taşıyan: {of}";
         link_along(name: &str, link: &str, guide: &str) =
             "{name}: uzuv {link}, {guide} boyunca, ona göre dönmeden";
@@ -124,6 +151,8 @@ catalogue! {
         range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
             "{at} {unit}: {name} {value} değerinde";
+        table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: {name} tablosunun sonu";
+        table_named(name: &str) = "{name} tablosu";
         change_points_at(places: &str, unit: &str) = "konumları: {places} {unit}, kesintisiz geçilir";
         equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
         equal_within(tolerance: &str, unit: &str) =

@@ -87,6 +87,8 @@ catalogue! {
             "mekanizma {at} {unit} konumunda kurulamaz: tahrikin aralığı {covered}";
         stopped_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
             "dayama ({name}), hareketi {at} {unit} konumundan önce bitiriyor: tahrikin aralığı {covered}";
+        table_ends_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
+            "{name} tablosu, onunla hareket de, {at} {unit} konumundan önce bitiyor: tahrikin aralığı {covered}";
         no_start_tells_assembly =
             "sahnenin açıldığı yerde hiçbir başlangıç konumu bu montaj biçimini ötekilerden ayırmıyor";
         no_finite_limits = "hareketin sonlu sınırları yok";

@@ -31,6 +31,17 @@ catalogue! {
         time_and_coordinate = "[zaman, koordinat]";
         times_must_grow(what: &str, first: &str, second: &str) =
             "{what}: zamanlar düğümden düğüme büyümeli, oysa {first} ardından {second} geliyor";
+        driver_and_input = "[tahrikin koordinatı, kendi koordinatı]";
+        places_must_grow(what: &str, first: &str, second: &str) =
+            "{what}: tahrikin koordinatları düğümden düğüme büyümeli, oysa {first} ardından {second} geliyor";
+        table_beside(of: &str, key: &str) = "{of}: hem `over` tablosu hem `{key}` var";
+        says_the_same_otherwise = "nasıl izlediğini başka türlü söylüyor";
+        the_table = "tablo";
+        table_does_not_close(of: &str, first: f64, last: f64) =
+            "{of}: tablo tahrikin tam turlarını kapsıyor, ama {first} değerinde başlayıp {last} değerinde bitiyor: sonraki tur oradan süremez";
+        table_of_link_closes = "son değer ilk değer ya da ondan tam turlar ötede olsun: tablo yinelenir";
+        table_of_slide_closes = "son değer ilk değer olsun: tablo yinelenir";
+        or_table_is_shorter = "ya da tablo hareketin bittiği yerde bitsin, ya da tahrike bir `range` ver";
         table_of_one_knot(what: &str) = "{what}: tek düğüm var, hiçbir şey hareket etmez";
         table_begins_elsewhere(of: &str, literal: &str) =
             "{of}: ilk düğüm, önceki adımın bittiği {literal} olmalı";

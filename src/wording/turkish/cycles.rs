@@ -50,6 +50,7 @@ catalogue! {
             let (there, back) = if rises { ("artarken", "azalırken") } else { ("azalırken", "artarken") };
             format!("{ratio}: {there} {slow}, {back} {quick}")
         };
+        way_there_and_back(way: &str) = "gidiş geliş {way}";
         stays_within(way: &str, from: &str, to: &str, tolerance: &str, of: &str) =
             "{way}: {from} ile {to} arasında; {of} değerine {tolerance} içinde";
         never_dwells = "hiçbir yerde";

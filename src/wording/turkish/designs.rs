@@ -48,6 +48,7 @@ catalogue! {
         goals_and_best = "ya bir hedef karşılanır ya da bir büyüklük en iyi olur: --goal ya da --keep ile birlikte --minimize veya --maximize verin";
         free_without_ends(name: &str) = "`{name}` için burada sınırlar gerek: `{name}=ALT..ÜST` yazın";
         no_such_design(number: usize, count: usize) = "{number} numaralı tasarım yok: {count} tasarım bulundu";
+        given_lacks = "verilende yok";
         goals_not_met = "bütün hedefleri karşılayan bir tasarım bulunamadı";
         keeps_nothing = "hepsini koruyan bir tasarım bulunamadı";
         start_was_written = "metin tek başına başka bir montaj biçiminde açılırdı: [start] yeniden yazıldı";

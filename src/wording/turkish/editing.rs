@@ -18,6 +18,8 @@ catalogue! {
             }
         };
         edits_wait(key: &str) = "değişiklikler bekliyor: {key} birlikte yapar, Esc bırakır";
+        make_gathered = "uygula";
+        drop_gathered = "vazgeç";
         gathered_made(count: usize) = {
             match count {
                 0 => "değişiklikler yine hemen yapılır".to_owned(),

@@ -32,6 +32,7 @@ catalogue! {
         script_lines = "İki doğrunun kesiştiği yer.";
         script_swing = "Mafsalının belli bir uzağından geçip oradan görülen yere varan kızağın doğrultusu.";
         script_side = "Yol boyunca değişen yanın q'daki değeri.";
+        script_follow = "Bir girişin tablosuna göre koordinatı: her iki düğüm arasında, uçlardaki ikinci türevlerle bir kübik.";
         script_newton = "Sapmayı sıfır yapan bilinmeyenler: bir başlangıçtan Newton yöntemi, merkezi farklarla.";
         script_given = "Sahnede verilenler.";
         script_positions = "Noktaların q'daki yerleri.";

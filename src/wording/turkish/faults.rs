@@ -36,6 +36,8 @@ catalogue! {
         turn_a_guide = "paralel kılavuzlar kendi doğrultularında bir şey tutmaz: birini `angle` ile döndür";
         constraints_missing(count: usize) =
             "{count} kısıt eksik: boşta bir uzvu ortak bir noktayla başkasına bağla ya da kızak ekle";
+        or_further_inputs(more: usize) =
+            "ya da {more} tanesini de sür, tahrike bir oranla: `[inputs]`, `AD = {{ ratio = 1 }}`";
         are_dimensions_equal =
             "başkalarını yineleyen, başka yerde eksik olan olabilir: boyutları eşit mi olmalıydı?";
 
@@ -87,6 +89,11 @@ catalogue! {
             "ya da sahneyi başka yerde, tahrikin başka bir `{coordinate}` değerinde aç";
         opens_beyond_stop(limit: &str, value: &str, low: &str, high: &str) =
             "sahne bir dayamanın ötesinde açılıyor: {limit} {value} değerinde, {low} ile {high} arasında kalmalı";
+        opens_beyond_table(table: &str, value: &str, low: &str, high: &str) =
+            "sahne {table} tablosunun bir şey söylemediği yerde açılıyor: tahrik {value} konumunda, tablo {low} ile {high} arasında";
+        not_in_the_table = "tahrik bu tablonun dışında";
+        open_within_table(coordinate: &str) =
+            "sahneyi tahrikin tabloda bulunan bir `{coordinate}` değerinde aç ya da tabloyu oraya kadar uzat";
         held_by_stops(one: &str, other: &str) =
             "sahne iki dayamada açılıyor, hiçbir şey hareket edemez: {one} ve {other}";
         no_way_down = "tahrik geri gidemez";

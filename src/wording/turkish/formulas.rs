@@ -71,6 +71,22 @@ catalogue! {
         give_one_a_number = "birine bir sayı ver";
         parameter_reads_as_number(name: &str) = "{name} adı sayı diye okunurdu";
         begin_it_with_a_letter = "bir harfle başlat";
+        formulas_read_a_unit(name: &str) =
+            "formüllerde `{name}` bir birimdir: başka bir ad seç, örneğin `{name}1`";
+        formulas_read_a_function(name: &str) =
+            "formüllerde `{name}` bir fonksiyondur: başka bir ad seç, örneğin `{name}1`";
+        parameters_measured_in(named: &[(String, String)], wanted: &str) = {
+            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` birimi {unit}")).collect();
+            let wanted = match wanted {
+                "1" => String::new(),
+                wanted => format!("{wanted} ile ya da "),
+            };
+            format!("{}: {wanted}birimsiz yaz, birimsiz sayı durduğu yerin birimini alır", named.join(", "))
+        };
+        rate_of_units(key: &str, of: &str, formula: &str, found: &str) =
+            "`{key}` ({of}): birimin önünde birimsiz bir sayı durur, `{formula}` ise {found} biriminde";
+        rate_brings_its_unit(formula: &str, unit: &str) =
+            "`{unit}` bütünün birimidir: `{formula}` içindeki parametreleri birimsiz ver";
         value_measures_other(value: &str, found: &str, wanted: &str) =
             "{value}: birimi {wanted} olmalı, bunun birimi ise {found}";
         no_value_named(name: &str, meant: Option<&str>) = {

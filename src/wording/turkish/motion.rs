@@ -20,6 +20,11 @@ catalogue! {
             let sweep = if turns { "tur" } else { "geçiş" };
             format!("1 {sweep} {seconds} s{}", if backwards { ", geri" } else { "" })
         };
+        plays_period_in(seconds: &dyn Display, backwards: bool) = {
+            format!("hareket {seconds} s{}", if backwards { ", geri" } else { "" })
+        };
+        time_of_motion(time: &str) = "t {time} s";
+        at_driver_speed(unit: &str) = "1 {unit}/s ile";
         driver_stands_still = "tahrik duruyor";
         slower_than_real(times: &str) = "gerçek zamanın 1/{times} hızı";
         faster_than_real(times: &str) = "gerçek zamanın {times} katı";

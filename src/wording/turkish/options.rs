@@ -61,7 +61,7 @@ catalogue! {
         format_png = "Pikseller, bir sunu için";
         format_gif = "Piksellerle bir tur";
         scale_on_paper = "SVG'nin basılacağı ölçek, 1:2 gibi [yoksa: ekrana uygun büyüklük]";
-        scale_is_meant = "ölçek 1:2 ya da 5:1 gibi yazılır";
+        scale_is_meant(most: f64) = "ölçek 1:2 ya da 5:1 gibi, 1:{most} ile {most}:1 arasında yazılır";
         width_in_pixels = "PNG ya da GIF için piksel olarak genişlik [yoksa: 1600, GIF için 800]";
         on_a_dark_ground = "Okuyan ne isterse istesin koyu zeminde SVG, PNG ya da GIF";
         seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün süresi [yoksa: 6]";

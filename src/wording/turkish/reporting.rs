@@ -87,6 +87,14 @@ merkezlerinin hız ve ivmeleri tek kutuptan ölçekli; ani dönme merkezleri; bi
         agrees = "uyuyor";
         not_compared(names: &str) =
             "Karşılaştırılmayanlar (krank'ta burada ya da bu birimde böyle bir değer yok): {names}.";
+        cells_left_out(cells: &[(u64, &str, String)], more: usize) = {
+            let cell = |(line, column, cell): &(u64, &str, String)| format!("{line}. satır, {column}: {cell}");
+            let mut told: Vec<String> = cells.iter().map(cell).collect();
+            if more > 0 {
+                told.push(format!("ve {more} tane daha"));
+            }
+            format!("Sayı olmadığı için dışarıda bırakıldı: {}.", told.join("; "))
+        };
         root_mean_square = "rms";
         rows_compared = "satır";
         largest_difference = "en büyük fark";

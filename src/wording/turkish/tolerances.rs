@@ -80,6 +80,9 @@ catalogue! {
         of_this_length = "bu boy için";
         by_this_class = "bu sınıfla";
         give_it_its_own_tolerance = "ona kendi toleransını verin";
+        clearance_beyond_length(what: &str, of: &str, length: f64, literal: &str) =
+            "{what} yanındaki boydan ({of}), {length} değerinden, küçük olmalı, oysa {literal}";
+        give_it_its_own_clearance = "pime [clearances] içinde kendi boşluğunu verin";
         is_no_pin(what: &str) = "{what}: nokta hiçbir şeyi birleştirmiyor";
         joins_nothing = "pim değil";
         pins_join = "bir pim iki uzvu, ya da bir uzvu şaseyle veya bir yarıkla birleştirir";

@@ -12,6 +12,8 @@ catalogue! {
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "Durum: {state}. Tahrik {driver} kayar: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
         inputs_are_given = "Öteki girişler tahriki izler: koordinatları, onunki gibi verilidir.";
+        inputs_have_tables(names: &str) =
+            "Sahnedeki tablosuna, kübik bir spline'a göre {names} burada:";
         forces_of_inputs_in_tables =
             "İşi birkaç giriş paylaştığında kuvvetler adım adım yazılmaz: kuvvet tablosunda dururlar.";
         dead_point_explained =

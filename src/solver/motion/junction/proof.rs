@@ -23,12 +23,17 @@ impl Walker<'_> {
         let engine = self.engine;
         let passages = junction.folds.iter().map(|fold| {
             let of = (fold.group, fold.turns());
-            let passage = Passage::new(
+            let mut passage = Passage::new(
                 junction.at.hi,
                 of,
                 engine.outputs(fold.step),
                 &junction.series,
             )?;
+            // A series tells nothing of what lies behind a knot.
+            passage.zone = passage.zone.min(engine.smooth(passage.at));
+            if passage.zone == 0.0 {
+                return None;
+            }
             let is_proved = self.proves(junction, passage.zone, fold.step + 1);
             is_proved.then_some(passage)
         });

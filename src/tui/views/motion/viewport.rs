@@ -211,6 +211,7 @@ impl Viewport {
             } else {
                 0
             },
+            is_timed: true,
         }
     }
 

@@ -148,7 +148,7 @@ fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
         extrema: true,
         first: 0,
     };
-    let here = app.motor().here(app.open_scene().at());
+    let here = app.motor().here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
 }

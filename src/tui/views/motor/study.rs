@@ -1,12 +1,15 @@
-//! The motor over a cycle, as it is found of the open scene: once for a scene or an edit; a frame only
-//! looks where the driver is.
+//! The motor over a cycle, or over a period of a motion over time, as it is found of the open scene: once for a scene or
+//! an edit; a frame only looks where the driver is.
 
 use crate::Vec2;
 use crate::drawing::effort;
 use crate::drawing::plot::Plot;
 use crate::page::Page;
-use crate::quantity::{Catalogue, Here};
-use crate::report::{CsvDialect, MotorReport, MotorWishes};
+use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here};
+use crate::report::{CsvDialect, MotorReport, MotorWishes, TimedMotorReport, curves_csv};
+use crate::scene::Scene;
+use crate::solver::{Order, Solver};
+use crate::study::motor::{NoTimedDuty, TimedDuty};
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
@@ -20,14 +23,86 @@ pub(crate) struct MotorStudy {
 struct Studied {
     /// Which scene, in which form.
     of: Edition,
-    report: MotorReport,
+    found: Found,
     page: Page,
     /// `None` where nothing acts.
     plot: Option<Plot>,
 }
 
+/// All that was found.
+#[derive(Debug)]
+enum Found {
+    Cycle(Box<MotorReport>),
+    Period(Box<Period>),
+    /// In words, why there is nothing over a period.
+    Nothing(String),
+}
+
+/// A period of a motion over time.
+#[derive(Debug)]
+struct Period {
+    report: TimedMotorReport,
+    curves: Curves,
+}
+
 /// The size of an SVG in its own units.
 const PAPER: Vec2 = Vec2 { x: 800.0, y: 400.0 };
+
+impl Found {
+    fn of(scene: &Scene, solver: &Solver) -> Found {
+        if let Some(clock) = Clock::of(scene).filter(|_| scene.motion.is_some()) {
+            return match Period::new(scene, solver, &clock) {
+                Ok(period) => Found::Period(Box::new(period)),
+                Err(why) => Found::Nothing(TimedMotorReport::nothing(scene, &why)),
+            };
+        }
+        let wishes = MotorWishes {
+            motor: scene.motor.unwrap_or_default(),
+            ..MotorWishes::default()
+        };
+        Found::Cycle(Box::new(MotorReport::new(scene, solver, wishes)))
+    }
+
+    fn page(&self) -> Page {
+        match self {
+            Found::Cycle(report) => report.page(),
+            Found::Period(period) => period.report.page(),
+            Found::Nothing(why) => {
+                let mut page = Page::default();
+                page.text_below(why.clone());
+                page
+            }
+        }
+    }
+
+    fn plot(&self, scene: &Scene) -> Option<Plot> {
+        match self {
+            Found::Cycle(report) => {
+                let catalogue = Catalogue::new(scene);
+                let coordinate = catalogue.driver();
+                let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
+                let duty = report.duty.as_ref().ok()?;
+                Some(effort(duty, names, report.effort_name()))
+            }
+            Found::Period(period) => Some(Plot::of(&period.curves)),
+            Found::Nothing(_) => None,
+        }
+    }
+}
+
+impl Period {
+    fn new(scene: &Scene, solver: &Solver, clock: &Clock) -> Result<Period, NoTimedDuty> {
+        let duty = TimedDuty::new(clock, solver)?;
+        let catalogue = Catalogue::new(scene);
+        let efforts = ["driver.torque", "driver.force"];
+        let effort = efforts.iter().find_map(|name| catalogue.find(name));
+        let curves = Curves::new(scene, solver, effort.as_slice(), Abscissa::Time, None);
+        Ok(Period {
+            report: TimedMotorReport::new(scene, duty, &scene.motor.unwrap_or_default()),
+            curves: curves.map_err(|_| NoTimedDuty::NothingActs)?,
+        })
+    }
+}
 
 impl MotorStudy {
     /// Studies the scene, if that was not done yet.
@@ -40,25 +115,12 @@ impl MotorStudy {
             return;
         }
         let scene = open_scene.scene();
-        let wishes = MotorWishes {
-            motor: scene.motor.unwrap_or_default(),
-            ..MotorWishes::default()
-        };
-        let report = MotorReport::new(scene, open_scene.solver(), wishes);
-        let catalogue = Catalogue::new(scene);
-        let coordinate = catalogue.driver();
-        let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
-        let what = report.effort_name();
-        let plot = report
-            .duty
-            .as_ref()
-            .ok()
-            .map(|duty| effort(duty, names, what));
+        let found = Found::of(scene, open_scene.solver());
         self.studied = Some(Studied {
             of: open_scene.edition().clone(),
-            page: report.page(),
-            report,
-            plot,
+            page: found.page(),
+            plot: found.plot(scene),
+            found,
         });
     }
 
@@ -69,9 +131,14 @@ impl MotorStudy {
 
     /// Why there is neither curve nor figures.
     pub(crate) fn nothing(&self) -> String {
-        let report = self.studied.as_ref().map(|studied| &studied.report);
-        let why = report.and_then(|report| Some(report.nothing(report.duty.as_ref().err()?)));
-        why.unwrap_or_default()
+        match self.studied.as_ref().map(|studied| &studied.found) {
+            Some(Found::Cycle(report)) => {
+                let why = report.duty.as_ref().err();
+                why.map(|why| report.nothing(why)).unwrap_or_default()
+            }
+            Some(Found::Nothing(why)) => why.clone(),
+            Some(Found::Period(_)) | None => String::new(),
+        }
     }
 
     /// The curve over the cycle; `None` where nothing acts.
@@ -79,10 +146,21 @@ impl MotorStudy {
         self.studied.as_ref()?.plot.as_ref()
     }
 
-    /// Where the driver is in the cycle, and what it must do there.
-    pub(crate) fn here(&self, at: f64) -> Option<Here> {
-        let duty = self.studied.as_ref()?.report.duty.as_ref().ok()?;
-        let course = &duty.cycle.course;
+    /// Where the driver is in the cycle or the period, and what it must do there.
+    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
+        let report = match &self.studied.as_ref()?.found {
+            Found::Cycle(report) => report,
+            Found::Period(period) => {
+                let time = open_scene.time()?;
+                let mut state = open_scene.solver().state();
+                let stand = open_scene.stand();
+                let _ = stand.solve(open_scene.solver(), Order::Force, &mut state);
+                return Some(period.curves.here_at(time, &state));
+            }
+            Found::Nothing(_) => return None,
+        };
+        let duty = report.duty.as_ref().ok()?;
+        let (course, at) = (&duty.cycle.course, open_scene.at());
         let along = if course.goes_round {
             duty.cycle.coordinate(course.way(at)?)
         } else {
@@ -97,7 +175,7 @@ impl MotorStudy {
 
     /// The curve as an SVG document.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
-        let here = self.here(open_scene.at());
+        let here = self.here(open_scene);
         Some(
             self.plot()?
                 .svg(&open_scene.scene().title(), PAPER, true, here.as_ref()),
@@ -106,7 +184,11 @@ impl MotorStudy {
 
     /// The cycle step by step as comma separated values.
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
-        let report = &self.studied.as_ref()?.report;
+        let report = match &self.studied.as_ref()?.found {
+            Found::Cycle(report) => report,
+            Found::Period(period) => return curves_csv(&period.curves, dialect).ok(),
+            Found::Nothing(_) => return None,
+        };
         report.duty.as_ref().ok()?;
         let mut text = Vec::new();
         report.write_csv(dialect, &mut text).ok()?;
@@ -115,6 +197,10 @@ impl MotorStudy {
 
     /// All that was found as text.
     pub(crate) fn text(&self, ascii: bool) -> Option<String> {
-        Some(self.studied.as_ref()?.report.to_text(ascii))
+        Some(match &self.studied.as_ref()?.found {
+            Found::Cycle(report) => report.to_text(ascii),
+            Found::Period(period) => period.report.to_text(ascii),
+            Found::Nothing(why) => why.clone(),
+        })
     }
 }

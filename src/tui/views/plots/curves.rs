@@ -7,7 +7,7 @@ use crate::drawing::plot::Plot;
 use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Here, Quantity};
 use crate::report::{CsvDialect, curves_csv};
 use crate::scene::Scene;
-use crate::solver::{Order, Solver, State};
+use crate::solver::{Order, Solver};
 use crate::study::ToleranceStudy;
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
@@ -16,10 +16,9 @@ use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
 
 /// What stands along x, by name: another scene has other quantities.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Along {
     /// The driver's coordinate.
-    #[default]
     Driver,
     /// Time.
     Time,
@@ -33,7 +32,8 @@ pub(crate) struct Plots {
     /// The names of the quantities, in the order in which they were chosen; `None` until something is
     /// chosen: then the usual ones are plotted.
     chosen: Option<Vec<String>>,
-    along: Along,
+    /// `None` until it is chosen: then it is the time of a motion, or the driver's coordinate.
+    along: Option<Along>,
     /// Whether extrema are marked.
     extrema: bool,
     /// What the figure does that may be chosen next.
@@ -64,7 +64,7 @@ impl Default for Plots {
     fn default() -> Self {
         Plots {
             chosen: None,
-            along: Along::default(),
+            along: None,
             extrema: true,
             note: ExcursionNote::default(),
             sampled: None,
@@ -83,7 +83,8 @@ impl Plots {
             return;
         }
         let names = self.names(open_scene.scene());
-        let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &self.along) {
+        let along = self.along(open_scene.scene());
+        let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &along) {
             Ok(curves) => {
                 let plot = Plot::of(&curves);
                 // Beside those of another scene hues tell the scenes apart.
@@ -101,8 +102,17 @@ impl Plots {
         };
         self.sampled = Some(Sampled { of, names, outcome });
         if let Some(compared) = compared {
-            self.compare(compared, open_scene.scene().unit.symbol());
+            self.compare(compared, open_scene.scene().unit.symbol(), &along);
         }
+    }
+
+    /// What stands along x.
+    fn along(&self, scene: &Scene) -> Along {
+        let usual = || match scene.motion {
+            Some(_) => Along::Time,
+            None => Along::Driver,
+        };
+        self.along.clone().unwrap_or_else(usual)
     }
 
     /// Follows the figure under the cursor of the list over the whole motion.
@@ -143,8 +153,8 @@ impl Plots {
             Some(at) => drop(names.remove(at)),
             None => names.push(name.to_owned()),
         }
-        if self.along == Along::Figure(name.to_owned()) {
-            self.along = Along::Driver;
+        if self.along == Some(Along::Figure(name.to_owned())) {
+            self.along = None;
         }
         self.chosen = Some(names);
         self.sampled = None;
@@ -153,7 +163,7 @@ impl Plots {
     /// Takes nothing, to choose anew.
     pub(crate) fn clear(&mut self) {
         self.chosen = Some(Vec::new());
-        self.along = Along::Driver;
+        self.along = None;
         self.sampled = None;
     }
 
@@ -167,15 +177,18 @@ impl Plots {
         let mut all = vec![Along::Driver];
         all.extend(time);
         all.extend(figures.cloned().map(Along::Figure));
-        let here = all.iter().position(|along| *along == self.along);
+        let along = self.along(scene);
+        let here = all.iter().position(|other| *other == along);
         let next = here.map_or(0, |here| (here + 1) % all.len());
-        self.along = all.swap_remove(next);
-        self.sampled = None;
-        match &self.along {
+        let next = all.swap_remove(next);
+        let told = match &next {
             Along::Driver => words().over(&Catalogue::new(scene).driver().name),
             Along::Time => words().over_time().into(),
             Along::Figure(name) => words().against(name),
-        }
+        };
+        self.along = Some(next);
+        self.sampled = None;
+        told
     }
 
     /// Marks extrema, or no longer.
@@ -198,29 +211,43 @@ impl Plots {
     }
 
     /// Adds the curves of what the scene is held against, dotted and in the scene's unit.
-    fn compare(&mut self, compared: &ComparedScene, unit: &str) {
+    fn compare(&mut self, compared: &ComparedScene, unit: &str, along: &Along) {
         let Some(Sampled { names, outcome, .. }) = &mut self.sampled else {
             return;
         };
         let (scene, solver) = (compared.scene(), compared.solver());
         let catalogue = Catalogue::new(scene);
         let known = |name: &String| catalogue.find(name).is_some();
-        let along = match &self.along {
+        let has_it = match along {
             Along::Driver | Along::Time => true,
             Along::Figure(name) => known(name),
         };
         let names: Vec<String> = names.iter().filter(|name| known(name)).cloned().collect();
         if let (true, SamplingOutcome::Plot(_, plot), Ok(curves)) =
-            (along, outcome, sampled(scene, solver, &names, &self.along))
+            (has_it, outcome, sampled(scene, solver, &names, along))
         {
             let other = Plot::of(&curves).in_unit(scene.unit.symbol(), unit, compared.scale());
             plot.compare(&other, compared.name());
         }
     }
 
-    /// The figures where the driver is.
-    pub(crate) fn here(&self, state: &State) -> Option<Here> {
-        self.curves().map(|curves| curves.here(state))
+    /// The figures where the driver is, as the curves have them: but over time they pass with the scene's speed.
+    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
+        let curves = self.curves()?;
+        if open_scene.timetable().is_none() {
+            return Some(curves.here(open_scene.state()));
+        }
+        if curves.abscissa != Abscissa::Time {
+            return Some(curves.here(&open_scene.state_by_speed()));
+        }
+        let time = open_scene.time()?;
+        Some(curves.here_at(time, open_scene.state()))
+    }
+
+    /// Whether what is plotted has the rates of the scene's motion over time, if that has one.
+    pub(crate) fn is_timed(&self) -> bool {
+        let curves = self.curves();
+        curves.is_none_or(|curves| curves.abscissa == Abscissa::Time)
     }
 
     /// Why a part of what is plotted is not shown.
@@ -241,7 +268,7 @@ impl Plots {
     /// The plot as an SVG document, with the cursor where the driver is; `None` where there is none.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
         let plot = self.plot().ok()?;
-        let here = self.here(open_scene.state());
+        let here = self.here(open_scene);
         let title = &open_scene.scene().title();
         Some(plot.svg(title, PAPER, self.extrema, here.as_ref()))
     }
@@ -328,7 +355,7 @@ fn usual(scene: &Scene) -> Vec<String> {
     let on_ground = |&link: &crate::LinkId| {
         let members = &mechanism.link(link).members;
         let grounded = |m: &crate::Member| mechanism.point(m.point).ground.is_some();
-        !mechanism.is_turned(link) && members.iter().any(grounded)
+        !mechanism.is_directed(link) && members.iter().any(grounded)
     };
     let rocker = mechanism.link_ids().filter(on_ground).last();
     let rocker = rocker.and_then(|link| named(scene.link_name(link), ["omega", "alpha"]));

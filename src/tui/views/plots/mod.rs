@@ -112,10 +112,13 @@ impl Pane for PlotsView {
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
         let area = arrange(app, body).plot.filter(|area| area.contains(at))?;
-        let is_over_driver = app.plots().curves()?.abscissa == Abscissa::Driver;
-        let plot = app.plots().plot().ok().filter(|_| is_over_driver)?;
-        let along = plot.along(&style(app, area), at.x - area.x);
-        along.map(PaneSpot::Along)
+        let plot = app.plots().plot().ok()?;
+        let along = || plot.along(&style(app, area), at.x - area.x);
+        match app.plots().curves()?.abscissa {
+            Abscissa::Driver => along().map(PaneSpot::Along),
+            Abscissa::Time if app.open_scene().timetable().is_some() => along().map(PaneSpot::Time),
+            Abscissa::Time | Abscissa::Figure(_) => None,
+        }
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
@@ -124,6 +127,10 @@ impl Pane for PlotsView {
             (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
             (_, _, Err(_)) => (0, 0),
         }
+    }
+
+    fn is_timed(&self, app: &App) -> bool {
+        app.plots().is_timed()
     }
 
     fn hints(&self, _app: &App) -> &'static [Action] {
@@ -141,7 +148,8 @@ impl Pane for PlotsView {
 
     fn copy(&self, app: &App) -> Copied {
         app.plots().curves().map_or(Copied::Nothing, |curves| {
-            Copied::Text(copying::plotted(curves, app.open_scene().state()))
+            let here = app.plots().here(app.open_scene());
+            Copied::Text(copying::plotted(curves, app.open_scene().at(), here))
         })
     }
 
@@ -172,7 +180,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let area = tell_what_is_hidden(app, area, buffer);
     let look = style(app, area);
-    let here = app.plots().here(app.open_scene().state());
+    let here = app.plots().here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
     mark_panels(plot, &look, area, buffer);

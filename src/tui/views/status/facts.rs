@@ -1,12 +1,13 @@
 //! What the line tells, part by part.
 
+use crate::report::stop_name;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::action::{Action, entry_of};
 use crate::tui::document::writing::{Prompt, Question, SavedContent};
-use crate::tui::figures::format::coordinate;
+use crate::tui::figures::format::{coordinate, rounded};
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
 use crate::tui::views::picker::list::Purpose;
@@ -34,6 +35,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
             Purpose::Open => words().open(),
             Purpose::Compare => words().compare(),
         },
+        Mode::Candidates => words().linkages(),
         Mode::Search(_) => words().search(),
         Mode::Copy => words().copy(),
         Mode::Unsaved(asked) => match asked {
@@ -49,7 +51,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
 
 pub(super) fn scene(app: &App) -> String {
     let name = match app.open_scene().origin() {
-        Origin::Preset(name) => name.clone(),
+        Origin::Preset(name) | Origin::New(name) => name.clone(),
         Origin::File(path) => {
             let name = path.file_name().unwrap_or(path.as_os_str());
             name.to_string_lossy().into_owned()
@@ -64,14 +66,20 @@ pub(super) fn scene(app: &App) -> String {
 pub(super) fn driver(open_scene: &OpenScene) -> String {
     let (at, unit) = (open_scene.at(), open_scene.unit());
     let driver_range = open_scene.driver_range();
+    let decimals = driver_range.decimals();
+    let shortest = |at: f64| match open_scene.time() {
+        // A time leads to coordinates of any number of digits.
+        Some(_) => coordinate(rounded(at, decimals), decimals),
+        None => coordinate(at, decimals),
+    };
     if !driver_range.turns() || driver_range.shuttle().is_some() {
-        let text = coordinate(at, driver_range.decimals());
+        let text = shortest(at);
         return format!("{text:>7} {unit}");
     }
     let turns = (at / crate::angle::TURN).floor();
     // Subtracting whole turns from a decimal leaves digits that nobody asked for.
-    let within = crate::tui::figures::format::rounded(at - turns * crate::angle::TURN, 9);
-    let text = coordinate(within, driver_range.decimals());
+    let within = rounded(at - turns * crate::angle::TURN, 9);
+    let text = shortest(within);
     if turns == 0.0 {
         format!("{text:>6} {unit}")
     } else {
@@ -83,6 +91,26 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
         };
         format!("{text:>6} {unit} {}", words().whole_turns(&turns, is_one))
     }
+}
+
+/// The same, and the time of its motion if it has one, or the speed at which it passes where rates know of none.
+pub(super) fn driver_in_time(app: &App) -> String {
+    let open_scene = app.open_scene();
+    let driver = driver(open_scene);
+    let Some(timetable) = open_scene.timetable() else {
+        return driver;
+    };
+    let time = open_scene
+        .time()
+        .filter(|_| app.view().pane().is_timed(app));
+    let when = match time {
+        Some(time) => words().time_of_motion(&timetable.text(time)),
+        None => words().at_driver_speed(match open_scene.driver_range().turns() {
+            true => "rad",
+            false => open_scene.unit(),
+        }),
+    };
+    format!("{driver}  {when}")
 }
 
 /// How far the work of the view has come: there, the driver is of no interest.
@@ -116,11 +144,13 @@ pub(super) fn near(app: &App) -> Option<String> {
     if app.condition() != Condition::Ok {
         return None;
     }
-    let backwards = app.playback().is_backwards();
+    let stand = open_scene.stand().pace;
+    let goes_back = stand.is_some_and(|moment| moment.speed < 0.0);
+    let backwards = app.playback().is_backwards() != goes_back;
     let (scene, motion) = (open_scene.scene(), open_scene.solver().motion());
     let mut stops = motion.stops.iter();
     if let Some(stop) = stops.find(|stop| stop.at == open_scene.at()) {
-        return Some(words().stop_of(scene.limit_name(stop.limit)));
+        return Some(words().stop_of(&stop_name(scene, stop.limit)));
     }
     let ahead = ahead(
         open_scene.driver_range(),

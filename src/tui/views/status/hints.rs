@@ -1,7 +1,7 @@
 //! The keys that matter now.
 
 use super::{ROOM_FOR_GAPS, Writer, is_listing};
-use crate::tui::app::{App, Mode};
+use crate::tui::app::{App, Mode, View};
 use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::views::accuracy::study_run::Phase;
@@ -85,7 +85,7 @@ fn offered(app: &App) -> &'static [Action] {
         ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
-        Mode::Pick(_) => &[Action::Back],
+        Mode::Pick(_) | Mode::Candidates => &[Action::Back],
         _ => app.view().pane().hints(app),
     }
 }
@@ -98,6 +98,12 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Play if app.playback().is_playing() => words().pause(),
         Action::Scene(SceneAction::NudgeDown) => words().less(),
         Action::Scene(SceneAction::NudgeUp) => words().more(),
+        Action::Scene(SceneAction::Gather) if app.editor().gathered.is_some() => {
+            words().make_gathered()
+        }
+        Action::Back if app.editor().gathered.is_some() && app.view() == View::Scene => {
+            words().drop_gathered()
+        }
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
         Action::Back if app.is_watching() && *app.mode() == Mode::Normal => words().back(),
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => words().stop(),

@@ -48,11 +48,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 /// Scene, driver and state, as a screen tells them that has room for nothing else.
 pub(super) fn in_short(app: &App) -> [String; 3] {
     let state = facts::state(app.condition(), true).0;
-    [
-        facts::scene(app),
-        facts::driver(app.open_scene()),
-        state.into(),
-    ]
+    [facts::scene(app), facts::driver_in_time(app), state.into()]
 }
 
 /// What matters most of the state, then what was said.
@@ -60,7 +56,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     line.gap(1);
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
-    let driver = studied.unwrap_or_else(|| facts::driver(app.open_scene()));
+    let driver = studied.unwrap_or_else(|| facts::driver_in_time(app));
     let is_missing = app.condition() != Condition::Ok;
     let (state, part) = match is_studied {
         true => ("", ScreenPart::Text),
@@ -90,7 +86,7 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     line.gap(1);
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
-    let driver = studied.unwrap_or_else(|| facts::driver(app.open_scene()));
+    let driver = studied.unwrap_or_else(|| facts::driver_in_time(app));
     let state = match is_studied {
         true => "",
         false => facts::state(app.condition(), narrow).0,

@@ -1,0 +1,60 @@
+//! The places of a driver along its whole motion, at which what is drawn of that is solved.
+
+use crate::quantity::{Clock, DriverStand};
+use crate::scene::Scene;
+use crate::solver::{Range, Solver};
+use std::f64::consts::PI;
+
+/// Places in a turn, or in a motion between limits: half a degree, at which the chords of a circle lie
+/// within 1e-5 of its radius.
+const SAMPLES: u32 = 720;
+
+/// The places of the driver along the motion, both ends included.
+pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverStand> + use<> {
+    let (low, high, count, closed) = ends(scene, solver);
+    (0..=count).map(move |k| {
+        let share = f64::from(k) / f64::from(count);
+        // Closer towards limits, where points change fastest.
+        let share = if closed {
+            share
+        } else {
+            (1.0 - (PI * share).cos()) / 2.0
+        };
+        DriverStand::at((low + (high - low) * share).min(high))
+    })
+}
+
+/// The same, or where the scene has a motion over time and that is meant, its moments.
+pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Vec<DriverStand> {
+    let clock = Clock::of(scene).filter(|_| is_timed && scene.motion.is_some());
+    let Some(clock) = clock else {
+        return course(scene, solver).collect();
+    };
+    let range = solver.motion().range;
+    let (begin, end) = clock.span(range);
+    let moments = (0..=SAMPLES).map(|k| {
+        let share = f64::from(k) / f64::from(SAMPLES);
+        let moment = clock.moment(begin + (end - begin) * share, range);
+        DriverStand {
+            at: moment.at,
+            pace: Some(moment),
+        }
+    });
+    moments.collect()
+}
+
+/// Where the motion begins and ends, how many samples that is worth, and whether it closes.
+pub(super) fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
+    let start = scene.mechanism.driver().start;
+    match solver.motion().range {
+        Range::Full { period } => {
+            let count = if period > crate::angle::TURN {
+                2 * SAMPLES
+            } else {
+                SAMPLES
+            };
+            (start, start + period, count, true)
+        }
+        Range::Limited { low, high } => (low, high, SAMPLES, false),
+    }
+}

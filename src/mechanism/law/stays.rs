@@ -1,0 +1,167 @@
+//! When a driver that moves by a law is at a coordinate.
+
+use super::{MotionLaw, TimedStep};
+
+/// Halvings of a stretch of time within which a coordinate is passed once.
+const HALVINGS: u32 = 60;
+
+/// From when to when a driver is at a coordinate, in s: one moment where it does not dwell.
+type Stay = [f64; 2];
+
+impl TimedStep {
+    /// The times from its beginning on between which the coordinate only grows or only falls.
+    fn turns(&self) -> Vec<f64> {
+        match self {
+            TimedStep::Law { time, .. } => vec![0.0, *time],
+            TimedStep::Table(spline) => {
+                let mut turns = vec![0.0];
+                turns.extend(spline.turns());
+                turns.push(spline.ends()[1][0]);
+                turns
+            }
+        }
+    }
+
+    /// When it is at a coordinate, from its beginning on.
+    fn stays(&self, from: f64, coordinate: f64, stays: &mut Vec<Stay>) {
+        let (turns, whole) = (self.turns(), self.time());
+        // Where a step begins and ends is given, and not rounded.
+        let at = |time: f64| match time {
+            _ if time <= 0.0 => from,
+            _ if time >= whole => self.to(),
+            _ => self.moment(from, time).at,
+        };
+        for ends in turns.windows(2) {
+            let (mut before, mut after) = (ends[0], ends[1]);
+            let [low, high] = [at(before), at(after)];
+            match (low == coordinate, high == coordinate) {
+                (true, true) => stays.push([before, after]),
+                (true, false) => stays.push([before; 2]),
+                (false, true) => stays.push([after; 2]),
+                (false, false) if (low < coordinate) == (high < coordinate) => {}
+                (false, false) => {
+                    for _ in 0..HALVINGS {
+                        let middle = 0.5 * (before + after);
+                        let is_past = (at(middle) < coordinate) != (low < coordinate);
+                        *(if is_past { &mut after } else { &mut before }) = middle;
+                    }
+                    stays.push([after; 2]);
+                }
+            }
+        }
+    }
+}
+
+impl MotionLaw {
+    /// When it is at a coordinate in its first period, from 0 s on.
+    fn stays(&self, coordinate: f64) -> Vec<Stay> {
+        let (mut stays, mut from, mut begun) = (Vec::new(), self.start, 0.0);
+        for step in &self.steps {
+            let first = stays.len();
+            step.stays(from, coordinate, &mut stays);
+            for stay in &mut stays[first..] {
+                *stay = stay.map(|time| begun + time);
+            }
+            (from, begun) = (step.to(), begun + step.time());
+        }
+        stays
+    }
+
+    /// The time at which the driver is at a coordinate that lies nearest to a time, in the period of that one where it
+    /// comes back to where it began; `None` where it never is there.
+    #[must_use]
+    pub fn nearest(&self, coordinate: f64, time: f64) -> Option<f64> {
+        let periods = match self.advance == 0.0 {
+            true => vec![(time / self.period).floor()],
+            // One that goes on may go back a little before.
+            false => {
+                let period = ((coordinate - self.start) / self.advance).floor();
+                [-1.0, 0.0, 1.0].map(|by| period + by).to_vec()
+            }
+        };
+        let times = periods.into_iter().flat_map(|period| {
+            let stays = self.stays(coordinate - period * self.advance);
+            let begun = period * self.period;
+            let nearest = move |[from, to]: Stay| (time - begun).max(from).min(to) + begun;
+            stays.into_iter().map(nearest)
+        });
+        times.min_by(|a, b| (a - time).abs().total_cmp(&(b - time).abs()))
+    }
+
+    /// The first time from `low` to `high` at which the driver is at a coordinate.
+    #[must_use]
+    pub fn first(&self, coordinate: f64, [low, high]: [f64; 2]) -> Option<f64> {
+        let periods = [low, high].map(|time| (time / self.period).floor());
+        let mut period = periods[0];
+        while period <= periods[1] {
+            let begun = period * self.period;
+            let stays = self.stays(coordinate - period * self.advance).into_iter();
+            let within = stays.map(|stay| stay.map(|time| time + begun));
+            let mut within = within.filter(|[from, to]| *from <= high && *to >= low);
+            if let Some([from, _]) = within.next() {
+                return Some(from.max(low));
+            }
+            period += 1.0;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{near, step};
+    use super::*;
+    use crate::{ClampedSpline, StepLaw};
+
+    /// 120 deg forth in 0.5 s, 0.25 s at rest, and back in 0.25 s.
+    fn forth_and_back() -> MotionLaw {
+        let steps = vec![
+            step(StepLaw::Harmonic, 120.0, 0.5),
+            step(StepLaw::Constant, 120.0, 0.25),
+            step(StepLaw::Harmonic, 0.0, 0.25),
+        ];
+        MotionLaw::new(0.0, steps, true).unwrap()
+    }
+
+    #[test]
+    fn a_coordinate_is_met_on_the_way_that_is_nearest() {
+        let law = forth_and_back();
+        for (time, found) in [
+            (0.0, 0.25),
+            (0.5, 0.25),
+            (0.75, 0.875),
+            (3.8, 3.875),
+            (-0.1, -0.125),
+        ] {
+            near(law.nearest(60.0, time).unwrap(), found);
+        }
+        // At rest it is where it stands, at an end it turns back.
+        assert_eq!(law.nearest(120.0, 0.625), Some(0.625));
+        assert_eq!(law.nearest(120.0, 0.1), Some(0.5));
+        assert_eq!(law.nearest(0.0, 0.9), Some(1.0));
+        assert_eq!(law.nearest(120.5, 0.5), None);
+        near(law.first(60.0, [0.3, 2.0]).unwrap(), 0.875);
+        assert_eq!(law.first(120.0, [0.6, 2.0]), Some(0.6));
+        assert_eq!(law.first(60.0, [0.3, 0.8]), None);
+    }
+
+    #[test]
+    fn a_motion_that_goes_on_is_met_once() {
+        let law = MotionLaw::new(30.0, vec![step(StepLaw::Cycloidal, 390.0, 2.0)], true).unwrap();
+        for (at, time) in [(30.0, 0.0), (210.0, 1.0), (930.0, 5.0), (-150.0, -1.0)] {
+            near(law.nearest(at, 0.3).unwrap(), time);
+        }
+    }
+
+    /// Through (0.5, 30) between two coordinates of 20 it goes beyond them, and is at 25 on the way up and down.
+    #[test]
+    fn a_table_is_met_between_its_turns() {
+        let knots = vec![[0.0, 20.0], [0.5, 30.0], [0.6, 29.0], [1.0, 20.0]];
+        let table = TimedStep::Table(ClampedSpline::new(knots).unwrap());
+        let law = MotionLaw::new(20.0, vec![table], false).unwrap();
+        let [up, down] = [0.0, 1.0].map(|time| law.nearest(25.0, time).unwrap());
+        assert!(up < 0.5 && down > 0.6, "{up} {down}");
+        near(law.at(up).at, 25.0);
+        near(law.at(down).at, 25.0);
+    }
+}

@@ -1,0 +1,182 @@
+//! How the coordinate of a further input follows the driver's.
+
+mod table;
+
+use super::frame::Frame;
+use crate::mechanism::fraction;
+use crate::{Constant, Double, Input, InputLaw, InputTable, Mechanism, Number};
+use std::sync::Arc;
+use table::{ReadyTable, TableUnits};
+
+/// How the coordinate of an input follows from the driver's.
+#[derive(Clone, Debug)]
+pub(super) struct Following {
+    law: FollowingLaw,
+    /// Its place among the inputs: the driver's is 0.
+    pub number: usize,
+}
+
+#[derive(Clone, Debug)]
+enum FollowingLaw {
+    Proportion(Proportion),
+    Table(Arc<TableMotion>),
+}
+
+/// p = count q / of + phase: q the driver's coordinate as the steps have it, in degrees or scaled lengths, and p
+/// the input's own.
+#[derive(Clone, Copy, Debug)]
+struct Proportion {
+    count: Constant,
+    of: f64,
+    phase: Constant,
+    /// dp/dq as derivatives count them: in radians or scaled lengths, both.
+    rate: Constant,
+}
+
+/// A table, and what turns its derivatives into those in radians or scaled lengths.
+#[derive(Debug)]
+struct TableMotion {
+    table: ReadyTable,
+    first: Constant,
+    second: Constant,
+}
+
+/// The coordinate of an input, in degrees or scaled lengths, and its derivatives by the driver's, in
+/// radians or scaled lengths.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InputMotion<T> {
+    pub p: T,
+    pub w: T,
+    pub a: T,
+}
+
+impl Following {
+    /// Those of a mechanism, in the order of its further inputs.
+    pub(super) fn all(mechanism: &Mechanism, frame: &Frame) -> Vec<Following> {
+        let driver = mechanism.driver().input;
+        let laws = mechanism.timed().iter().map(|timed| match timed.law {
+            InputLaw::Ratio { ratio, phase } => FollowingLaw::Proportion(Proportion::new(
+                [ratio, phase],
+                [driver, timed.input],
+                frame,
+            )),
+            InputLaw::Table(ref table) => {
+                let motion = TableMotion::new(table, [driver, timed.input], frame);
+                FollowingLaw::Table(Arc::new(motion))
+            }
+        });
+        let numbered = laws.zip(1..);
+        numbered
+            .map(|(law, number)| Following { law, number })
+            .collect()
+    }
+
+    #[inline(always)]
+    pub(super) fn at<T: Number>(&self, q: T) -> InputMotion<T> {
+        match &self.law {
+            FollowingLaw::Proportion(line) => line.at(q),
+            FollowingLaw::Table(motion) => motion.at(q),
+        }
+    }
+
+    pub(super) fn is_table(&self) -> bool {
+        matches!(self.law, FollowingLaw::Table(_))
+    }
+
+    /// How far around a coordinate its law is one function: in degrees or scaled lengths.
+    pub(super) fn smooth(&self, q: f64) -> f64 {
+        match &self.law {
+            FollowingLaw::Proportion(_) => f64::INFINITY,
+            FollowingLaw::Table(motion) => motion.table.smooth(q),
+        }
+    }
+}
+
+impl Proportion {
+    fn new([ratio, phase]: [f64; 2], [from, to]: [Input; 2], frame: &Frame) -> Proportion {
+        // A fraction of whole numbers is what was meant.
+        let (count, of) = match fraction(ratio) {
+            Some((count, of)) => (Constant::exactly(count), of),
+            None => (frame.number(ratio), 1.0),
+        };
+        let count = count
+            .scaled(frame.unit_of(from))
+            .scaled(1.0 / frame.unit_of(to));
+        let ratio = if of == 1.0 {
+            count
+        } else {
+            count / Constant::exactly(of)
+        };
+        Proportion {
+            count,
+            of,
+            phase: frame.number(phase).scaled(1.0 / frame.unit_of(to)),
+            rate: ratio * unit(from, to),
+        }
+    }
+
+    #[inline(always)]
+    fn at<T: Number>(&self, q: T) -> InputMotion<T> {
+        InputMotion {
+            p: T::of(self.count) * q / T::exactly(self.of) + T::of(self.phase),
+            w: T::of(self.rate),
+            a: T::default(),
+        }
+    }
+}
+
+impl TableMotion {
+    fn new(table: &InputTable, [from, to]: [Input; 2], frame: &Frame) -> TableMotion {
+        let units = TableUnits {
+            driver: frame.unit_of(from),
+            own: frame.unit_of(to),
+        };
+        let first = unit(from, to);
+        let once_more = match from {
+            Input::Turn(_) => Constant::known(Double::DEGREES),
+            Input::Push(_) => Constant::exactly(1.0),
+        };
+        TableMotion {
+            table: ReadyTable::new(table, frame, units),
+            first,
+            second: first * once_more,
+        }
+    }
+
+    #[inline(never)]
+    fn at<T: Number>(&self, q: T) -> InputMotion<T> {
+        let InputMotion { p, w, a } = self.table.at(q);
+        InputMotion {
+            p,
+            w: w * T::of(self.first),
+            a: a * T::of(self.second),
+        }
+    }
+}
+
+/// What turns the ratio of two coordinates into that of their derivatives.
+fn unit(from: Input, to: Input) -> Constant {
+    match (from, to) {
+        (Input::Turn(_), Input::Push(_)) => Constant::known(Double::DEGREES),
+        (Input::Push(_), Input::Turn(_)) => Constant::known(Double::RADIAN),
+        _ => Constant::exactly(1.0),
+    }
+}
+
+impl<T: Number> InputMotion<T> {
+    /// The driver's own coordinate.
+    #[inline(always)]
+    fn driver(q: T) -> InputMotion<T> {
+        InputMotion {
+            p: q,
+            w: T::exactly(1.0),
+            a: T::default(),
+        }
+    }
+
+    /// Of an input that follows, or of the driver itself.
+    #[inline(always)]
+    pub(super) fn of(following: Option<&Following>, q: T) -> InputMotion<T> {
+        following.map_or_else(|| InputMotion::driver(q), |following| following.at(q))
+    }
+}
