@@ -15,7 +15,7 @@
 use super::evolution::{Quarry, Raw};
 use super::linear::{LinkagePlace, Projection};
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{GivenPivots, WantedPath};
+use super::wanted::{HeldPivots, WantedPath};
 use crate::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +62,7 @@ struct NormalSums {
 /// Which unknowns a task leaves, and where each stands.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
-    held: GivenPivots,
+    held: HeldPivots,
     form: LinkageForm,
     timed: bool,
     count: usize,
@@ -72,9 +72,9 @@ impl Layout {
     fn of(wanted: &WantedPath, quarry: &Quarry) -> Layout {
         let timed = wanted.turns.is_some();
         let linear = match quarry.held {
-            GivenPivots::Free => 6,
-            GivenPivots::Crank(_) | GivenPivots::Rocker(_) => 4,
-            GivenPivots::Both(..) => 2,
+            HeldPivots::Free => 6,
+            HeldPivots::Crank(_) | HeldPivots::Rocker(_) => 4,
+            HeldPivots::Both(..) => 2,
         };
         let lengths = match quarry.form {
             LinkageForm::FourBar => 3,
@@ -154,23 +154,23 @@ impl Fit {
         };
         let mut by_ground = swing * rates.by_ground;
         match layout.held {
-            GivenPivots::Free => {
+            HeldPivots::Free => {
                 push(Vec2::X);
                 push(Vec2::new(0.0, 1.0));
                 push(crank);
                 push(crank.perp());
             }
-            GivenPivots::Crank(_) => {
+            HeldPivots::Crank(_) => {
                 push(crank);
                 push(crank.perp());
             }
-            GivenPivots::Rocker(_) => {
+            HeldPivots::Rocker(_) => {
                 let crank = crank - Vec2::new(shape.ground, 0.0);
                 push(crank);
                 push(crank.perp());
                 by_ground = by_ground - place.scale;
             }
-            GivenPivots::Both(..) => {
+            HeldPivots::Both(..) => {
                 by_ground = by_ground - crank.turned(place.scale) * (1.0 / shape.ground);
             }
         }
@@ -242,10 +242,10 @@ impl Fit {
         new.angles.extend_from_slice(&self.angles);
         let mut rest = step.iter().copied();
         let mut next = || rest.next().unwrap_or(0.0);
-        if layout.held == GivenPivots::Free {
+        if layout.held == HeldPivots::Free {
             new.place.origin += Vec2::new(next(), next());
         }
-        if !matches!(layout.held, GivenPivots::Both(..)) {
+        if !matches!(layout.held, HeldPivots::Both(..)) {
             new.place.scale += Vec2::new(next(), next());
         }
         new.place.arm += Vec2::new(next(), next());
@@ -265,10 +265,10 @@ impl Fit {
     /// What given pivots say of the place.
     fn settle(&mut self) {
         match self.quarry.held {
-            GivenPivots::Free => {}
-            GivenPivots::Crank(a) => self.place.origin = a,
-            GivenPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
-            GivenPivots::Both(a, d) => {
+            HeldPivots::Free => {}
+            HeldPivots::Crank(a) => self.place.origin = a,
+            HeldPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
+            HeldPivots::Both(a, d) => {
                 self.place.origin = a;
                 self.place.scale = (d - a) * (1.0 / self.shape.ground);
             }
@@ -405,8 +405,8 @@ impl NormalSums {
                 if i == l {
                     sum += damping * self.all[i][i] + f64::MIN_POSITIVE;
                 }
-                for m in 0..l {
-                    sum -= lower[i][m] * lower[l][m];
+                for (one, other) in lower[i][..l].iter().zip(&lower[l]) {
+                    sum -= one * other;
                 }
                 if i == l {
                     if !(sum > 0.0) {

@@ -2,7 +2,7 @@
 
 use super::descent::Fit;
 use super::shape::LinkageForm;
-use super::wanted::{GivenPivots, WantedPath};
+use super::wanted::{HeldPivots, WantedPath};
 use crate::Vec2;
 
 /// Linkages whose pivots and pins lie together within this part of their largest distance are one.
@@ -77,7 +77,7 @@ impl Ranked {
         // The same with crank and rocker exchanged, where the crank's angles do not count.
         let turns_over = x.shape.form == LinkageForm::FourBar
             && wanted.turns.is_none()
-            && !matches!(x.quarry.held, GivenPivots::Both(..));
+            && !matches!(x.quarry.held, HeldPivots::Both(..));
         together([0, 1, 2, 3]) || turns_over && together([1, 0, 3, 2])
     }
 }

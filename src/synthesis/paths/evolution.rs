@@ -3,7 +3,7 @@
 
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{GivenPivots, PathPart, WantedPath};
+use super::wanted::{HeldPivots, PathPart, WantedPath};
 use crate::numeric::SeededChance;
 
 /// Numbers of a design at the most: three ratios, the first angle, the whole turn and two of its unevenness.
@@ -25,7 +25,7 @@ const FLAT_COUNTS: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quarry {
     pub(super) form: LinkageForm,
-    pub(super) held: GivenPivots,
+    pub(super) held: HeldPivots,
     /// The sign of the assembly.
     pub(super) sign: f64,
     /// Which way the crank turns where times are free: 1 or -1.

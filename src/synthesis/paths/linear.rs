@@ -12,7 +12,7 @@
 //! of them: with D given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
 
 use super::shape::LinkageShape;
-use super::wanted::{GivenPivots, WantedPath};
+use super::wanted::{HeldPivots, WantedPath};
 use crate::{Vec2, angle};
 
 /// What a linkage of known shape still lacks.
@@ -39,14 +39,14 @@ pub(super) struct Projection {
 /// How much less a linkage of a hundred times the path's size counts: it keeps apart what would else be one.
 const RIDGE: f64 = 1e-8;
 
-impl GivenPivots {
+impl HeldPivots {
     /// What comes before the linear unknowns: the point from which the path is seen, and how much of g stands there.
     #[inline]
     pub(super) fn seen(self) -> (Vec2, f64) {
         match self {
-            GivenPivots::Free => (Vec2::ZERO, 0.0),
-            GivenPivots::Crank(a) | GivenPivots::Both(a, _) => (a, 0.0),
-            GivenPivots::Rocker(d) => (d, 1.0),
+            HeldPivots::Free => (Vec2::ZERO, 0.0),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => (a, 0.0),
+            HeldPivots::Rocker(d) => (d, 1.0),
         }
     }
 }
@@ -56,15 +56,15 @@ impl Projection {
     #[inline]
     pub(super) fn of(
         wanted: &WantedPath,
-        held: GivenPivots,
+        held: HeldPivots,
         shape: &LinkageShape,
         angles: impl Iterator<Item = f64>,
     ) -> Projection {
         let (seen, part) = held.seen();
         let back = Vec2::new(part * shape.ground, 0.0);
         let fixed = match held {
-            GivenPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
-            GivenPivots::Free | GivenPivots::Crank(_) | GivenPivots::Rocker(_) => None,
+            HeldPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
+            HeldPivots::Free | HeldPivots::Crank(_) | HeldPivots::Rocker(_) => None,
         };
         let mut sums = ProjectionSums::default();
         let mut short = 0.0;
@@ -84,13 +84,13 @@ impl Projection {
                 let arm = sums.ut * (1.0 / (1.0 + RIDGE));
                 (scale, arm, sums.tt - arm.dot(sums.ut))
             }
-            (GivenPivots::Free, None) => sums.centred().two(),
+            (HeldPivots::Free, None) => sums.centred().two(),
             (_, None) => sums.two(),
         };
         let origin = match held {
-            GivenPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
-            GivenPivots::Crank(a) | GivenPivots::Both(a, _) => a,
-            GivenPivots::Rocker(d) => d - scale * shape.ground,
+            HeldPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => a,
+            HeldPivots::Rocker(d) => d - scale * shape.ground,
         };
         Projection {
             place: LinkagePlace { origin, scale, arm },

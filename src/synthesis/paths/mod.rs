@@ -32,7 +32,7 @@ use shape::LinkageForm;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::thread;
-use wanted::{GivenPivots, WantedPath};
+use wanted::{HeldPivots, WantedPath};
 
 /// Points that the evolution looks at; the descent looks at all.
 const ROUGH_POINTS: usize = 36;
@@ -142,16 +142,16 @@ impl PathSearch<'_> {
     }
 
     /// To which links the pivots that are given may belong.
-    fn held(&self, wanted: &WantedPath, form: LinkageForm) -> Vec<GivenPivots> {
+    fn held(&self, wanted: &WantedPath, form: LinkageForm) -> Vec<HeldPivots> {
         let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
         match (pivots[..].as_ref(), form) {
-            ([], _) => vec![GivenPivots::Free],
+            ([], _) => vec![HeldPivots::Free],
             ([one], LinkageForm::FourBar) => {
-                vec![GivenPivots::Crank(*one), GivenPivots::Rocker(*one)]
+                vec![HeldPivots::Crank(*one), HeldPivots::Rocker(*one)]
             }
-            ([one], LinkageForm::SliderCrank) => vec![GivenPivots::Crank(*one)],
+            ([one], LinkageForm::SliderCrank) => vec![HeldPivots::Crank(*one)],
             ([one, two], LinkageForm::FourBar) if one != two => {
-                vec![GivenPivots::Both(*one, *two), GivenPivots::Both(*two, *one)]
+                vec![HeldPivots::Both(*one, *two), HeldPivots::Both(*two, *one)]
             }
             // A slider-crank has one pivot, and nothing has three.
             _ => Vec::new(),
@@ -201,10 +201,10 @@ impl PathSearch<'_> {
             all.into_iter().find(|&p| wanted.inside(p) == held)
         };
         let (crank, rocker) = match fit.quarry.held {
-            GivenPivots::Free => (None, None),
-            GivenPivots::Crank(a) => (given(a), None),
-            GivenPivots::Rocker(d) => (None, given(d)),
-            GivenPivots::Both(a, d) => (given(a), given(d)),
+            HeldPivots::Free => (None, None),
+            HeldPivots::Crank(a) => (given(a), None),
+            HeldPivots::Rocker(d) => (None, given(d)),
+            HeldPivots::Both(a, d) => (given(a), given(d)),
         };
         let places = |&degrees: &f64| fit.places(degrees).map(|p| wanted.outside(p));
         let all: Vec<_> = fit.angles.iter().map(places).collect();

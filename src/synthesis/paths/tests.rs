@@ -1,4 +1,4 @@
-use super::super::planted::{PlantedLinkage, tracer};
+use super::super::planted::{PlantedDrive, tracer};
 use super::*;
 use crate::Vec2;
 use crate::numeric::SeededChance;
@@ -54,9 +54,9 @@ fn planted(
     slides: bool,
     closed: bool,
     count: usize,
-) -> (PlantedLinkage, Vec<f64>, Vec<Vec2>) {
+) -> (PlantedDrive, Vec<f64>, Vec<Vec2>) {
     loop {
-        let planted = PlantedLinkage::random(chance, slides);
+        let planted = PlantedDrive::random(chance, slides);
         let span = if closed {
             360.0
         } else {
@@ -89,7 +89,7 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
     let Partner::Rocker(d) = proposal.partner else {
         return false;
     };
-    let bar = PlantedLinkage {
+    let bar = PlantedDrive {
         pivot: proposal.pivot,
         far: proposal.partner,
         crank,

@@ -12,7 +12,7 @@ pub(super) struct PathPart {
 
 /// Which pivots are given, and to which link each belongs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum GivenPivots {
+pub(super) enum HeldPivots {
     /// None.
     Free,
     /// The crank's.
