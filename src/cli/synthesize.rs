@@ -5,12 +5,16 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
+#[cfg(feature = "tui")]
+use super::workbench;
 use crate::files::{limited, read_any};
 use crate::nearest::nearest;
 use crate::report::SynthesisReport;
 use crate::scene::{LARGEST_FILE, presets};
 use crate::synthesis::{Synthesis, SynthesisOrder};
 use crate::task_file::{ExampleTask, TaskFile};
+#[cfg(feature = "tui")]
+use crate::tui::TaskOrder;
 use crate::wording::words;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf, is_separator};
@@ -28,6 +32,15 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
         return Err(Failure::Usage(words().tolerance_is_no_length().into()));
     }
     let file = read(&args.task)?;
+    #[cfg(feature = "tui")]
+    if args.view {
+        return workbench::open_task(TaskOrder {
+            name: called(&args.task),
+            file,
+            seed: args.seed,
+            tolerance: args.tolerance,
+        });
+    }
     let order = SynthesisOrder {
         seed: args.seed,
         threads: thread::available_parallelism().map_or(1, usize::from),
@@ -54,6 +67,16 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
     match found.good.is_empty() {
         true => Err(Failure::Cannot(words().nothing_does_the_task().into())),
         false => Ok(()),
+    }
+}
+
+/// What a task is called in a list: its example, or its file without the ending.
+#[cfg(feature = "tui")]
+fn called(name: &Path) -> String {
+    let stem = name.file_stem().map(|stem| stem.to_string_lossy());
+    match stem {
+        Some(stem) if stem != "-" => stem.into_owned(),
+        _ => "task".into(),
     }
 }
 

@@ -4,7 +4,7 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
+    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, Task, TaskDefect, TaskKind,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -13,7 +13,7 @@ use std::io;
 
 /// Digits of lengths, and of misses and angles.
 const DIGITS: usize = 6;
-const FEW: usize = 3;
+pub(super) const FEW: usize = 3;
 /// Defective ones that are told at most.
 const MOST_DEFECTIVE: usize = 10;
 
@@ -66,7 +66,7 @@ impl SynthesisReport<'_> {
         let mut page = Page::aligned();
         page.title(&self.file.name);
         let mut facts = Facts::default();
-        facts.tell(words().wanted_motion(), [self.wanted()]);
+        facts.tell(words().wanted_motion(), [wanted(&self.file.task)]);
         facts.tell(words().designs_found(), [self.verdict()]);
         page.add(Content::Facts(facts));
         if !self.told().is_empty() {
@@ -85,15 +85,8 @@ impl SynthesisReport<'_> {
         page
     }
 
-    fn wanted(&self) -> String {
-        match &self.file.task.kind {
-            TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
-            TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
-            TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
-        }
-    }
-
-    fn verdict(&self) -> String {
+    /// How many were found, and whether there are others.
+    pub(crate) fn verdict(&self) -> String {
         let found = self.found;
         words().candidates_found(
             found.good.len(),
@@ -104,7 +97,7 @@ impl SynthesisReport<'_> {
     }
 
     /// The unit of what is missed.
-    fn miss_unit(&self) -> &'static str {
+    pub(crate) fn miss_unit(&self) -> &'static str {
         match &self.file.task.kind {
             TaskKind::Function(task) if task.output == Output::Angle => "deg",
             _ => self.file.unit.symbol(),
@@ -136,15 +129,11 @@ impl SynthesisReport<'_> {
                 Some(length) => significant(length, DIGITS),
                 None => "-".to_owned(),
             };
-            let turns = match figures.full_turn {
-                true => words().turns_fully_shortly(),
-                false => words().swings_shortly(),
-            };
             let mut cells: Vec<String> = links.iter().map(|(link, _)| length(*link)).collect();
             cells.extend([
                 significant(figures.transmission, FEW),
                 significant(figures.miss, FEW),
-                turns.to_owned(),
+                turns(candidate).to_owned(),
             ]);
             cells.extend(lacks.then(|| lacking(&candidate.missed)));
             table.row(number.to_string(), cells.into_iter().map(Cell::sure));
@@ -159,7 +148,7 @@ impl SynthesisReport<'_> {
         lengths.join(", ")
     }
 
-    fn reasons(&self, candidate: &Candidate) -> String {
+    pub(super) fn reasons(&self, candidate: &Candidate) -> String {
         let reasons = candidate.defects.iter().map(reason);
         reasons.collect::<Vec<_>>().join("; ")
     }
@@ -315,8 +304,17 @@ fn is_driven(candidate: &Candidate) -> bool {
     !candidate.defects.contains(&TaskDefect::Unopened)
 }
 
+/// The motion that is wanted, in a few words.
+pub(crate) fn wanted(task: &Task) -> String {
+    match &task.kind {
+        TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
+        TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
+        TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
+    }
+}
+
 /// Crank, coupler, rocker and the distance of the pivots.
-fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
+pub(super) fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
     let proposal = &candidate.proposal;
     let Some((crank, coupler, rocker)) = proposal.lengths() else {
         return [None; 4];
@@ -326,6 +324,14 @@ fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
         Partner::Slide(_) => None,
     };
     [Some(crank), Some(coupler), rocker, ground]
+}
+
+/// Whether the crank turns fully, in a word.
+pub(super) fn turns(candidate: &Candidate) -> &'static str {
+    match candidate.figures.full_turn {
+        true => words().turns_fully_shortly(),
+        false => words().swings_shortly(),
+    }
 }
 
 /// A defect in words; points are counted from 1.
@@ -340,7 +346,7 @@ fn reason(defect: &TaskDefect) -> String {
     }
 }
 
-fn lacking(missed: &[MissedWish]) -> String {
+pub(super) fn lacking(missed: &[MissedWish]) -> String {
     let names: Vec<&str> = missed.iter().map(wish).collect();
     match names.is_empty() {
         true => "-".into(),

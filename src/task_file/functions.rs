@@ -2,7 +2,7 @@
 
 use super::{Reader, WrittenTask, lacks, measured, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
-use crate::expression::{Dimension, Measured};
+use crate::expression::{Dimension, MeasuredNumber};
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
@@ -150,7 +150,7 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         return None;
     }
     let mut at = |x: f64| {
-        let worth = Measured {
+        let worth = MeasuredNumber {
             value: crate::Double::exactly(x),
             dimension: None,
         };

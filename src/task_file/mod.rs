@@ -83,6 +83,13 @@ const KINDS: [(&str, &[&str]); 3] = [
 ];
 
 impl TaskFile {
+    /// Whether a file is meant as a task: it has a `kind`, which no scene has.
+    #[must_use]
+    pub fn is_meant(bytes: &[u8]) -> bool {
+        let text = std::str::from_utf8(bytes).unwrap_or_default();
+        document::has_key(text.trim_start_matches('\u{feff}'), "kind")
+    }
+
     /// Reads a task from the bytes of a file; `origin` is the name of the file in messages.
     ///
     /// # Errors

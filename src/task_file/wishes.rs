@@ -62,7 +62,7 @@ pub(super) fn wishes(
             "transmission",
             (value, Dimension::DEGREES),
             is_angle,
-            words().from_0_to_90(),
+            words().angle_below_90(),
         )
     });
     let ratio = table.ratio.as_ref();

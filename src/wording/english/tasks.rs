@@ -40,7 +40,7 @@ catalogue! {
         turns_end_within_one = "of a closed path all `turns` lie within one turn: the last comes back to the first point";
         direction_wants_order = "`order = false` and a `direction` contradict each other: points in any order are come to from either side";
         one_output = "a function has one output: of `linkages` name one";
-        from_0_to_90 = "from 0 to below 90";
+        angle_below_90 = "from 0 to below 90";
         at_least_1 = "at least 1";
         inside_is_a_box = "`inside` must be two opposite corners of a box";
         no_turning_direction(name: &str) = "{name} is no direction of turning";
@@ -105,11 +105,29 @@ catalogue! {
         note_of_candidate(miss: &str, unit: &str, transmission: &str) =
             "Driven through its task: it misses by {miss} {unit} at most, with a transmission angle of at least {transmission} deg on the way.";
 
+        // The list of what came of it.
+        linkages = "linkages";
+        linkages_for(task: &str) = "Linkages for {task}";
+        good_and_defective(good: usize, defective: usize) = {
+            match defective {
+                0 => format!("{good} found"),
+                _ => format!("{good} found, {defective} defective"),
+            }
+        };
+        looking_for_linkages(percent: u32) = "looking for linkages: {percent} %";
+        at_point_of_task(point: usize, points: usize, crank: &str) =
+            "point {point} of {points}, crank at {crank} deg";
+        point_by_point = "from point to point";
+        task_in_preview(wanted: &str) = "a task: {wanted}; Enter looks for linkages that do it";
+        found_before = "found before: Enter lists them";
+        task_is_no_scene = "this is a task, and no scene";
+
         // The command.
         does_synthesize = "Find linkages that do a task: poses, a function or a path";
         task_to_do = "A task file, `-` for standard input, or an example: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "How many linkages are told, the best first";
         tolerance_of_candidates = "How far each length may be off: it is written into the scenes";
+        candidates_in_workbench = "Go through the linkages in the workbench, each on its way, and take one as a scene";
         folder_of_candidates = "A folder for a scene of each linkage that is told";
         tolerance_is_no_length = "--tolerance must be a length, and not negative";
         nothing_does_the_task = "no linkage was found that does the task";
@@ -122,6 +140,7 @@ catalogue! {
         examples_of_synthesize = "\
 Examples:
   krank synthesize wiper
+  krank synthesize wiper --view
   krank synthesize straight-line --top 3 -o found
   krank synthesize task.toml --format json --seed 7
 ";

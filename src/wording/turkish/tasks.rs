@@ -40,7 +40,7 @@ catalogue! {
         turns_end_within_one = "kapalı bir yolda bütün `turns` bir tam dönüşün içindedir: sonuncusu ilk noktaya döner";
         direction_wants_order = "`order = false` ile `direction` çelişir: sırası serbest olan noktalara iki yandan da gelinir";
         one_output = "bir işlevin tek çıkışı vardır: `linkages` içinde birini yazın";
-        from_0_to_90 = "0 ile 90 arasında (90 hariç)";
+        angle_below_90 = "0 ile 90 arasında (90 hariç)";
         at_least_1 = "en az 1";
         inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
         no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
@@ -101,11 +101,29 @@ catalogue! {
         note_of_candidate(miss: &str, unit: &str, transmission: &str) =
             "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki bağlama açısı en az {transmission} derecedir.";
 
+        // The list of what came of it.
+        linkages = "mekanizmalar";
+        linkages_for(task: &str) = "{task} için mekanizmalar";
+        good_and_defective(good: usize, defective: usize) = {
+            match defective {
+                0 => format!("{good} bulundu"),
+                _ => format!("{good} bulundu, {defective} kusurlu"),
+            }
+        };
+        looking_for_linkages(percent: u32) = "mekanizma aranıyor: %{percent}";
+        at_point_of_task(point: usize, points: usize, crank: &str) =
+            "nokta {point} / {points}, krank {crank} derecede";
+        point_by_point = "noktadan noktaya";
+        task_in_preview(wanted: &str) = "bir görev: {wanted}; Enter onu yapan mekanizmaları arar";
+        found_before = "önceden bulundu: Enter listeler";
+        task_is_no_scene = "bu bir görev, sahne değil";
+
         // The command.
         does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
         task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
         tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
+        candidates_in_workbench = "Mekanizmaları çalışma tezgâhında yolları boyunca gezdir, birini sahne olarak al";
         folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
         tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
         nothing_does_the_task = "görevi yapan bir mekanizma bulunamadı";
@@ -116,6 +134,7 @@ catalogue! {
         examples_of_synthesize = "\
 Örnekler:
   krank synthesize wiper
+  krank synthesize wiper --view
   krank synthesize straight-line --top 3 -o found
   krank synthesize task.toml --format json --seed 7
 ";
