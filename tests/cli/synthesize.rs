@@ -205,13 +205,23 @@ fn the_scenes_of_a_function_err_by_what_is_told() {
     }
 }
 
+/// What rounding leaves differs from machine to machine.
+fn without_rounding(text: &str) -> String {
+    let tiny = |word: &str| word.contains("e-1") && word.parse::<f64>().is_ok_and(|x| x < 1e-9);
+    let words = text
+        .split_inclusive(' ')
+        .map(|word| match tiny(word.trim_end()) {
+            true => word.replace(|c: char| c != ' ', "~"),
+            false => word.to_owned(),
+        });
+    words.collect()
+}
+
 #[test]
 fn the_examples_are_told_shortly() {
     for example in ["wiper", "hatch", "logarithm"] {
-        insta::assert_snapshot!(
-            format!("synthesize_{example}"),
-            done(&["synthesize", example, "--top", "3"])
-        );
+        let told = done(&["synthesize", example, "--top", "3"]);
+        insta::assert_snapshot!(format!("synthesize_{example}"), without_rounding(&told));
     }
 }
 

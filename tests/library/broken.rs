@@ -181,7 +181,7 @@ fn changed_tasks_are_read_or_refused() {
 /// Numbers at the ends of what is taken do not stop a method.
 #[test]
 fn numbers_of_any_size_are_run() {
-    for size in ["1e300", "1e150", "1e-150", "1e-300", "0"] {
+    for size in ["1e300", "1e-300", "0"] {
         for text in [
             format!("kind = \"poses\"\nposes = [[0, 0, 0], [{size}, 1, 10], [2, {size}, 20]]\n"),
             format!(
