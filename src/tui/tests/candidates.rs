@@ -31,7 +31,7 @@ fn candidates_are_told_in_the_language_that_is_spoken() {
         Language::Turkish.speak();
         let turkish = looking_for_hatch(size).text();
         Language::English.speak();
-        for told in ["hatch icin mekanizmalar", "sapma baglama krank", "kusurlu"] {
+        for told in ["hatch icin meka", "sapma mm baglama krank", "kusurlu"] {
             let said = turkish.split_whitespace().collect::<Vec<_>>().join(" ");
             assert!(said.contains(told), "{told}\n{turkish}");
         }
