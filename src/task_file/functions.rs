@@ -142,10 +142,9 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let y = reader.string(&words().key_of("y", "`function`"), y)?;
     let (from, to, count) = (from?, to?, count?);
     let points = usize::try_from(count as i64).unwrap_or(0);
-    if !(to > from && (to - from).is_finite())
-        || !(3..=MOST).contains(&points)
-        || points as f64 != count
-    {
+    let is_range = to > from && (to - from).is_finite();
+    let is_count = (3..=MOST).contains(&points) && points as f64 == count;
+    if !(is_range && is_count) {
         reader.report(Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""));
         return None;
     }
