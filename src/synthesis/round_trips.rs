@@ -341,8 +341,8 @@ fn misses_count_by_their_weights() {
     let mut points: Vec<Vec2> = (0..3)
         .map(|point| super::planted::tracer(&proposal, point))
         .collect();
-    points[1] = points[1] + Vec2::new(0.3, 0.4);
-    points[2] = points[2] + Vec2::new(0.0, 1.0);
+    points[1] += Vec2::new(0.3, 0.4);
+    points[2] += Vec2::new(0.0, 1.0);
     let task = task(TaskKind::Path(PathTask {
         points,
         weights: vec![1.0, 4.0, 3.0],
