@@ -10,7 +10,7 @@ use super::workbench;
 use crate::files::{limited, read_any};
 use crate::nearest::nearest;
 use crate::report::SynthesisReport;
-use crate::scene::LARGEST_FILE;
+use crate::scene::{LARGEST_FILE, presets};
 use crate::synthesis::{Synthesis, SynthesisOrder};
 use crate::task_file::{ExampleTask, TaskFile};
 #[cfg(feature = "tui")]
@@ -106,6 +106,9 @@ fn read(name: &Path) -> Result<TaskFile, Failure> {
 
 fn unknown(name: &str) -> Failure {
     let names = || ExampleTask::all().iter().map(|task| task.name);
+    if presets::find(name).is_some() {
+        return Failure::Usage(words().preset_is_no_task(name));
+    }
     let near = nearest(name, names()).map(str::to_owned);
     let all = names().collect::<Vec<_>>().join(", ");
     Failure::Usage(words().no_task_and_no_file(name, &near.unwrap_or(all)))
@@ -126,10 +129,14 @@ fn save(
         };
         files.push((folder.join(format!("candidate-{number}.toml")), text));
     }
+    if files.is_empty() {
+        return Ok(());
+    }
     for (path, text) in &files {
         let is_lost = match read_any(path, LARGEST_FILE) {
             Ok(bytes) => bytes != text.as_bytes(),
-            Err(error) => error.kind() != ErrorKind::NotFound,
+            // That the folder is none is told where it is made.
+            Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),
         };
         if is_lost {
             return Err(Failure::Cannot(

@@ -164,6 +164,8 @@ impl SynthesisReport<'_> {
             };
             let [crank, coupler, rocker, _] = lengths(candidate);
             let figures = &candidate.figures;
+            // What was never opened has no figures.
+            let told = |figure: f64| is_driven(candidate).then_some(figure);
             let first = candidate.proposal.places.first();
             json!({
                 "A": [pivot.x, pivot.y],
@@ -176,11 +178,11 @@ impl SynthesisReport<'_> {
                 "r4": rocker,
                 "driver": candidate.at,
                 "full_turn": figures.full_turn,
-                "transmission": figures.transmission,
-                "ratio": figures.ratio,
-                "miss": figures.miss,
-                "rms": figures.rms,
-                "angle_miss": figures.angle_miss,
+                "transmission": told(figures.transmission),
+                "ratio": told(figures.ratio),
+                "miss": told(figures.miss),
+                "rms": told(figures.rms),
+                "angle_miss": told(figures.angle_miss),
                 "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
                 "defects": candidate.defects.iter().map(reason).collect::<Vec<_>>(),
             })
@@ -199,7 +201,7 @@ impl SynthesisReport<'_> {
     /// # Errors
     /// Those of writing.
     pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
-        const HEADS: [&str; 15] = [
+        const HEADS: [&str; 23] = [
             "candidate",
             "A.x",
             "A.y",
@@ -210,39 +212,69 @@ impl SynthesisReport<'_> {
             "B.y",
             "C.x",
             "C.y",
-            "transmission [deg]",
+            "P.x",
+            "P.y",
+            "r2",
+            "r3",
+            "r4",
+            "transmission",
             "ratio",
             "miss",
             "rms",
+            "angle_miss",
+            "full_turn",
+            "wishes_missed",
             "state",
         ];
+        let length = self.file.unit.symbol();
+        let miss = self.miss_unit();
+        let unit = |head: &str| match head {
+            "guide" | "transmission" | "angle_miss" => "deg",
+            "miss" | "rms" => miss,
+            "candidate" | "ratio" | "full_turn" | "wishes_missed" | "state" => "",
+            _ => length,
+        };
+        let head = |head: &str| match unit(head) {
+            "" => head.to_owned(),
+            unit => format!("{head} [{unit}]"),
+        };
         let mut rows = CsvSheet::new(dialect, to);
-        rows.record(HEADS)?;
-        let all = self.told().iter().chain(&self.found.defective);
-        for (number, candidate) in (1..).zip(all) {
+        rows.record(HEADS.map(head))?;
+        let good = (1..).zip(self.told());
+        let good = good.map(|(number, candidate): (usize, _)| (number.to_string(), candidate));
+        let defective = self.found.defective.iter();
+        let defective = defective.map(|candidate| (String::new(), candidate));
+        for (number, candidate) in good.chain(defective) {
             let proposal = &candidate.proposal;
             let (d, guide) = match proposal.partner {
                 Partner::Rocker(d) => (Some(d), None),
                 Partner::Slide(angle) => (None, Some(angle)),
             };
             let first = proposal.places.first();
-            let (b, c) = (first.map(|place| place[0]), first.map(|place| place[1]));
-            let figures = &candidate.figures;
-            let numbers = [
-                Some(proposal.pivot.x),
-                Some(proposal.pivot.y),
-                d.map(|d| d.x),
-                d.map(|d| d.y),
-                guide,
-                b.map(|b| b.x),
-                b.map(|b| b.y),
-                c.map(|c| c.x),
-                c.map(|c| c.y),
-                Some(figures.transmission),
-                Some(figures.ratio),
-                Some(figures.miss),
-                Some(figures.rms),
+            let places = [
+                Some(proposal.pivot),
+                d,
+                first.map(|place| place[0]),
+                first.map(|place| place[1]),
+                proposal.tracer,
             ];
+            let [a, d, b, c, p] = places.map(|at| [at.map(|at| at.x), at.map(|at| at.y)]);
+            let [crank, coupler, rocker, _] = lengths(candidate);
+            let figures = &candidate.figures;
+            // What was never opened has no figures.
+            let told = |figure: f64| is_driven(candidate).then_some(figure);
+            let numbers = [a, d, [guide, b[0]], [b[1], c[0]], [c[1], p[0]]];
+            let numbers = numbers.into_iter().flatten().chain([
+                p[1],
+                crank,
+                coupler,
+                rocker,
+                told(figures.transmission),
+                told(figures.ratio),
+                told(figures.miss),
+                told(figures.rms),
+                told(figures.angle_miss),
+            ]);
             let cell = |number: Option<f64>| {
                 let mut cell = String::new();
                 if let Some(number) = number {
@@ -254,9 +286,13 @@ impl SynthesisReport<'_> {
                 true => "ok".to_owned(),
                 false => self.reasons(candidate),
             };
-            let cells = std::iter::once(number.to_string())
-                .chain(numbers.map(cell))
-                .chain([state]);
+            let wishes: Vec<&str> = candidate.missed.iter().map(wish).collect();
+            let turns = told(f64::from(u8::from(figures.full_turn)));
+            let cells = std::iter::once(number).chain(numbers.map(cell)).chain([
+                cell(turns),
+                wishes.join(" "),
+                state,
+            ]);
             rows.record(cells)?;
         }
         rows.finish()
@@ -270,6 +306,11 @@ pub(crate) fn wanted(task: &Task) -> String {
         TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
         TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
     }
+}
+
+/// Whether the solver could open it at the first point.
+fn is_driven(candidate: &Candidate) -> bool {
+    !candidate.defects.contains(&TaskDefect::Unopened)
 }
 
 /// Crank, coupler, rocker and the distance of the pivots.
@@ -300,6 +341,7 @@ fn reason(defect: &TaskDefect) -> String {
         TaskDefect::Branch { from, to } => words().branch_between(from + 1, to + 1),
         TaskDefect::Circuit { from, to } => words().circuit_between(from + 1, to + 1),
         TaskDefect::Order { from, to } => words().order_between(from + 1, to + 1),
+        TaskDefect::Short => words().short_of_range().into(),
         TaskDefect::Missed { point } => words().point_missed(point + 1),
     }
 }

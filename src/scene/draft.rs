@@ -96,6 +96,17 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     let mut draft = SceneDraft::default();
     // The root of a document is always a table.
     let Some(file) = root.get() else { return draft };
+    // Links make it a scene, whatever stands beside them.
+    if let (Some(kind), None) = (root.key("kind"), root.key("links")) {
+        let fault = Diagnostic::new(words().task_for_a_scene());
+        reader.report(
+            fault
+                .at(kind.span(), "")
+                .help(words().synthesize_does_tasks()),
+        );
+        draft.unreadable = true;
+        return draft;
+    }
     reader.only(words().the_scene_itself(), root);
     draft.unreadable = root.known.iter().any(|key| root.meant(key));
     draft.name = line(reader, "name", file.name.as_ref());

@@ -4,7 +4,7 @@ use super::super::Origin;
 use super::{App, Effect, Mode};
 use crate::scene::presets;
 use crate::tui::commands::key::Key;
-use crate::tui::document::opening::{self, Content, Unopened};
+use crate::tui::document::opening::{self, OpenedFile, Unopened};
 use crate::tui::views::picker::list::{FolderReading, Picker, PickerItem, PickerTarget, Purpose};
 use crate::tui::views::picker::preview::Preview;
 use crate::wording::words;
@@ -178,7 +178,7 @@ impl App {
         purpose: Purpose,
         place: PickerTarget,
         name: String,
-        opened: Result<Content, String>,
+        opened: Result<OpenedFile, String>,
         now: Duration,
     ) {
         self.shell.message = None;
@@ -187,19 +187,19 @@ impl App {
             return;
         }
         let done = opened.and_then(|opened| match (purpose, opened) {
-            (Purpose::Open, Content::Scene(opened)) => {
+            (Purpose::Open, OpenedFile::Scene(opened)) => {
                 self.leave_list(now);
-                self.show(opened);
+                self.show(*opened);
                 Ok(())
             }
-            (Purpose::Open, Content::Task(order)) => {
+            (Purpose::Open, OpenedFile::Task(order)) => {
                 self.previews.forget();
                 self.synthesize(*order);
                 Ok(())
             }
-            (Purpose::Compare, Content::Task(_)) => Err(words().task_is_no_scene().to_owned()),
-            (Purpose::Compare, Content::Scene(opened)) => {
-                self.compare_with(place, name, opened)?;
+            (Purpose::Compare, OpenedFile::Task(_)) => Err(words().task_is_no_scene().to_owned()),
+            (Purpose::Compare, OpenedFile::Scene(opened)) => {
+                self.compare_with(place, name, *opened)?;
                 self.leave_list(now);
                 Ok(())
             }
@@ -211,17 +211,18 @@ impl App {
 }
 
 /// Opens a scene or a task of the list; in words why it cannot be.
-fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<Content, String> {
+fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<OpenedFile, String> {
+    let scene = |opened| OpenedFile::Scene(Box::new(opened));
     match place {
         PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
         // Its name is under the cursor.
         PickerTarget::File(path) => opening::file(&near(path)).map_err(Unopened::first_words),
         PickerTarget::Preset(name) => match presets::find(name) {
-            Some(preset) => opening::preset(preset).map(Content::Scene),
+            Some(preset) => opening::preset(preset).map(scene),
             None => Err(words().no_preset(name)),
         },
         PickerTarget::Original => opening::text(original, origin)
-            .map(Content::Scene)
+            .map(scene)
             .map_err(|d| d.first_words().to_owned()),
         // They are listed, and not opened.
         PickerTarget::Candidates => Err(words().found_before().to_owned()),

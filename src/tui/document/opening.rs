@@ -38,31 +38,31 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
 
 /// What a file holds.
 #[derive(Debug)]
-pub(crate) enum Content {
+pub(crate) enum OpenedFile {
     /// A scene.
-    Scene(Opened),
+    Scene(Box<Opened>),
     /// A task whose linkages are to be looked for.
     Task(Box<TaskOrder>),
 }
 
 /// Opens a file, or says all that is wrong with it.
-pub(crate) fn file(path: &Path) -> Result<Content, Unopened> {
+pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
     let shown = path.display().to_string();
     if TaskFile::is_meant(&bytes) {
         let file = TaskFile::read(&bytes, &shown).map_err(Unopened::Wrong)?;
         let name = path.file_stem().unwrap_or(path.as_os_str());
         let order = TaskOrder::new(file, name.to_string_lossy().into_owned());
-        return Ok(Content::Task(Box::new(order)));
+        return Ok(OpenedFile::Task(Box::new(order)));
     }
     let scene = Scene::read(&bytes, &shown);
     let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
     let origin = Origin::File(path.to_owned());
-    Ok(Content::Scene(Opened {
+    Ok(OpenedFile::Scene(Box::new(Opened {
         scene,
         solver,
         origin,
-    }))
+    })))
 }
 
 /// Opens a text that comes from somewhere.

@@ -27,9 +27,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use shown::ShownCandidate;
 
-/// Columns of the list, its margins included: with the figures, and with the wishes that are missed behind them.
+/// CandidateColumns of the list, its margins included: with the figures, and with the wishes that are missed behind them.
 const LIST: [u16; 2] = [34, 52];
-/// Columns of a mark, of figures, and between two columns.
+/// CandidateColumns of a mark, of figures, and between two columns.
 const INDENT: u16 = 2;
 const MISS: u16 = 8;
 const GAP: u16 = 1;
@@ -117,7 +117,7 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
         paragraph(app, words().nothing_does_the_task(), area, style, buffer);
         return;
     }
-    let places = Columns::of(list.rows().len());
+    let places = CandidateColumns::of(list.rows().len());
     let (head, area) = split(area, 1);
     heads(app, list, &places, head, buffer);
     let cursor = lines.iter().position(
@@ -149,19 +149,19 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Where the columns of the list end, from its left side; the words begin behind the last.
-struct Columns {
+struct CandidateColumns {
     number: u16,
     miss: u16,
     transmission: u16,
     words: u16,
 }
 
-impl Columns {
-    fn of(count: usize) -> Columns {
+impl CandidateColumns {
+    fn of(count: usize) -> CandidateColumns {
         let number = INDENT + columns(&count.to_string());
         let miss = number + GAP + MISS;
         let transmission = miss + GAP + columns(words().head_transmission());
-        Columns {
+        CandidateColumns {
             number,
             miss,
             transmission,
@@ -169,7 +169,7 @@ impl Columns {
         }
     }
 
-    /// Columns of the words about the crank, and what stands behind them.
+    /// CandidateColumns of the words about the crank, and what stands behind them.
     fn lacks(&self) -> u16 {
         let turns = [words().turns_fully_shortly(), words().swings_shortly()];
         let widest = turns.map(columns).into_iter().max().unwrap_or(0);
@@ -189,7 +189,13 @@ fn put(area: Rect, buffer: &mut Buffer, column: u16, text: &str, part: ScreenPar
     }
 }
 
-fn heads(app: &App, list: &CandidateList, places: &Columns, area: Rect, buffer: &mut Buffer) {
+fn heads(
+    app: &App,
+    list: &CandidateList,
+    places: &CandidateColumns,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let mut head = |column, text: &str, right| {
         let text = shown_text(text, app.glyphs());
         put(area, buffer, column, &text, ScreenPart::Quiet, right);
@@ -206,7 +212,7 @@ fn heads(app: &App, list: &CandidateList, places: &Columns, area: Rect, buffer: 
 
 fn entry(
     app: &App,
-    places: &Columns,
+    places: &CandidateColumns,
     (number, row, is_good): (usize, &CandidateRow, bool),
     under_cursor: bool,
     area: Rect,

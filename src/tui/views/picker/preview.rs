@@ -5,7 +5,7 @@ use crate::drawing::Reach;
 use crate::report::wanted;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene, presets};
 use crate::solver::{Order, Range, Solver, State};
-use crate::tui::document::opening::{self, Content, Unopened};
+use crate::tui::document::opening::{self, OpenedFile, Unopened};
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::tui::views::picker::list::PickerTarget;
@@ -129,8 +129,8 @@ fn of_file(path: &Path) -> Preview {
         return Preview::Unseen(words().too_large_for_preview(size));
     }
     match opening::file(path) {
-        Ok(Content::Scene(opened)) => Preview::Scene(Box::new(Sample::of(opened))),
-        Ok(Content::Task(order)) => {
+        Ok(OpenedFile::Scene(opened)) => Preview::Scene(Box::new(Sample::of(*opened))),
+        Ok(OpenedFile::Task(order)) => {
             Preview::Unseen(words().task_in_preview(&wanted(&order.file.task)))
         }
         Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Unopenable::first_of(&diagnostics)),
