@@ -157,6 +157,18 @@ impl<'v> SceneDraft<'v> {
         if let Some(value) = &file.marks {
             let marks = places(reader, "[marks]", words().mark(), value);
             self.unreadable |= value.get().is_none();
+            for mark in &marks {
+                let fixed = |place: &&PlacedPoint<'_>| place.name.text == mark.name.text;
+                if let Some(before) = self.ground.iter().find(fixed) {
+                    let fault = Diagnostic::new(words().given_twice(&mark.name.to_string()));
+                    let before = before.name.span.clone();
+                    reader.report(
+                        fault
+                            .at(mark.name.span.clone(), "")
+                            .and(before, words().fixed_here()),
+                    );
+                }
+            }
             self.marks = marks.iter().map(|mark| mark.name.text).collect();
             self.ground.extend(marks);
         }
