@@ -299,11 +299,6 @@ impl SynthesisReport<'_> {
     }
 }
 
-/// Whether the solver could open it at the first point.
-fn is_driven(candidate: &Candidate) -> bool {
-    !candidate.defects.contains(&TaskDefect::Unopened)
-}
-
 /// The motion that is wanted, in a few words.
 pub(crate) fn wanted(task: &Task) -> String {
     match &task.kind {
@@ -311,6 +306,11 @@ pub(crate) fn wanted(task: &Task) -> String {
         TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
         TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
     }
+}
+
+/// Whether the solver could open it at the first point.
+fn is_driven(candidate: &Candidate) -> bool {
+    !candidate.defects.contains(&TaskDefect::Unopened)
 }
 
 /// Crank, coupler, rocker and the distance of the pivots.

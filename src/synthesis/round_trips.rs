@@ -1,6 +1,6 @@
 //! From the motion of a planted linkage to a task, and by [`Synthesis::run`] back to it; and figures against the solver's own.
 
-use super::planted::Planted;
+use super::planted::PlantedDrive;
 use super::*;
 use crate::Vec2;
 use crate::angle::{degrees, unit};
@@ -77,11 +77,11 @@ fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
 }
 
 /// Random four-bars that come to these turns, with and without defects.
-fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&Planted, &Proposal)) {
+fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive, &Proposal)) {
     let mut chance = SeededChance::new(17);
     let mut seen = [0, 0];
     while seen[0] + seen[1] < count {
-        let planted = Planted::random(&mut chance, false);
+        let planted = PlantedDrive::random(&mut chance, false);
         let Some(mut proposal) = planted.proposal(turns) else {
             continue;
         };
@@ -135,8 +135,8 @@ fn five_poses_come_back_alone() {
 }
 
 /// A function of a planted four-bar with its pivots along +x.
-fn function(planted: &Planted, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
-    let planted = Planted {
+fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
+    let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         ..planted.clone()
@@ -166,7 +166,7 @@ fn pairs_of_a_function_come_back() {
     let mut chance = SeededChance::new(23);
     let mut seen = 0;
     while seen < 24 {
-        let planted = Planted::random(&mut chance, false);
+        let planted = PlantedDrive::random(&mut chance, false);
         let Some((function, proposal)) = function(&planted, &[0.0, 35.0, 80.0]) else {
             continue;
         };
@@ -184,7 +184,7 @@ fn pairs_of_a_function_come_back() {
 /// taken, not the shortest.
 #[test]
 fn a_crank_turns_as_far_as_its_scale_says() {
-    let planted = Planted {
+    let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
@@ -290,7 +290,7 @@ fn the_least_transmission_is_that_of_small_steps() {
     let mut seen = [0; 3];
     while seen.iter().any(|seen| *seen < 12) {
         let slides = seen[0] > seen[1];
-        let planted = Planted::random(&mut chance, slides);
+        let planted = PlantedDrive::random(&mut chance, slides);
         let turns: Vec<f64> = (0..5).map(|k| f64::from(k) * 50.0).collect();
         let turns = if seen[0] % 2 == 0 {
             turns
@@ -326,7 +326,7 @@ fn the_least_transmission_is_that_of_small_steps() {
 
 #[test]
 fn misses_count_by_their_weights() {
-    let planted = Planted {
+    let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
@@ -341,8 +341,8 @@ fn misses_count_by_their_weights() {
     let mut points: Vec<Vec2> = (0..3)
         .map(|point| super::planted::tracer(&proposal, point))
         .collect();
-    points[1] = points[1] + Vec2::new(0.3, 0.4);
-    points[2] = points[2] + Vec2::new(0.0, 1.0);
+    points[1] += Vec2::new(0.3, 0.4);
+    points[2] += Vec2::new(0.0, 1.0);
     let task = task(TaskKind::Path(PathTask {
         points,
         weights: vec![1.0, 4.0, 3.0],
@@ -358,7 +358,7 @@ fn misses_count_by_their_weights() {
 #[test]
 fn a_closed_path_is_not_come_round_by_who_swings() {
     // The coupler is too short for the crank to turn.
-    let planted = Planted {
+    let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 1.5,

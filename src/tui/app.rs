@@ -203,6 +203,9 @@ impl App {
         self.motor = MotorStudy::default();
         self.previews.forget();
         self.player.open_scene.say_again();
+        if let Some(list) = &mut self.candidates {
+            list.say_again();
+        }
         self.attend_to_panes();
         self.shell.say(words().language_is());
     }

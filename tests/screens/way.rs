@@ -75,7 +75,7 @@ fn the_manual_is_searched_through_all_its_topics() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? Tab /").type_in("SECOND dyad").look();
     assert!(
-        screen.contains("Help: tutorial  1/13 /SECOND dyad"),
+        screen.contains("Help: tutorial  1/14 /SECOND dyad"),
         "{screen}"
     );
     assert!(

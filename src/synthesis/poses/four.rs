@@ -15,7 +15,7 @@
 
 use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
-use super::polynomial::{self, Cubic};
+use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use super::trace::{self, CurveSpot, Piece};
 use crate::{Double, Vec2};
@@ -238,7 +238,7 @@ impl PinCurve {
 }
 
 /// A cubic by powers of y. Where its highest terms are rounding it is a conic, times the line at infinity.
-fn in_y(cubic: &Cubic, is_cubic: bool) -> [Vec<Double>; 3] {
+fn in_y(cubic: &PlaneCubic, is_cubic: bool) -> [Vec<Double>; 3] {
     let degree = if is_cubic { 3 } else { 2 };
     [2, 1, 0].map(|y| (0..=degree - y).map(|x| cubic[x][y]).collect())
 }

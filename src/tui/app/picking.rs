@@ -189,7 +189,7 @@ impl App {
         let done = opened.and_then(|opened| match (purpose, opened) {
             (Purpose::Open, OpenedFile::Scene(opened)) => {
                 self.leave_list(now);
-                self.show(opened);
+                self.show(*opened);
                 Ok(())
             }
             (Purpose::Open, OpenedFile::Task(order)) => {
@@ -199,7 +199,7 @@ impl App {
             }
             (Purpose::Compare, OpenedFile::Task(_)) => Err(words().task_is_no_scene().to_owned()),
             (Purpose::Compare, OpenedFile::Scene(opened)) => {
-                self.compare_with(place, name, opened)?;
+                self.compare_with(place, name, *opened)?;
                 self.leave_list(now);
                 Ok(())
             }
@@ -212,16 +212,17 @@ impl App {
 
 /// Opens a scene or a task of the list; in words why it cannot be.
 fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<OpenedFile, String> {
+    let scene = |opened| OpenedFile::Scene(Box::new(opened));
     match place {
         PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
         // Its name is under the cursor.
         PickerTarget::File(path) => opening::file(&near(path)).map_err(Unopened::first_words),
         PickerTarget::Preset(name) => match presets::find(name) {
-            Some(preset) => opening::preset(preset).map(OpenedFile::Scene),
+            Some(preset) => opening::preset(preset).map(scene),
             None => Err(words().no_preset(name)),
         },
         PickerTarget::Original => opening::text(original, origin)
-            .map(OpenedFile::Scene)
+            .map(scene)
             .map_err(|d| d.first_words().to_owned()),
         // They are listed, and not opened.
         PickerTarget::Candidates => Err(words().found_before().to_owned()),

@@ -40,7 +40,7 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
 #[derive(Debug)]
 pub(crate) enum OpenedFile {
     /// A scene.
-    Scene(Opened),
+    Scene(Box<Opened>),
     /// A task whose linkages are to be looked for.
     Task(Box<TaskOrder>),
 }
@@ -58,11 +58,11 @@ pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     let scene = Scene::read(&bytes, &shown);
     let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
     let origin = Origin::File(path.to_owned());
-    Ok(OpenedFile::Scene(Opened {
+    Ok(OpenedFile::Scene(Box::new(Opened {
         scene,
         solver,
         origin,
-    }))
+    })))
 }
 
 /// Opens a text that comes from somewhere.

@@ -49,6 +49,8 @@ pub(crate) struct FoundCandidates {
     synthesis: Synthesis,
     rows: Vec<CandidateRow>,
     verdict: String,
+    /// The unit of what is missed.
+    miss_unit: &'static str,
     /// Of four poses, where pivots may stand.
     pivots: Vec<Arc<[Vec2]>>,
     /// And where their pins lie at the first point.
@@ -57,13 +59,6 @@ pub(crate) struct FoundCandidates {
 
 impl FoundCandidates {
     fn of(order: &TaskOrder, synthesis: Synthesis) -> FoundCandidates {
-        let report = SynthesisReport {
-            file: &order.file,
-            found: &synthesis,
-            top: synthesis.good.len(),
-        };
-        let all = synthesis.good.iter().chain(&synthesis.defective);
-        let (rows, verdict) = (all.map(|c| report.row(c)).collect(), report.verdict());
         let curve = |place: fn(&PosedDyad) -> Option<Vec2>| {
             let pieces = synthesis.curves.iter();
             let pieces = pieces.map(|piece| piece.iter().filter_map(place).collect());
@@ -73,13 +68,29 @@ impl FoundCandidates {
             Partner::Rocker(pivot) => Some(pivot),
             Partner::Slide(_) => None,
         };
-        FoundCandidates {
-            rows,
-            verdict,
+        let mut found = FoundCandidates {
+            rows: Vec::new(),
+            verdict: String::new(),
+            miss_unit: "",
             pivots: curve(pivot),
             pins: curve(|dyad| Some(dyad.pin)),
             synthesis,
-        }
+        };
+        found.say(order);
+        found
+    }
+
+    /// Says what it is in the language that is spoken.
+    fn say(&mut self, order: &TaskOrder) {
+        let found = &self.synthesis;
+        let report = SynthesisReport {
+            file: &order.file,
+            found,
+            top: found.good.len(),
+        };
+        let all = found.good.iter().chain(&found.defective);
+        self.rows = all.map(|candidate| report.row(candidate)).collect();
+        (self.verdict, self.miss_unit) = (report.verdict(), report.miss_unit());
     }
 }
 
@@ -121,6 +132,13 @@ impl CandidateList {
         self.found = Some(found);
     }
 
+    /// Another language is spoken.
+    pub(crate) fn say_again(&mut self) {
+        if let Some(found) = &mut self.found {
+            found.say(&self.order);
+        }
+    }
+
     /// Nobody waits for what is still looked for.
     pub(crate) fn leave(&self) {
         self.search.is_left.store(true, Ordering::Relaxed);
@@ -146,6 +164,11 @@ impl CandidateList {
     /// How many were found, and whether there are others.
     pub(crate) fn verdict(&self) -> &str {
         self.found.as_ref().map_or("", |found| &found.verdict)
+    }
+
+    /// The unit of what is missed.
+    pub(crate) fn miss_unit(&self) -> &'static str {
+        self.found.as_ref().map_or("", |found| found.miss_unit)
     }
 
     /// Where pivots and pins may be, of four poses.

@@ -119,7 +119,7 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     }
     let places = CandidateColumns::of(list.rows().len());
     let (head, area) = split(area, 1);
-    heads(app, &places, head, buffer);
+    heads(app, list, &places, head, buffer);
     let cursor = lines.iter().position(
         |line| matches!(line, ListLine::Candidate(number, ..) if *number == list.cursor()),
     );
@@ -189,15 +189,23 @@ fn put(area: Rect, buffer: &mut Buffer, column: u16, text: &str, part: ScreenPar
     }
 }
 
-fn heads(app: &App, places: &CandidateColumns, area: Rect, buffer: &mut Buffer) {
+fn heads(
+    app: &App,
+    list: &CandidateList,
+    places: &CandidateColumns,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let mut head = |column, text: &str, right| {
         let text = shown_text(text, app.glyphs());
         put(area, buffer, column, &text, ScreenPart::Quiet, right);
     };
-    head(places.miss, words().head_miss(), true);
+    let miss = format!("{} {}", words().head_miss(), list.miss_unit());
+    head(places.miss, &miss, true);
     head(places.transmission, words().head_transmission(), true);
     head(places.words, words().head_turns(), false);
-    if area.width > places.lacks() + columns(words().head_lacks()) {
+    let lacks = list.rows().iter().any(|row| !row.lacks.is_empty());
+    if lacks && area.width > places.lacks() + columns(words().head_lacks()) {
         head(places.lacks(), words().head_lacks(), false);
     }
 }

@@ -129,7 +129,7 @@ fn of_file(path: &Path) -> Preview {
         return Preview::Unseen(words().too_large_for_preview(size));
     }
     match opening::file(path) {
-        Ok(OpenedFile::Scene(opened)) => Preview::Scene(Box::new(Sample::of(opened))),
+        Ok(OpenedFile::Scene(opened)) => Preview::Scene(Box::new(Sample::of(*opened))),
         Ok(OpenedFile::Task(order)) => {
             Preview::Unseen(words().task_in_preview(&wanted(&order.file.task)))
         }
