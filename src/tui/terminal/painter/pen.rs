@@ -11,8 +11,8 @@ use ratatui::buffer::Cell;
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
 
-/// A line feed by its other name, which no terminal driver takes for the end of a line: one row down in the column.
-const DOWN: u8 = b'\x0b';
+/// One row down in its column: the line is raw, and nothing makes an end of a line of it.
+const DOWN: u8 = b'\n';
 const BACK: u8 = b'\x08';
 
 /// What it costs to take a style back.
@@ -184,7 +184,7 @@ impl CellPen {
             }
         } else {
             self.bytes.push(b'\r');
-            self.bytes.resize(start + 1 + down, b'\n');
+            self.bytes.resize(start + 1 + down, DOWN);
             self.right(x);
         }
     }
