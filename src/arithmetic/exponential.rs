@@ -65,7 +65,7 @@ mod tests {
         for (found, hi, lo) in [
             (
                 Double::ONE.exp(),
-                2.718_281_828_459_045,
+                std::f64::consts::E,
                 1.445_646_891_729_250_2e-16,
             ),
             (Double::exactly(2.0).ln(), LN_2.hi, LN_2.lo),
@@ -73,7 +73,7 @@ mod tests {
             // log10 of 2 is 0.30102999566398119521373889472449.
             (
                 Double::exactly(2.0).log10(),
-                0.301_029_995_663_981_2,
+                std::f64::consts::LOG10_2,
                 -2.803_728_127_785_17e-18,
             ),
         ] {

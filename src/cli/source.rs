@@ -10,6 +10,7 @@ use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Fault, Plan, Solver};
+use crate::task_file::ExampleTask;
 use crate::wording::words;
 use clap::{Command, CommandFactory};
 use std::io::{self, stdin};
@@ -152,8 +153,10 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Fa
 }
 
 fn unknown(name: &str) -> Failure {
-    let mend = meant_command(name)
-        .map(|command| words().did_you_mean_command(&command))
+    let task = ExampleTask::find(name).map(|task| words().example_is_a_task(task.name));
+    let command = || meant_command(name).map(|command| words().did_you_mean_command(&command));
+    let mend = task
+        .or_else(command)
         .or_else(|| meant_preset(name).map(|p| words().did_you_mean_preset(p)))
         .unwrap_or_else(|| words().list_names_presets().into());
     Failure::Usage(words().no_preset_and_no_file(name, &mend))
@@ -203,6 +206,7 @@ mod tests {
             "there is no preset and no file `forbar`; did you mean the preset `four-bar`?"
         );
         assert!(found("slider", false).ends_with("did you mean the preset `slider-crank`?"));
+        assert!(found("hatch", false).ends_with("it is a task: krank synthesize hatch"));
         assert!(found("chek", false).ends_with("did you mean the command `check`?"));
         assert!(found("zzzzzzzzzzzzzzzzzzz", false).contains("krank list"));
     }

@@ -104,7 +104,7 @@ pub(super) fn figures(
     patterns: &[String],
 ) -> Result<Vec<Quantity>, Failure> {
     if patterns.is_empty() {
-        return Ok(catalogue.all().to_vec());
+        return Ok(catalogue.usual());
     }
     let mut figures = Vec::new();
     let patterns = patterns.iter().flat_map(|list| entries(list));

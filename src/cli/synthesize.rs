@@ -5,12 +5,16 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
+#[cfg(feature = "tui")]
+use super::workbench;
 use crate::files::{limited, read_any};
 use crate::nearest::nearest;
 use crate::report::SynthesisReport;
-use crate::scene::LARGEST_FILE;
+use crate::scene::{LARGEST_FILE, presets};
 use crate::synthesis::{Synthesis, SynthesisOrder};
 use crate::task_file::{ExampleTask, TaskFile};
+#[cfg(feature = "tui")]
+use crate::tui::TaskOrder;
 use crate::wording::words;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf, is_separator};
@@ -28,6 +32,15 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
         return Err(Failure::Usage(words().tolerance_is_no_length().into()));
     }
     let file = read(&args.task)?;
+    #[cfg(feature = "tui")]
+    if args.view {
+        return workbench::open_task(TaskOrder {
+            name: called(&args.task),
+            file,
+            seed: args.seed,
+            tolerance: args.tolerance,
+        });
+    }
     let order = SynthesisOrder {
         seed: args.seed,
         threads: thread::available_parallelism().map_or(1, usize::from),
@@ -57,6 +70,16 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
     }
 }
 
+/// What a task is called in a list: its example, or its file without the ending.
+#[cfg(feature = "tui")]
+fn called(name: &Path) -> String {
+    let stem = name.file_stem().map(|stem| stem.to_string_lossy());
+    match stem {
+        Some(stem) if stem != "-" => stem.into_owned(),
+        _ => "task".into(),
+    }
+}
+
 /// The task that the command line names: an example, a file, or standard input.
 fn read(name: &Path) -> Result<TaskFile, Failure> {
     let unreadable =
@@ -83,6 +106,9 @@ fn read(name: &Path) -> Result<TaskFile, Failure> {
 
 fn unknown(name: &str) -> Failure {
     let names = || ExampleTask::all().iter().map(|task| task.name);
+    if presets::find(name).is_some() {
+        return Failure::Usage(words().preset_is_no_task(name));
+    }
     let near = nearest(name, names()).map(str::to_owned);
     let all = names().collect::<Vec<_>>().join(", ");
     Failure::Usage(words().no_task_and_no_file(name, &near.unwrap_or(all)))
@@ -103,10 +129,14 @@ fn save(
         };
         files.push((folder.join(format!("candidate-{number}.toml")), text));
     }
+    if files.is_empty() {
+        return Ok(());
+    }
     for (path, text) in &files {
         let is_lost = match read_any(path, LARGEST_FILE) {
             Ok(bytes) => bytes != text.as_bytes(),
-            Err(error) => error.kind() != ErrorKind::NotFound,
+            // That the folder is none is told where it is made.
+            Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),
         };
         if is_lost {
             return Err(Failure::Cannot(

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::picture;
 use super::source::{SceneSource, SolvableScene, find, load};
-use crate::tui::{self, Colours, Options, Origin};
+use crate::tui::{self, Colours, Options, Origin, TaskOrder};
 use std::path::Path;
 
 /// Opens the scene on the terminal and returns when the workbench is left; or prints what would be seen
@@ -32,7 +32,34 @@ pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(),
         let Size { cols, rows } = args.size.unwrap_or(picture::USUAL);
         return write_text(None, &tui::picture(opened, &options, cols, rows));
     }
-    tui::run(opened, &options).map_err(|error| {
+    run(opened, &options)
+}
+
+/// Opens the usual scene, and over it the list of the linkages that do a task.
+pub(super) fn open_task(task: TaskOrder) -> Result<(), Failure> {
+    let config = config::load(None)?;
+    let options = Options {
+        glyphs: config.glyphs,
+        colours: config.colours,
+        theme: config.theme,
+        picture: config.picture,
+        task: Some(task),
+        config,
+        ..Options::default()
+    };
+    let source = find(Path::new(USUAL_SCENE))?;
+    let SolvableScene { scene, solver } = load(&source, &[])?;
+    let origin = Origin::Preset(USUAL_SCENE.into());
+    let opened = tui::Opened {
+        scene,
+        solver,
+        origin,
+    };
+    run(opened, &options)
+}
+
+fn run(opened: tui::Opened, options: &Options) -> Result<(), Failure> {
+    tui::run(opened, options).map_err(|error| {
         if error.is_usage() {
             Failure::Usage(error.to_string())
         } else {
@@ -55,6 +82,7 @@ pub(super) fn options(args: &WorkbenchArgs, language: LanguageChoice) -> Result<
         theme: args.theme.map_or(config.theme, theme),
         picture: args.picture.unwrap_or(config.picture),
         view: args.view,
+        task: None,
         config,
         idle: args.scene.is_none() && args.at.is_none() && args.assembly.wishes.is_empty(),
     })

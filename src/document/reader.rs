@@ -3,7 +3,7 @@
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::lenient::{Lenient, Misplaced, WrittenKey};
 use super::sanitize::escaped;
-use crate::expression::Measured;
+use crate::expression::MeasuredNumber;
 use crate::nearest::{did_you_mean, nearest};
 use crate::wording::words;
 use std::collections::HashMap;
@@ -54,7 +54,7 @@ pub(crate) fn quoted(text: &str) -> String {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct NamedNumbers {
     /// What each name is worth; nothing where that was reported as a fault.
-    pub(crate) worth: HashMap<String, Option<Measured>>,
+    pub(crate) worth: HashMap<String, Option<MeasuredNumber>>,
     /// The unit of lengths: as it is written, and its size in tenths of a millimetre.
     pub(crate) length: (&'static str, f64),
 }

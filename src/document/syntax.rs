@@ -22,6 +22,12 @@ pub(crate) fn parse<'t, T: Deserialize<'t>>(
     Lenient::deserialize(Deserializer::from(root)).ok()
 }
 
+/// Whether a key stands at the root of a text, as far as that is TOML.
+pub(crate) fn has_key(text: &str, key: &str) -> bool {
+    let (root, _) = DeTable::parse_recoverable(text);
+    root.get_ref().keys().any(|own| own.get_ref() == key)
+}
+
 /// Reports what is not TOML; false if too little is left to go on with.
 fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[Error]) -> bool {
     let text = reader.text();

@@ -13,7 +13,7 @@ use super::view::WorldView;
 use crate::quantity::DriverStand;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
-use crate::{Body, Input, Mechanism, PointId, Vec2};
+use crate::{Body, Input, Mechanism, Vec2};
 
 /// Arrows of forces, if they are shown.
 #[derive(Clone, Debug, Default)]
@@ -154,11 +154,7 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
     let Some(drive) = state.drive() else { return };
     match mechanism.driver().input {
         Input::Turn(link) => {
-            let members = mechanism.link(link).members.iter();
-            let pivot = members
-                .map(|m| m.point)
-                .find(|&point| is_fixed(mechanism, point));
-            let at = pivot.and_then(|point| state.position(point));
+            let at = mechanism.hub(link).and_then(|point| state.position(point));
             found.moments.extend(at.map(|at| (at, drive)));
         }
         Input::Push(slide) => {
@@ -167,10 +163,6 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
             found.forces.extend(at.zip(guide));
         }
     }
-}
-
-fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
-    mechanism.point(point).ground.is_some()
 }
 
 /// A spring is drawn as one, and pulls at both ends alike.

@@ -198,6 +198,9 @@ impl LinkageSketch<'_> {
 
     fn input_at(&self, point: PointId) -> Option<Input> {
         self.mechanism.inputs().find(|input| match *input {
+            Input::Turn(link) if !self.mechanism.is_directed(link) => {
+                self.mechanism.hub(link) == Some(point)
+            }
             Input::Turn(link) => {
                 let role = self.roles[point.index()];
                 let is_pin = matches!(role, Role::Joint | Role::Slider);

@@ -1,7 +1,7 @@
 //! What a formula of plain numbers is worth.
 
 use super::dimension::METRE;
-use super::evaluated::{Evaluated, Measured};
+use super::evaluated::{Evaluated, MeasuredNumber};
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
 use super::{Dimension, LengthScale, Malformed};
 use crate::Double;
@@ -15,7 +15,7 @@ const PI: Double = Double {
 };
 
 /// What a name is worth; else what would mend it.
-pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<Measured, Option<String>>;
+pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
 
 /// Works a formula out. Units are converted: lengths to `length`, angles to degrees, all else to that of metres.
 ///
@@ -115,7 +115,7 @@ impl Evaluator<'_> {
 
     fn named(&self, name: &str, tree: &ExpressionTree) -> Result<Evaluated, Malformed> {
         let found = (self.names)(name);
-        let found = found.map(|Measured { value, dimension }| {
+        let found = found.map(|MeasuredNumber { value, dimension }| {
             Evaluated::rounded(value, 0.0).measuring(dimension)
         });
         found.map_err(|help| Malformed {
@@ -341,7 +341,7 @@ mod tests {
         tenths_of_mm: 254.0,
     };
 
-    fn names(name: &str) -> Result<Measured, Option<String>> {
+    fn names(name: &str) -> Result<MeasuredNumber, Option<String>> {
         let (value, dimension) = match name {
             "a" => (Double::exactly(100.0), None),
             "third" => (Double::ONE / Double::exactly(3.0), None),
@@ -349,7 +349,7 @@ mod tests {
             "lean" => (Double::exactly(30.0), Some(Dimension::DEGREES)),
             _ => return Err(None),
         };
-        Ok(Measured { value, dimension })
+        Ok(MeasuredNumber { value, dimension })
     }
 
     fn worth(text: &str) -> Result<f64, String> {

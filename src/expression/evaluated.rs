@@ -15,7 +15,7 @@ const ROUNDING: f64 = 7.888_609_052_210_118e-31;
 
 /// A number, and what it measures, if a unit tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredNumber {
     /// To twice the digits: lengths in the formula's unit, angles in degrees, all else in that of metres.
     pub(crate) value: Double,
     pub(crate) dimension: Option<Dimension>,
@@ -32,8 +32,8 @@ pub(crate) struct Evaluated {
 
 impl Evaluated {
     /// Without what it may be off by.
-    pub(crate) fn measured(self) -> Measured {
-        Measured {
+    pub(crate) fn measured(self) -> MeasuredNumber {
+        MeasuredNumber {
             value: self.value,
             dimension: self.dimension,
         }

@@ -23,7 +23,7 @@ pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
-pub(crate) use evaluated::{Evaluated, Measured};
+pub(crate) use evaluated::{Evaluated, MeasuredNumber};
 pub(crate) use parser::{is_unit, parse};
 pub(crate) use tree::{ExpressionTree, is_function};
 

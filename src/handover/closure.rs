@@ -150,6 +150,23 @@ impl ScriptPlacement<'_> {
         for id in self.mechanism().slide_ids() {
             self.misfits_of_slide(id, unknowns, &placed, &mut misfits);
         }
+        for (turned, from) in self.mechanism().elbows() {
+            let stance = |link: LinkId| unknowns.stances.iter().find(|(l, _)| *l == link);
+            let stances = [turned, from].map(|link| (stance(link), link));
+            if stances.iter().all(|(sought, _)| sought.is_none()) {
+                continue;
+            }
+            let [link, from] = stances.map(|(sought, link)| match sought {
+                Some((_, stance)) => Some(stance.direction.clone()),
+                None => self.direction(Body::Link(link)),
+            });
+            // That of a link which is known already, or of two that follow each other, says nothing here.
+            if let (Some(link), Some(from)) = (link, from) {
+                let wanted = from.times(self.bend(turned));
+                let off = format!("across({link}, {wanted})");
+                misfits.push(ScriptMisfit::One(ScriptTerm::of(off)));
+            }
+        }
         misfits
     }
 

@@ -191,7 +191,7 @@ impl<'a> ScriptPlacement<'a> {
     }
 
     /// The direction of a body, once it is known.
-    fn direction(&self, body: Body) -> Option<ScriptTerm> {
+    pub(super) fn direction(&self, body: Body) -> Option<ScriptTerm> {
         match body {
             Body::Ground => Some(ScriptTerm::one()),
             Body::Link(link) => self.aimed[link.index()].clone().map(ScriptTerm::of),
@@ -335,13 +335,14 @@ impl<'a> ScriptPlacement<'a> {
     fn drive_by(&mut self, input: Input) {
         let q = self.coordinate(input);
         match input {
-            Input::Turn(link) => {
+            Input::Turn(link) if self.mechanism().is_directed(link) => {
                 self.steps.push(ScriptStep::Group(vec![link]));
                 self.aim(link, ScriptTerm::of(format!("turn({q})")));
                 if let Some(pivot) = self.known_member(link) {
                     self.hold(link, pivot);
                 }
             }
+            Input::Turn(_) => self.steps.push(ScriptStep::Group(Vec::new())),
             Input::Push(id) => {
                 let slide = self.mechanism().slide(id);
                 if slide.on == Body::Ground {
@@ -360,6 +361,7 @@ impl<'a> ScriptPlacement<'a> {
             self.push_out();
             for link in self.mechanism().link_ids() {
                 self.lock(link);
+                self.elbow(link);
                 self.settle_link(link);
             }
             if self.steps.len() == before {
@@ -416,6 +418,34 @@ impl<'a> ScriptPlacement<'a> {
                 return;
             }
         }
+    }
+
+    /// The direction of one of two links between which an input turns.
+    fn elbow(&mut self, link: LinkId) {
+        let elbows: Vec<_> = self.mechanism().elbows().collect();
+        for (turned, from) in elbows {
+            let other = match link {
+                _ if self.is_aimed(link) => return,
+                _ if link == turned => from,
+                _ if link == from => turned,
+                _ => continue,
+            };
+            let Some(other) = self.direction(Body::Link(other)) else {
+                continue;
+            };
+            let by = self.bend(turned);
+            let direction = if link == turned {
+                other.times(by)
+            } else {
+                other.over(by)
+            };
+            self.aim(link, direction);
+        }
+    }
+
+    /// The direction of a link that is turned against another one, as seen from that.
+    pub(super) fn bend(&self, turned: LinkId) -> ScriptTerm {
+        ScriptTerm::of(format!("turn({})", self.coordinate(Input::Turn(turned))))
     }
 
     fn settle_link(&mut self, link: LinkId) {

@@ -20,6 +20,7 @@ pub struct Builder {
     slides: Vec<Slide>,
     driver: Option<Driver>,
     timed: Vec<TimedInput>,
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,
@@ -38,6 +39,7 @@ impl Default for Builder {
             slides: Vec::new(),
             driver: None,
             timed: Vec::new(),
+            turned_from: Vec::new(),
             start: Vec::new(),
             loads: Vec::new(),
             limits: Vec::new(),
@@ -59,6 +61,13 @@ impl Builder {
         self.push_point(Some(Vec2::new(x, y)))
     }
 
+    /// A mark at (x, y) on the ground: a place to be shown and compared with, which holds nothing.
+    pub fn mark(&mut self, x: f64, y: f64) -> PointId {
+        let mark = self.ground_point(x, y);
+        self.points[mark.index()].is_mark = true;
+        mark
+    }
+
     /// A point that moves: links or slides that name it give it its place.
     pub fn moving_point(&mut self) -> PointId {
         self.push_point(None)
@@ -68,6 +77,7 @@ impl Builder {
         self.points.push(Point {
             ground,
             links: Vec::new(),
+            is_mark: false,
         });
         PointId::new(self.points.len() - 1)
     }
@@ -221,6 +231,12 @@ impl Builder {
         ends.map(|[low, high]| self.limit(Limit { of, low, high }))
     }
 
+    /// Lets an input turn a link against another one instead of the ground: its motor sits on that, and the angle
+    /// between the two is its coordinate.
+    pub fn turned_from(&mut self, link: LinkId, from: LinkId) {
+        self.turned_from.push((link, from));
+    }
+
     /// A rough position of a moving point at the opening.
     pub fn start(&mut self, point: PointId, near: Vec2) {
         self.start.push((point, near));
@@ -281,6 +297,7 @@ impl Builder {
                     slides: self.slides,
                     driver,
                     timed: self.timed,
+                    turned_from: self.turned_from,
                     start: self.start,
                     loads: self.loads,
                     limits: self.limits,
@@ -446,13 +463,21 @@ impl Builder {
             }
             driven.push(timed.input);
         }
+        for &(link, from) in &self.turned_from {
+            if link == from {
+                found.push(Defect::TurnedFromItself { link });
+            }
+        }
     }
 
-    /// Whether what an input moves has a ground point to turn about, if it turns.
+    /// Whether what an input moves has a ground point to turn about, if it turns against the ground.
     fn has_pivot(&self, input: Input) -> bool {
         let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
         match input {
-            Input::Turn(link) => self.links[link.index()].members.iter().any(on_ground),
+            Input::Turn(link) => {
+                self.turned_from.iter().any(|(turned, _)| *turned == link)
+                    || self.links[link.index()].members.iter().any(on_ground)
+            }
             Input::Push(_) => true,
         }
     }

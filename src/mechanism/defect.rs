@@ -65,6 +65,12 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
+    /// A link that is turned against itself.
+    #[error("no link turns against itself")]
+    TurnedFromItself {
+        /// The link.
+        link: LinkId,
+    },
     /// A driver coordinate or rate that is not finite.
     #[error("the driver's coordinate, speed and acceleration must be finite numbers")]
     Driver,

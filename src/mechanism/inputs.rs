@@ -1,6 +1,8 @@
 //! Further inputs, which follow the driver.
 
-use super::{Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, SlideId};
+use super::{
+    Body, Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, PointId, SlideId,
+};
 use crate::angle::TURN;
 
 /// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
@@ -136,6 +138,62 @@ impl Mechanism {
     #[must_use]
     pub fn is_turned(&self, link: LinkId) -> bool {
         self.inputs().any(|input| input == Input::Turn(link))
+    }
+
+    /// Against what an input turns a link: the ground, or the link that its motor sits on.
+    #[must_use]
+    pub fn turned_from(&self, link: LinkId) -> Body {
+        let mut pairs = self.parts.turned_from.iter();
+        let found = pairs.find(|(turned, _)| *turned == link);
+        found.map_or(Body::Ground, |&(_, from)| Body::Link(from))
+    }
+
+    /// The links that inputs turn against others, with these.
+    pub(crate) fn elbows(&self) -> impl Iterator<Item = (LinkId, LinkId)> + '_ {
+        let links = self.inputs().filter_map(|input| match input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        });
+        links.filter_map(|link| match self.turned_from(link) {
+            Body::Link(from) => Some((link, from)),
+            Body::Ground => None,
+        })
+    }
+
+    /// Whether an input gives a link its direction: it turns the link against the ground.
+    #[must_use]
+    pub fn is_directed(&self, link: LinkId) -> bool {
+        self.is_turned(link) && self.turned_from(link) == Body::Ground
+    }
+
+    /// Whether the driver's coordinate is the direction of a link.
+    #[must_use]
+    pub fn is_crank(&self, link: LinkId) -> bool {
+        self.driver().input == Input::Turn(link) && self.is_directed(link)
+    }
+
+    /// The point about which an input turns a link: its ground point, or the joint with the link that the motor sits
+    /// on; `None` where there is none.
+    #[must_use]
+    pub fn hub(&self, link: LinkId) -> Option<PointId> {
+        let mut points = self.link(link).members.iter().map(|member| member.point);
+        let from = self.turned_from(link);
+        points.find(|&point| match from {
+            Body::Ground => self.point(point).ground.is_some(),
+            Body::Link(from) => self.point(point).links.contains(&from),
+        })
+    }
+
+    /// What an input turns a link with, as a part of its own effort: 1 on the link, -1 on the one that its motor sits
+    /// on.
+    pub(crate) fn torques_on(&self, link: LinkId) -> impl Iterator<Item = (Input, f64)> + '_ {
+        self.inputs().filter_map(move |input| match input {
+            Input::Turn(turned) if turned == link => Some((input, 1.0)),
+            Input::Turn(turned) if self.turned_from(turned) == Body::Link(link) => {
+                Some((input, -1.0))
+            }
+            Input::Turn(_) | Input::Push(_) => None,
+        })
     }
 
     /// Whether an input pushes a slide.

@@ -70,7 +70,10 @@ impl Mechanism {
     /// the link's frame is defined.
     #[must_use]
     pub fn lengths(&self) -> Vec<Length> {
-        let fixed = self.point_ids().filter(|&p| self.point(p).ground.is_some());
+        let fixed = self.point_ids().filter(|&p| {
+            let point = self.point(p);
+            point.ground.is_some() && !point.is_mark
+        });
         let both = |length: fn(PointId, CoordinateAxis) -> Length| {
             move |point| CoordinateAxis::BOTH.map(|axis| length(point, axis))
         };

@@ -88,6 +88,8 @@ pub struct Point {
     pub ground: Option<Vec2>,
     /// The links that carry it: a pin joint if there are two, or one and the ground.
     pub links: Vec<LinkId>,
+    /// Whether it is a mark on the ground: nothing is held there, and its coordinates are no lengths.
+    pub is_mark: bool,
 }
 
 /// A point of a link in the link's own frame.
@@ -187,7 +189,8 @@ impl Slide {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Input {
-    /// The direction of a link that turns about a ground point.
+    /// The direction of a link that turns about a ground point; of one that is turned against another link
+    /// ([`Builder::turned_from`]), its angle from that.
     Turn(LinkId),
     /// The position along a slide.
     Push(SlideId),
@@ -225,6 +228,8 @@ struct Parts {
     slides: Vec<Slide>,
     driver: Driver,
     timed: Vec<TimedInput>,
+    /// The links that inputs turn against others, and these.
+    turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     limits: Vec<Limit>,

@@ -193,7 +193,7 @@ fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let last = widths.len();
     let before = |of: &[T], k: usize| if k > 0 { of[k - 1] } else { T::default() };
     let behind = |of: &[T], k: usize| if k < last { of[k] } else { T::default() };
-    let rows = (0..=last).map(|k| Row {
+    let rows = (0..=last).map(|k| BendRow {
         pivot: T::exactly(2.0) * (before(widths, k) + behind(widths, k)),
         next: behind(widths, k),
         side: T::exactly(6.0) * (behind(rises, k) - before(rises, k)),
@@ -205,7 +205,7 @@ fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
 /// agree there too.
 fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let count = widths.len();
-    let row = |k: usize, side: T| Row {
+    let row = |k: usize, side: T| BendRow {
         pivot: T::exactly(2.0) * (widths[k - 1] + widths[k]),
         next: widths[k],
         side,
@@ -237,7 +237,7 @@ fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
 }
 
 /// A row of symmetric equations, each with its neighbours.
-struct Row<T> {
+struct BendRow<T> {
     pivot: T,
     /// What stands beside the next unknown, and in the next row beside this one.
     next: T,
@@ -245,9 +245,9 @@ struct Row<T> {
 }
 
 /// From top to bottom, row by row: of each its pivot and its right side, less what stands above.
-fn solved<T: Number>(mut rows: Vec<Row<T>>) -> Vec<T> {
+fn solved<T: Number>(mut rows: Vec<BendRow<T>>) -> Vec<T> {
     for k in 1..rows.len() {
-        let Row { pivot, next, side } = rows[k - 1];
+        let BendRow { pivot, next, side } = rows[k - 1];
         let part = next / pivot;
         let row = &mut rows[k];
         row.pivot = row.pivot - part * next;

@@ -16,6 +16,8 @@ use thiserror::Error;
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     quantities: Vec<Quantity>,
+    /// Those of marks, which are told where they are named.
+    of_marks: Vec<String>,
     /// What is made of them by formulas.
     pub(super) defined: Vec<Quantity>,
     pub(super) length: LengthScale,
@@ -77,6 +79,7 @@ impl Catalogue {
     pub(super) fn without_formulas(scene: &Scene) -> Self {
         let mut catalogue = Catalogue {
             quantities: Vec::new(),
+            of_marks: Vec::new(),
             defined: Vec::new(),
             length: LengthScale {
                 symbol: scene.unit.symbol(),
@@ -119,7 +122,12 @@ impl Catalogue {
         }
         for point in scene.mechanism.point_ids() {
             if let Some(name) = scene.point_name(point) {
+                let before = catalogue.quantities.len();
                 catalogue.push(scene, name, Subject::Point(point), &Aspect::POINT);
+                if scene.is_mark(point) {
+                    let own = catalogue.quantities[before..].iter();
+                    catalogue.of_marks.extend(own.map(|q| q.name.clone()));
+                }
             }
         }
         if scene.mechanism.has_forces() {
@@ -208,6 +216,15 @@ impl Catalogue {
     #[must_use]
     pub fn all(&self) -> &[Quantity] {
         &self.quantities
+    }
+
+    /// Those that come where none is named: marks stand still, and are only shown.
+    #[must_use]
+    pub fn usual(&self) -> Vec<Quantity> {
+        let all = self.quantities.iter();
+        all.filter(|q| !self.of_marks.contains(&q.name))
+            .cloned()
+            .collect()
     }
 
     /// The driver's coordinate.

@@ -40,6 +40,9 @@ pub struct DriverFacts {
     pub kind: DriverKind,
     /// The driven link or slide.
     pub name: String,
+    /// The link that its motor sits on, where that is not the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
     /// Its coordinate at the opening, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub start: f64,
@@ -474,6 +477,7 @@ impl ElementNames<'_> {
         DriverFacts {
             kind,
             name,
+            from: self.scene.seat_name(driver.input).map(str::to_owned),
             start: driver.start,
             speed: driver.speed,
             acceleration: driver.acceleration,

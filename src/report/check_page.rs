@@ -9,6 +9,7 @@ use super::number::concise;
 use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
 use crate::page::{Content, Facts, Page, TextStyle};
+use crate::scene::from_seat;
 use crate::wording::words;
 
 /// Columns of the names, and of what stands before the rest of a fact that takes several lines.
@@ -204,7 +205,8 @@ impl Check {
     }
 
     fn driven(&self) -> String {
-        self.driver.kind.named(&self.driver.name)
+        let name = from_seat(&self.driver.name, self.driver.from.as_deref());
+        self.driver.kind.named(&name)
     }
 
     fn group_text(&self, group: &GroupFacts) -> String {

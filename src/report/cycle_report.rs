@@ -297,7 +297,7 @@ pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     let slides = slides.map(|id| format!("{}.length", scene.slide_name(id)));
     let grounded = |id: &crate::LinkId| {
         let mut pins = mechanism.pins(*id);
-        !mechanism.is_turned(*id) && pins.any(|pin| mechanism.point(pin).ground.is_some())
+        !mechanism.is_directed(*id) && pins.any(|pin| mechanism.point(pin).ground.is_some())
     };
     let links = mechanism.link_ids().filter(grounded);
     let links = links.map(|id| format!("{}.angle", scene.link_name(id)));

@@ -2,7 +2,7 @@
 
 use super::check::DriverKind;
 use super::number::concise;
-use crate::scene::Scene;
+use crate::scene::{Scene, from_seat};
 use crate::solver::Range;
 use crate::wording::words;
 use crate::{Input, InputLaw, InputTable};
@@ -15,6 +15,9 @@ pub struct InputFacts {
     pub kind: DriverKind,
     /// The link or the slide.
     pub name: String,
+    /// The link that its motor sits on, where that is not the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
     /// How it follows.
     #[serde(flatten)]
     pub law: InputLawFacts,
@@ -84,7 +87,12 @@ impl InputFacts {
                     unreached: unreached(table, range),
                 },
             };
-            InputFacts { kind, name, law }
+            InputFacts {
+                kind,
+                name,
+                from: scene.seat_name(timed.input).map(str::to_owned),
+                law,
+            }
         });
         facts.collect()
     }
@@ -139,7 +147,8 @@ impl InputFacts {
         } else {
             format!("{ratio} {own}/{drivers}")
         };
-        let driven = self.kind.named(&self.name);
+        let name = from_seat(&self.name, self.from.as_deref());
+        let driven = self.kind.named(&name);
         words().input_follows(&driven, &ratio, &format!("{phase} {own}"))
     }
 }

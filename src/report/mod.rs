@@ -9,6 +9,8 @@
 mod accuracy;
 mod answers;
 mod beside;
+#[cfg(feature = "tui")]
+mod candidate_row;
 mod cells;
 mod check;
 mod check_page;
@@ -104,6 +106,6 @@ pub use working::{
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
-    cycle_page::brief_cycle, forces::effort_word, forces_page::missed, number::shortest,
-    number::upwards,
+    candidate_row::CandidateRow, cycle_page::brief_cycle, forces::effort_word, forces_page::missed,
+    number::shortest, number::upwards, synthesis::wanted,
 };

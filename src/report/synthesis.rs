@@ -4,7 +4,7 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, TaskDefect, TaskKind,
+    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, Task, TaskDefect, TaskKind,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -13,7 +13,7 @@ use std::io;
 
 /// Digits of lengths, and of misses and angles.
 const DIGITS: usize = 6;
-const FEW: usize = 3;
+pub(super) const FEW: usize = 3;
 /// Defective ones that are told at most.
 const MOST_DEFECTIVE: usize = 10;
 
@@ -66,7 +66,7 @@ impl SynthesisReport<'_> {
         let mut page = Page::aligned();
         page.title(&self.file.name);
         let mut facts = Facts::default();
-        facts.tell(words().wanted_motion(), [self.wanted()]);
+        facts.tell(words().wanted_motion(), [wanted(&self.file.task)]);
         facts.tell(words().designs_found(), [self.verdict()]);
         page.add(Content::Facts(facts));
         if !self.told().is_empty() {
@@ -85,15 +85,8 @@ impl SynthesisReport<'_> {
         page
     }
 
-    fn wanted(&self) -> String {
-        match &self.file.task.kind {
-            TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
-            TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
-            TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
-        }
-    }
-
-    fn verdict(&self) -> String {
+    /// How many were found, and whether there are others.
+    pub(crate) fn verdict(&self) -> String {
         let found = self.found;
         words().candidates_found(
             found.good.len(),
@@ -104,7 +97,7 @@ impl SynthesisReport<'_> {
     }
 
     /// The unit of what is missed.
-    fn miss_unit(&self) -> &'static str {
+    pub(crate) fn miss_unit(&self) -> &'static str {
         match &self.file.task.kind {
             TaskKind::Function(task) if task.output == Output::Angle => "deg",
             _ => self.file.unit.symbol(),
@@ -136,15 +129,11 @@ impl SynthesisReport<'_> {
                 Some(length) => significant(length, DIGITS),
                 None => "-".to_owned(),
             };
-            let turns = match figures.full_turn {
-                true => words().turns_fully_shortly(),
-                false => words().swings_shortly(),
-            };
             let mut cells: Vec<String> = links.iter().map(|(link, _)| length(*link)).collect();
             cells.extend([
                 significant(figures.transmission, FEW),
                 significant(figures.miss, FEW),
-                turns.to_owned(),
+                turns(candidate).to_owned(),
             ]);
             cells.extend(lacks.then(|| lacking(&candidate.missed)));
             table.row(number.to_string(), cells.into_iter().map(Cell::sure));
@@ -159,7 +148,7 @@ impl SynthesisReport<'_> {
         lengths.join(", ")
     }
 
-    fn reasons(&self, candidate: &Candidate) -> String {
+    pub(super) fn reasons(&self, candidate: &Candidate) -> String {
         let reasons = candidate.defects.iter().map(reason);
         reasons.collect::<Vec<_>>().join("; ")
     }
@@ -175,6 +164,8 @@ impl SynthesisReport<'_> {
             };
             let [crank, coupler, rocker, _] = lengths(candidate);
             let figures = &candidate.figures;
+            // What was never opened has no figures.
+            let told = |figure: f64| is_driven(candidate).then_some(figure);
             let first = candidate.proposal.places.first();
             json!({
                 "A": [pivot.x, pivot.y],
@@ -187,11 +178,11 @@ impl SynthesisReport<'_> {
                 "r4": rocker,
                 "driver": candidate.at,
                 "full_turn": figures.full_turn,
-                "transmission": figures.transmission,
-                "ratio": figures.ratio,
-                "miss": figures.miss,
-                "rms": figures.rms,
-                "angle_miss": figures.angle_miss,
+                "transmission": told(figures.transmission),
+                "ratio": told(figures.ratio),
+                "miss": told(figures.miss),
+                "rms": told(figures.rms),
+                "angle_miss": told(figures.angle_miss),
                 "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
                 "defects": candidate.defects.iter().map(reason).collect::<Vec<_>>(),
             })
@@ -210,7 +201,7 @@ impl SynthesisReport<'_> {
     /// # Errors
     /// Those of writing.
     pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
-        const HEADS: [&str; 15] = [
+        const HEADS: [&str; 23] = [
             "candidate",
             "A.x",
             "A.y",
@@ -221,39 +212,69 @@ impl SynthesisReport<'_> {
             "B.y",
             "C.x",
             "C.y",
-            "transmission [deg]",
+            "P.x",
+            "P.y",
+            "r2",
+            "r3",
+            "r4",
+            "transmission",
             "ratio",
             "miss",
             "rms",
+            "angle_miss",
+            "full_turn",
+            "wishes_missed",
             "state",
         ];
+        let length = self.file.unit.symbol();
+        let miss = self.miss_unit();
+        let unit = |head: &str| match head {
+            "guide" | "transmission" | "angle_miss" => "deg",
+            "miss" | "rms" => miss,
+            "candidate" | "ratio" | "full_turn" | "wishes_missed" | "state" => "",
+            _ => length,
+        };
+        let head = |head: &str| match unit(head) {
+            "" => head.to_owned(),
+            unit => format!("{head} [{unit}]"),
+        };
         let mut rows = CsvSheet::new(dialect, to);
-        rows.record(HEADS)?;
-        let all = self.told().iter().chain(&self.found.defective);
-        for (number, candidate) in (1..).zip(all) {
+        rows.record(HEADS.map(head))?;
+        let good = (1..).zip(self.told());
+        let good = good.map(|(number, candidate): (usize, _)| (number.to_string(), candidate));
+        let defective = self.found.defective.iter();
+        let defective = defective.map(|candidate| (String::new(), candidate));
+        for (number, candidate) in good.chain(defective) {
             let proposal = &candidate.proposal;
             let (d, guide) = match proposal.partner {
                 Partner::Rocker(d) => (Some(d), None),
                 Partner::Slide(angle) => (None, Some(angle)),
             };
             let first = proposal.places.first();
-            let (b, c) = (first.map(|place| place[0]), first.map(|place| place[1]));
-            let figures = &candidate.figures;
-            let numbers = [
-                Some(proposal.pivot.x),
-                Some(proposal.pivot.y),
-                d.map(|d| d.x),
-                d.map(|d| d.y),
-                guide,
-                b.map(|b| b.x),
-                b.map(|b| b.y),
-                c.map(|c| c.x),
-                c.map(|c| c.y),
-                Some(figures.transmission),
-                Some(figures.ratio),
-                Some(figures.miss),
-                Some(figures.rms),
+            let places = [
+                Some(proposal.pivot),
+                d,
+                first.map(|place| place[0]),
+                first.map(|place| place[1]),
+                proposal.tracer,
             ];
+            let [a, d, b, c, p] = places.map(|at| [at.map(|at| at.x), at.map(|at| at.y)]);
+            let [crank, coupler, rocker, _] = lengths(candidate);
+            let figures = &candidate.figures;
+            // What was never opened has no figures.
+            let told = |figure: f64| is_driven(candidate).then_some(figure);
+            let numbers = [a, d, [guide, b[0]], [b[1], c[0]], [c[1], p[0]]];
+            let numbers = numbers.into_iter().flatten().chain([
+                p[1],
+                crank,
+                coupler,
+                rocker,
+                told(figures.transmission),
+                told(figures.ratio),
+                told(figures.miss),
+                told(figures.rms),
+                told(figures.angle_miss),
+            ]);
             let cell = |number: Option<f64>| {
                 let mut cell = String::new();
                 if let Some(number) = number {
@@ -265,17 +286,35 @@ impl SynthesisReport<'_> {
                 true => "ok".to_owned(),
                 false => self.reasons(candidate),
             };
-            let cells = std::iter::once(number.to_string())
-                .chain(numbers.map(cell))
-                .chain([state]);
+            let wishes: Vec<&str> = candidate.missed.iter().map(wish).collect();
+            let turns = told(f64::from(u8::from(figures.full_turn)));
+            let cells = std::iter::once(number).chain(numbers.map(cell)).chain([
+                cell(turns),
+                wishes.join(" "),
+                state,
+            ]);
             rows.record(cells)?;
         }
         rows.finish()
     }
 }
 
+/// The motion that is wanted, in a few words.
+pub(crate) fn wanted(task: &Task) -> String {
+    match &task.kind {
+        TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
+        TaskKind::Function(task) => words().pairs_wanted(task.pairs.len()),
+        TaskKind::Path(task) => words().points_wanted(task.points.len(), task.closed),
+    }
+}
+
+/// Whether the solver could open it at the first point.
+fn is_driven(candidate: &Candidate) -> bool {
+    !candidate.defects.contains(&TaskDefect::Unopened)
+}
+
 /// Crank, coupler, rocker and the distance of the pivots.
-fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
+pub(super) fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
     let proposal = &candidate.proposal;
     let Some((crank, coupler, rocker)) = proposal.lengths() else {
         return [None; 4];
@@ -287,6 +326,14 @@ fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
     [Some(crank), Some(coupler), rocker, ground]
 }
 
+/// Whether the crank turns fully, in a word.
+pub(super) fn turns(candidate: &Candidate) -> &'static str {
+    match candidate.figures.full_turn {
+        true => words().turns_fully_shortly(),
+        false => words().swings_shortly(),
+    }
+}
+
 /// A defect in words; points are counted from 1.
 fn reason(defect: &TaskDefect) -> String {
     match *defect {
@@ -294,11 +341,12 @@ fn reason(defect: &TaskDefect) -> String {
         TaskDefect::Branch { from, to } => words().branch_between(from + 1, to + 1),
         TaskDefect::Circuit { from, to } => words().circuit_between(from + 1, to + 1),
         TaskDefect::Order { from, to } => words().order_between(from + 1, to + 1),
+        TaskDefect::Short => words().short_of_range().into(),
         TaskDefect::Missed { point } => words().point_missed(point + 1),
     }
 }
 
-fn lacking(missed: &[MissedWish]) -> String {
+pub(super) fn lacking(missed: &[MissedWish]) -> String {
     let names: Vec<&str> = missed.iter().map(wish).collect();
     match names.is_empty() {
         true => "-".into(),

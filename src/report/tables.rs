@@ -39,6 +39,8 @@ pub struct PointRow {
 pub struct DriverLine {
     /// The driven link or slide.
     pub name: String,
+    /// The link that its motor sits on, where that is not the ground.
+    pub from: Option<String>,
     /// Whether it is a turned link; otherwise it is a pushed slide.
     pub turns: bool,
     /// Its coordinate as asked (deg, or the scene's unit), and its rates per s and s^2 (rad, or the
@@ -183,6 +185,9 @@ fn driver_line(scene: &Scene, state: &State) -> DriverLine {
     };
     DriverLine {
         name: name.to_owned(),
+        from: scene
+            .seat_name(scene.mechanism.driver().input)
+            .map(str::to_owned),
         turns,
         values: [
             state.at(),
@@ -311,7 +316,7 @@ fn known_direction(mechanism: &Mechanism, body: Body) -> GivenCoordinate {
         Slider::Link { link: sliding, .. } => sliding == link && slide.on == Body::Ground,
         Slider::Pin(_) => false,
     };
-    if mechanism.is_turned(link) {
+    if mechanism.is_directed(link) {
         driven(mechanism, Input::Turn(link))
     } else if mechanism.slides().iter().any(locks) {
         GivenCoordinate::Fixed

@@ -138,6 +138,9 @@ impl Tables {
     pub(super) fn driver_json(&self) -> Value {
         let mut driver = Map::new();
         driver.insert("name".into(), self.driver.name.as_str().into());
+        if let Some(from) = &self.driver.from {
+            driver.insert("from".into(), from.as_str().into());
+        }
         for (name, value, _) in self.driver_figures() {
             let key = name.trim_start_matches("driver.").to_owned();
             driver.insert(key, number(Some(value)));

@@ -5,6 +5,7 @@ use super::number::{concise, direction, significant, upwards};
 use super::tables::{ORDERS, Tables, VectorColumn};
 use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
+use crate::scene::from_seat;
 use crate::solver::Order;
 use crate::wording::words;
 
@@ -105,7 +106,8 @@ impl TablesWriter<'_> {
             format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
         page.title(&words().told_of_scene(&self.tables.scene));
-        page.text_below(words().driver_at(&driver.name, &at, &speed, &acceleration));
+        let name = from_seat(&driver.name, driver.from.as_deref());
+        page.text_below(words().driver_at(&name, &at, &speed, &acceleration));
         page.text_below(
             words().state_is(&words().condition_called(state_word(self.tables.condition))),
         );

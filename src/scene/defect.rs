@@ -54,6 +54,7 @@ impl<'t> Drafted<'_, 't> {
             | Defect::Driver
             | Defect::DrivenTwice { .. }
             | Defect::OpenTable { .. }
+            | Defect::TurnedFromItself { .. }
             | Defect::Mass { .. }
             | Defect::Load
             | Defect::Misfit
@@ -145,11 +146,12 @@ impl<'t> Drafted<'_, 't> {
         let fault = Diagnostic::new(words().no_pivot(&link.name.to_string()))
             .at(driven.span.clone(), words().not_joined_to_ground())
             .and(link.name.span.clone(), words().none_in_ground());
-        Some(if fit.is_empty() {
+        let fault = if fit.is_empty() {
             fault.help(words().put_into_ground())
         } else {
             fault.help(words().links_with_ground_point(&fit.join(", ")))
-        })
+        };
+        Some(fault.help(words().or_name_its_seat()))
     }
 
     fn is_ground(&self, name: &Name<'_>) -> bool {

@@ -96,6 +96,17 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     let mut draft = SceneDraft::default();
     // The root of a document is always a table.
     let Some(file) = root.get() else { return draft };
+    // Links make it a scene, whatever stands beside them.
+    if let (Some(kind), None) = (root.key("kind"), root.key("links")) {
+        let fault = Diagnostic::new(words().task_for_a_scene());
+        reader.report(
+            fault
+                .at(kind.span(), "")
+                .help(words().synthesize_does_tasks()),
+        );
+        draft.unreadable = true;
+        return draft;
+    }
     reader.only(words().the_scene_itself(), root);
     draft.unreadable = root.known.iter().any(|key| root.meant(key));
     draft.name = line(reader, "name", file.name.as_ref());
@@ -146,6 +157,18 @@ impl<'v> SceneDraft<'v> {
         if let Some(value) = &file.marks {
             let marks = places(reader, "[marks]", words().mark(), value);
             self.unreadable |= value.get().is_none();
+            for mark in &marks {
+                let fixed = |place: &&PlacedPoint<'_>| place.name.text == mark.name.text;
+                if let Some(before) = self.ground.iter().find(fixed) {
+                    let fault = Diagnostic::new(words().given_twice(&mark.name.to_string()));
+                    let before = before.name.span.clone();
+                    reader.report(
+                        fault
+                            .at(mark.name.span.clone(), "")
+                            .and(before, words().fixed_here()),
+                    );
+                }
+            }
             self.marks = marks.iter().map(|mark| mark.name.text).collect();
             self.ground.extend(marks);
         }

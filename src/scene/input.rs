@@ -16,6 +16,7 @@ use serde::Deserialize;
 pub(super) struct DriverTable {
     link: Option<Lenient<String>>,
     slide: Option<Lenient<String>>,
+    from: Option<Lenient<String>>,
     angle: Option<Lenient<f64>>,
     position: Option<Lenient<f64>>,
     range: Option<CoordinatePair>,
@@ -28,6 +29,8 @@ pub(super) struct DriverTable {
 pub(super) struct DraftDriver<'t> {
     /// The key `link` or `slide`.
     pub(super) input: DraftInput<'t>,
+    /// The link that the motor of a driven link sits on; none on the ground.
+    pub(super) from: Option<Name<'t>>,
     pub(super) start: f64,
     /// Between which stops it moves.
     pub(super) range: Option<DraftEnds>,
@@ -110,6 +113,9 @@ pub(super) fn driver<'v>(
         }
     };
     let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
+    // That a slide has none is told with its keys.
+    let given_seat = table.from.as_ref().filter(|_| kind == RateKind::Turn);
+    let from = seat(reader, words().the_driver(), kind, given_seat);
     let (given, other) = match kind {
         RateKind::Turn => (&table.angle, &table.position),
         RateKind::Push(_) => (&table.position, &table.angle),
@@ -135,6 +141,9 @@ pub(super) fn driver<'v>(
     let range = range(reader, kind, table.range.as_ref());
     let motion = motion(reader, (value, table), start, kind, range.as_ref());
     let name = name?;
+    if given_seat.is_some() && from.is_none() {
+        return None;
+    }
     let rates = [speed, acceleration];
     let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
     Some(DraftDriver {
@@ -142,6 +151,7 @@ pub(super) fn driver<'v>(
             RateKind::Turn => DraftInput::Link(name),
             RateKind::Push(_) => DraftInput::Slide(name),
         },
+        from,
         start: start.unwrap_or(0.0),
         range,
         speed: speed.unwrap_or(UNIT_SPEED),
@@ -151,6 +161,28 @@ pub(super) fn driver<'v>(
             || motion.is_some(),
         motion,
     })
+}
+
+/// The link that the motor of an input sits on: a slide has its own guide for that.
+pub(super) fn seat<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    kind: RateKind,
+    given: Option<&'v Lenient<String>>,
+) -> Option<Name<'v>> {
+    let given = given?;
+    let from = reader.string(&words().key_of("from", of), given)?;
+    match kind {
+        RateKind::Turn => Some(from),
+        RateKind::Push(_) => {
+            reader.report(
+                Diagnostic::new(words().slide_has_its_guide(of))
+                    .at(from.span.clone(), words().not_of_a_slide())
+                    .help(words().seat_is_for_links()),
+            );
+            None
+        }
+    }
 }
 
 /// How it moves over time, which no speed may stand beside.

@@ -159,6 +159,7 @@ SCENE =
 DRIVER =
     "link": Text, ["link"], the_turning_link, "";
     "slide": Text, ["slide"], the_pushed_slide, "";
+    "from": Text, ["link"], seat_of_driver, "`\"ground\"`";
     "angle": Number(Of(Measure::Angle)), ["link"], opening_angle, "";
     "position": Number(Of(Measure::Coordinate)), ["slide"], opening_position, "";
     "range": Ends(Driver), [], range_of_driver, no_default;
@@ -178,6 +179,7 @@ TIMED =
     "ratio": Number(Of(Measure::Factor)), [], ratio_of_input, "1";
     "phase": Number(Driver), [], phase_of_input, "0";
     "over": Knots([DriverItself, Driver], "value"), [], table_of_input, no_default;
+    "from": Text, [], seat_of_driver, "`\"ground\"`";
 
 LINK =
     "from": Text, [], "", "";

@@ -102,7 +102,9 @@ pub use values::{Value, ValueOwner};
 
 use crate::document::{self, NamedNumbers};
 use crate::wording::words;
-use crate::{ElementId, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances};
+use crate::{
+    Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
+};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -139,7 +141,6 @@ pub struct Scene {
     pub(crate) slide_names: Vec<String>,
     /// The limits by their names, with the places of their ends in the text.
     limits: limits::LimitPlaces,
-    marks: Vec<String>,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -214,7 +215,6 @@ impl Scene {
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
-                marks: draft.marks.into_iter().map(str::to_owned).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
                 parameters: parameters::told(&reader.named, draft.parameters),
@@ -280,8 +280,7 @@ impl Scene {
     /// Whether a point is one of `[marks]`, which is only shown.
     #[must_use]
     pub fn is_mark(&self, point: PointId) -> bool {
-        let name = self.point_name(point);
-        name.is_some_and(|name| self.marks.iter().any(|mark| mark == name))
+        self.mechanism.point(point).is_mark
     }
 
     /// The points that tables list: those that have a name and are no marks, in the order of the file.
@@ -321,10 +320,40 @@ impl Scene {
         &self.tolerances
     }
 
+    /// The name of the link that the motor of an input sits on, if it sits on one.
+    #[must_use]
+    pub fn seat_name(&self, input: Input) -> Option<&str> {
+        let Input::Turn(link) = input else {
+            return None;
+        };
+        match self.mechanism.turned_from(link) {
+            Body::Link(from) => Some(self.link_name(from)),
+            Body::Ground => None,
+        }
+    }
+
+    /// What an input drives, for people: with the link that its motor sits on.
+    #[must_use]
+    pub fn driven_name(&self, input: Input) -> String {
+        let name = match input {
+            Input::Turn(link) => self.link_name(link),
+            Input::Push(slide) => self.slide_name(slide),
+        };
+        from_seat(name, self.seat_name(input))
+    }
+
     /// A slide's name.
     #[must_use]
     pub fn slide_name(&self, slide: SlideId) -> &str {
         &self.slide_names[slide.index()]
+    }
+}
+
+/// A driven link or slide, with the link that its motor sits on if it sits on one.
+pub(crate) fn from_seat(name: &str, seat: Option<&str>) -> String {
+    match seat {
+        Some(from) => words().turned_from(name, from),
+        None => name.to_owned(),
     }
 }
 

@@ -4,7 +4,7 @@ use super::figures::FormulaPlace;
 use super::reader::{Name, Reader, number_of};
 use crate::arithmetic::Decimal;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
-use crate::expression::{self, Dimension, ExpressionTree, Measured};
+use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber};
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -89,9 +89,13 @@ fn what(name: &Name<'_>) -> String {
     words().parameter_called(&name.to_string())
 }
 
-fn number(reader: &mut Reader<'_>, name: &Name<'_>, value: &Lenient<f64>) -> Option<Measured> {
+fn number(
+    reader: &mut Reader<'_>,
+    name: &Name<'_>,
+    value: &Lenient<f64>,
+) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
-    Some(Measured {
+    Some(MeasuredNumber {
         value: Decimal::of(number).value,
         dimension: None,
     })

@@ -104,7 +104,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             let id = match self.ground.get(name) {
                 Some(place) => {
                     let at = place.at();
-                    self.builder.ground_point(at.x, at.y)
+                    match self.draft.marks.contains(name) {
+                        true => self.builder.mark(at.x, at.y),
+                        false => self.builder.ground_point(at.x, at.y),
+                    }
                 }
                 None => self.builder.moving_point(),
             };
@@ -191,7 +194,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let input = match &driver.input {
             DraftInput::Link(name) => {
                 let what = words().key_of("link", words().the_driver());
-                self.driven_link(&what, name).map(mechanism::Input::Turn)
+                let seat = words().key_of("from", words().the_driver());
+                self.turned_link([&what, &seat], name, driver.from.as_ref())
+                    .map(mechanism::Input::Turn)
             }
             DraftInput::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
         };
@@ -215,6 +220,31 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             self.reader.help(words().driven_link_is_given());
         }
         self.slides.get(name.text).copied()
+    }
+
+    /// A link that an input turns, against the ground or the link that its motor sits on.
+    pub(super) fn turned_link(
+        &mut self,
+        [what, seat]: [&str; 2],
+        name: &Name<'t>,
+        from: Option<&Name<'t>>,
+    ) -> Option<LinkId> {
+        let link = self.driven_link(what, name);
+        let Some(from) = from.filter(|from| from.text != "ground") else {
+            return link;
+        };
+        let seat = self.names.find(self.reader, seat, from, Sort::Link);
+        let (link, seat) = (link?, LinkId::new(seat?));
+        if link == seat {
+            self.reader.report(
+                Diagnostic::new(words().turns_from_itself(&name.to_string()))
+                    .at(from.span.clone(), words().the_driven_link())
+                    .help(words().seat_is_another_link()),
+            );
+            return None;
+        }
+        self.builder.turned_from(link, seat);
+        Some(link)
     }
 
     /// A link pinned to the ground at two places could not turn.

@@ -1,7 +1,8 @@
 //! Reads the inputs that follow the driver.
 
-use super::input::DraftInput;
+use super::input::{DraftInput, seat};
 use super::profile::{self, Knots};
+use super::rate::RateKind;
 use super::reader::{ByteSpan, Name, Reader};
 use super::resolve::Resolver;
 use crate::document::{Diagnostic, Entries, Lenient};
@@ -21,17 +22,20 @@ pub(super) struct TimedTable {
     ratio: Option<Lenient<f64>>,
     phase: Option<Lenient<f64>>,
     over: Option<Knots>,
+    from: Option<Lenient<String>>,
 }
 
 #[derive(Debug)]
 pub(super) struct DraftTimed<'t> {
     /// The link or the slide that is driven.
     pub(super) name: Name<'t>,
-    law: DraftLaw,
+    law: DraftInputLaw,
+    /// The link that its motor sits on, as it is written; none on the ground.
+    from: Option<&'t Lenient<String>>,
 }
 
 #[derive(Debug)]
-enum DraftLaw {
+enum DraftInputLaw {
     Ratio {
         ratio: f64,
         phase: f64,
@@ -61,10 +65,14 @@ fn input<'v>(
         Some(over) => by_table(reader, &of, value, over)?,
         None => in_proportion(reader, &of, table)?,
     };
-    Some(DraftTimed { name, law })
+    Some(DraftTimed {
+        name,
+        law,
+        from: table.from.as_ref(),
+    })
 }
 
-fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftLaw> {
+fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftInputLaw> {
     let mut number = |key: &str, given: Option<&Lenient<f64>>, default| match given {
         None => Some(default),
         Some(given) => reader.number(&words().key_of(key, of), given),
@@ -72,7 +80,7 @@ fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Optio
     let ratio = number("ratio", table.ratio.as_ref(), 1.0);
     let phase = number("phase", table.phase.as_ref(), 0.0);
     let (ratio, phase) = (ratio?, phase?);
-    Some(DraftLaw::Ratio { ratio, phase })
+    Some(DraftInputLaw::Ratio { ratio, phase })
 }
 
 fn by_table(
@@ -80,7 +88,7 @@ fn by_table(
     of: &str,
     value: &Lenient<TimedTable>,
     over: &Knots,
-) -> Option<DraftLaw> {
+) -> Option<DraftInputLaw> {
     let mut others = value.keys.iter();
     let other = others.find(|key| ["ratio", "phase"].contains(&key.get_ref().as_str()));
     if let Some(other) = other {
@@ -96,7 +104,7 @@ fn by_table(
     let what = words().key_of("over", of);
     let knots = profile::over_driver(reader, &what, TABLE, over)?;
     let place = over.span.clone();
-    Some(DraftLaw::Table { knots, place })
+    Some(DraftInputLaw::Table { knots, place })
 }
 
 impl<'t> Resolver<'_, '_, 't> {
@@ -107,22 +115,38 @@ impl<'t> Resolver<'_, '_, 't> {
                 continue;
             }
             let input = match self.slides.get(timed.name.text) {
-                Some(&slide) => Some(Input::Push(slide)),
-                None => self.driven_link(&of, &timed.name).map(Input::Turn),
+                Some(&slide) => {
+                    seat(
+                        self.reader,
+                        &of,
+                        RateKind::Push(self.draft.unit),
+                        timed.from,
+                    );
+                    Some(Input::Push(slide))
+                }
+                None => {
+                    let from = seat(self.reader, &of, RateKind::Turn, timed.from);
+                    if timed.from.is_some() && from.is_none() {
+                        continue;
+                    }
+                    let seat = words().key_of("from", &of);
+                    self.turned_link([&of, &seat], &timed.name, from.as_ref())
+                        .map(Input::Turn)
+                }
             };
             let Some(input) = input else { continue };
             let law = match &timed.law {
-                DraftLaw::Ratio { ratio, phase } => Some(InputLaw::Ratio {
+                DraftInputLaw::Ratio { ratio, phase } => Some(InputLaw::Ratio {
                     ratio: *ratio,
                     phase: *phase,
                 }),
-                DraftLaw::Table { knots, place } => {
+                DraftInputLaw::Table { knots, place } => {
                     self.table(&of, input, knots, place).map(InputLaw::Table)
                 }
             };
             let Some(law) = law else { continue };
             if self.builder.timed(TimedInput { input, law }).is_some()
-                && let DraftLaw::Table { place, .. } = &timed.law
+                && let DraftInputLaw::Table { place, .. } = &timed.law
             {
                 // The ends of the table are a limit.
                 let name = timed.name.text.to_owned();

@@ -5,7 +5,7 @@ use super::reader::{ByteSpan, Name, Reader, bare_number};
 use super::{Scene, Value};
 use crate::document::{Diagnostic, NamedNumbers};
 use crate::expression::{
-    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, Measured, evaluate,
+    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, MeasuredNumber, evaluate,
 };
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -20,7 +20,7 @@ impl Reader<'_> {
         what: &str,
         text: &str,
         span: &ByteSpan,
-    ) -> Option<Measured> {
+    ) -> Option<MeasuredNumber> {
         let formula = Name {
             text,
             span: span.clone(),
@@ -43,7 +43,7 @@ impl Reader<'_> {
         what: &str,
         formula: &Name<'_>,
         tree: &ExpressionTree,
-    ) -> Option<Measured> {
+    ) -> Option<MeasuredNumber> {
         // What is wrong with a parameter is told there.
         if self.named.lacks(tree) {
             return None;

@@ -26,6 +26,8 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    /// Whether steps read the angle itself, and not only its direction.
+    reads_angle: bool,
     /// The further inputs, to know when they come round.
     timed: Vec<TimedInput>,
     /// Of these the ones that follow a table.
@@ -45,17 +47,17 @@ impl Engine {
     pub(super) fn new(mechanism: &Mechanism, frame: Frame, program: Program) -> Engine {
         let driver = mechanism.driver();
         let driven = match driver.input {
-            Input::Turn(link) => Some(link),
+            Input::Turn(link) => mechanism.is_crank(link).then_some(link),
             Input::Push(_) => None,
         };
-        let turns = driven.is_some();
         let driver_rates = driver_rates(mechanism, &frame);
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
             program,
             frame,
-            turns,
+            turns: driver.turns(),
+            reads_angle: !mechanism.timed().is_empty() || mechanism.elbows().next().is_some(),
             timed: mechanism.timed().to_vec(),
             tables: Following::all(mechanism, &frame)
                 .into_iter()
@@ -109,6 +111,7 @@ impl Engine {
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
+            is_turned: self.turns,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         };
         Workspace::new(state, self.scratch())
@@ -125,7 +128,7 @@ impl Engine {
         }
     }
 
-    /// The driven link, if the driver turns.
+    /// The link whose direction is the driver's coordinate, if it is one.
     pub(super) fn driven(&self) -> Option<LinkId> {
         self.driven
     }
@@ -319,15 +322,11 @@ impl Engine {
         tables.fold(f64::INFINITY, f64::min)
     }
 
-    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any input follows it.
+    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any step reads it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
-            let q = if self.timed.is_empty() {
-                T::default()
-            } else {
-                at
-            };
+            let q = if self.reads_angle { at } else { T::default() };
             (q, T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())
@@ -518,6 +517,16 @@ impl Gauge {
                 let travel = t.dot(at(point) - at(line.through));
                 let pushed = InputMotion::of(following.as_ref(), state.coordinate());
                 (travel - pushed.p, at(point))
+            }
+            Gauge::Turned {
+                link,
+                from,
+                ref following,
+            } => {
+                let d = |link: LinkId| state.links[link.index()].d;
+                let turned = InputMotion::of(following.as_ref(), state.coordinate());
+                let wanted = d(from).turned(T::unit(turned.p));
+                (wanted.cross(d(link)), Vec2::default())
             }
         };
         (miss, place.nearest().norm().max(1.0))

@@ -200,7 +200,7 @@ fn grounded(mechanism: &Mechanism) -> impl Iterator<Item = Vec2> {
     points.chain(guides)
 }
 
-/// The driver's pivot, or else the first ground point.
+/// The driven link's pivot, or else the first ground point.
 fn origin(mechanism: &Mechanism) -> Vec2 {
     let ground = |id: crate::PointId| mechanism.point(id).ground;
     let pivot = match mechanism.driver().input {

@@ -203,6 +203,14 @@ impl Solver {
                 at,
             });
         }
+        if let Some([link, from]) = network.locked_elbow() {
+            return Err(Fault::OverConstrained {
+                element: ElementId::Link(link),
+                others: vec![ElementId::Link(from)],
+                misfit: frame.longest * frame.scale,
+                at,
+            });
+        }
         let with = |ordering: &Ordering, near: &[(PointId, Vec2)]| {
             let solver = Solver::with(&network, ordering, at, near, picks)?;
             rank::judged(&network, solver)

@@ -29,6 +29,8 @@ pub(super) enum ScalarEquation {
     Slot(SlideId),
     /// A driven slide's position along its guide.
     Push(SlideId),
+    /// The angle of a link that an input turns against another one.
+    Elbow(LinkId),
 }
 
 impl ScalarEquation {
@@ -38,6 +40,7 @@ impl ScalarEquation {
             ScalarEquation::Along { link, .. } | ScalarEquation::Across { link, .. } => {
                 ElementId::Link(link)
             }
+            ScalarEquation::Elbow(link) => ElementId::Link(link),
             ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => ElementId::Slide(slide),
         }
     }
@@ -347,7 +350,14 @@ impl<'m> Network<'m> {
                 rows.push(ScalarEquation::Push(slide));
             }
         }
+        let elbows = self.mechanism.elbows();
+        rows.extend(elbows.map(|(link, _)| ScalarEquation::Elbow(link)));
         self.rows = rows;
+    }
+
+    /// The directions that an input keeps apart: of the link that it turns, and of the one that its motor sits on.
+    pub(super) fn elbow(&self, link: LinkId) -> [LinkId; 2] {
+        [link, self.body(self.mechanism.turned_from(link))]
     }
 
     /// Whether a class's direction is given from the start: the ground's, and that of a driven link.
@@ -362,9 +372,18 @@ impl<'m> Network<'m> {
     /// Whether an input gives the direction of a class.
     fn gives(&self, input: Input, class: ClassId) -> bool {
         match input {
-            Input::Turn(link) => self.class(link) == class,
+            Input::Turn(link) => {
+                self.class(link) == class && self.mechanism.turned_from(link) == Body::Ground
+            }
             Input::Push(_) => false,
         }
+    }
+
+    /// A link that an input turns against one to which it keeps its angle.
+    pub(super) fn locked_elbow(&self) -> Option<[LinkId; 2]> {
+        let elbows = self.mechanism.elbows().map(|(link, _)| self.elbow(link));
+        let mut elbows = elbows.into_iter();
+        elbows.find(|&[link, from]| self.class(link) == self.class(from))
     }
 
     /// A link whose direction is given, though another input gives it, or it cannot turn.
@@ -374,14 +393,14 @@ impl<'m> Network<'m> {
             .inputs()
             .skip(1)
             .find_map(|input| match input {
-                Input::Turn(link) => {
+                Input::Turn(link) if self.mechanism.is_directed(link) => {
                     let class = self.class(link);
                     let driver = self.mechanism.driver().input;
                     let is_taken = given.contains(&class) || self.gives(driver, class);
                     given.push(class);
                     is_taken.then_some(link)
                 }
-                Input::Push(_) => None,
+                Input::Turn(_) | Input::Push(_) => None,
             })
     }
 
@@ -392,12 +411,12 @@ impl<'m> Network<'m> {
             .get(timed.position(|timed| timed.input == input)?)
     }
 
-    /// The links that further inputs turn, and how these follow the driver.
+    /// The links that further inputs turn against the ground, and how these follow the driver.
     pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
         let timed = self.mechanism.timed().iter().zip(&self.followings);
         timed.filter_map(|(timed, following)| match timed.input {
-            Input::Turn(link) => Some((link, following)),
-            Input::Push(_) => None,
+            Input::Turn(link) if self.mechanism.is_directed(link) => Some((link, following)),
+            Input::Turn(_) | Input::Push(_) => None,
         })
     }
 
@@ -410,6 +429,11 @@ impl<'m> Network<'m> {
             ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
                 let slide = self.mechanism.slide(slide);
                 (self.body(slide.on), slide.slider.point())
+            }
+            ScalarEquation::Elbow(link) => {
+                let classes = self.elbow(link).map(|body| self.class(body));
+                let sought = classes.into_iter().filter(|&class| !self.is_given(class));
+                return sought.map(ScalarUnknown::Class).collect();
             }
         };
         let points = [Some(point), self.centre(body)].into_iter().flatten();
@@ -432,7 +456,7 @@ impl<'m> Network<'m> {
             ScalarEquation::Along { link, .. } if self.is_bar(link) => 3,
             ScalarEquation::Slot(_) => 2,
             ScalarEquation::Along { .. } => 1,
-            ScalarEquation::Across { .. } | ScalarEquation::Push(_) => 0,
+            ScalarEquation::Across { .. } | ScalarEquation::Push(_) | ScalarEquation::Elbow(_) => 0,
         }
     }
 
@@ -454,8 +478,13 @@ impl<'m> Network<'m> {
             .slides()
             .iter()
             .any(|s| s.on == Body::Link(link));
+        let is_elbow = self
+            .mechanism
+            .elbows()
+            .any(|(turned, from)| turned == link || from == link);
         self.joints(link).count() == 2
             && !carries_guide
+            && !is_elbow
             && self.members[self.class(link).0].len() == 1
             && !self.is_given(self.class(link))
     }

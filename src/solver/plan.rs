@@ -191,6 +191,13 @@ pub(super) enum Gauge {
         /// How the input follows the driver; none where it is the driver.
         following: Option<Following>,
     },
+    /// A link at the coordinate of its input from the one that its motor sits on.
+    Turned {
+        link: LinkId,
+        from: LinkId,
+        /// How the input follows the driver; none where it is the driver.
+        following: Option<Following>,
+    },
 }
 
 /// A slide that holds a joint on a known line.

@@ -113,8 +113,10 @@ pub struct State<T = f64> {
     /// For angles, and for lengths in the scene's unit.
     pub(super) rates: Rates<T>,
     pub(super) length_rates: Rates<T>,
-    /// The driven link, whose angle is the driver's coordinate to the bit.
+    /// The driven link, whose angle is the driver's coordinate to the bit; none where its motor sits on another link.
     pub(super) driven: Option<LinkId>,
+    /// Whether the driver's coordinate is an angle.
+    pub(super) is_turned: bool,
     /// The size of the driver's unit in the coordinate of the derivatives: 1 for radians.
     pub(super) driver_scale: f64,
 }
@@ -163,7 +165,7 @@ impl<T: Number> State<T> {
     /// Whether the driver turns a link, and does not push a slide.
     #[must_use]
     pub fn turns(&self) -> bool {
-        self.driven.is_some()
+        self.is_turned
     }
 
     /// The driver's coordinate as the steps have it: in degrees or scaled lengths.

@@ -69,7 +69,7 @@ impl Solver {
             (LimitOf::Driver | LimitOf::Table(_), _) => true,
             (LimitOf::Slide(slide), Input::Push(driven)) => slide == driven,
             (LimitOf::Angle { link, from }, Input::Turn(driven)) => {
-                link == driven && from == Body::Ground
+                link == driven && from == self.mechanism.turned_from(driven)
             }
             (LimitOf::Slide(_), Input::Turn(_)) | (LimitOf::Angle { .. }, Input::Push(_)) => false,
         }

@@ -1,6 +1,6 @@
 //! A proposal that was driven through its task.
 
-use super::defects::{TaskDefect, crank_way};
+use super::defects::{GivenWay, TaskDefect, crank_way};
 use super::functions::FunctionRun;
 use super::machine::{SceneTitles, scene_text};
 use super::{FunctionTask, Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
@@ -34,13 +34,15 @@ pub struct Candidate {
 pub struct CandidateFigures {
     /// Whether the crank turns fully.
     pub full_turn: bool,
-    /// The least transmission angle from the first point to the last, in degrees.
+    /// The least transmission angle on the way, in degrees: from the first point to the last, over the whole range of a
+    /// formula, over a whole turn of a closed path.
     pub transmission: f64,
     /// The longest length over the shortest, the ground's among them.
     pub ratio: f64,
-    /// By how much the led point, or the output, misses at worst, and by root mean square.
+    /// By how much the led point, or the output, misses at worst of the points that it comes to; of a formula anywhere in
+    /// its range.
     pub miss: f64,
-    /// The same, by root mean square.
+    /// The same by root mean square, with the weights of the points.
     pub rms: f64,
     /// By how much the body's angle misses at worst, in degrees; of poses only.
     pub angle_miss: f64,
@@ -62,15 +64,18 @@ pub enum MissedWish {
 }
 
 impl Candidate {
-    /// Drives a proposal through the task: as it is, and at its other pivot; the better one.
+    /// Drives a proposal through the task: as it is, and at its other pivot; the better one, whichever was proposed.
     #[must_use]
     pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
         let own = Candidate::driven(task, proposal.clone());
-        let is_whole = own.defects.is_empty() && own.missed.is_empty();
-        // Of a function the crank is the one that is given.
-        let is_given = matches!(task.kind, TaskKind::Function(_));
+        // Where its angles are given, the crank is given.
+        let is_given = match &task.kind {
+            TaskKind::Function(_) => true,
+            TaskKind::Path(path) => path.turns.is_some(),
+            TaskKind::Poses(_) => false,
+        };
         match proposal.swapped() {
-            Some(swapped) if !is_whole && !is_given => {
+            Some(swapped) if !is_given => {
                 let other = Candidate::driven(task, swapped);
                 match other.standing() < own.standing() {
                     true => other,
@@ -93,10 +98,15 @@ impl Candidate {
             };
         };
         let range = solver.motion().range;
-        let (at, mut defects) = crank_way(&proposal, range, &task.wishes);
+        let run = match &task.kind {
+            TaskKind::Function(function) => FunctionRun::of(function, &proposal),
+            _ => None,
+        };
+        let way = given_way(task, &proposal, run.as_ref());
+        let (at, mut defects) = crank_way(&proposal, range, &task.wishes, &way);
         let mut figures = CandidateFigures {
             full_turn: matches!(range, Range::Full { .. }),
-            transmission: least_transmission(&proposal, &at),
+            transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
             ratio: ratio(&proposal),
             ..CandidateFigures::default()
         };
@@ -111,6 +121,13 @@ impl Candidate {
         };
         if let Err(point) = drive.measure(&at[..points], &mut figures) {
             defects.push(TaskDefect::Missed { point });
+        }
+        if let TaskKind::Function(function) = &task.kind {
+            match run.and_then(|run| output_misses(function, &run)) {
+                Some((miss, rms)) => (figures.miss, figures.rms) = (miss, rms),
+                None if defects.is_empty() => defects.push(TaskDefect::Short),
+                None => {}
+            }
         }
         let missed = missed(&task.wishes, &proposal, &at, &figures);
         Candidate {
@@ -134,10 +151,19 @@ impl Candidate {
         scene_text(&self.proposal, task, titles)
     }
 
-    /// How many defects, and wishes that are not kept; and the less transmission the worse.
-    fn standing(&self) -> (usize, usize, f64) {
-        let transmission = self.figures.transmission;
-        (self.defects.len(), self.missed.len(), -transmission)
+    /// How many defects, and wishes that are not kept; whether the crank only swings; and the less transmission the worse.
+    fn standing(&self) -> (usize, usize, bool, f64) {
+        let CandidateFigures {
+            full_turn,
+            transmission,
+            ..
+        } = self.figures;
+        (
+            self.defects.len(),
+            self.missed.len(),
+            !full_turn,
+            -transmission,
+        )
     }
 
     /// Whether two are one but for rounding.
@@ -169,9 +195,12 @@ impl TaskDefect {
     pub fn place(&self) -> Option<usize> {
         match self {
             TaskDefect::Unopened => Some(0),
-            TaskDefect::Branch { to, .. } | TaskDefect::Circuit { to, .. } => Some(*to),
+            // Of a closed path it may lie behind the last.
+            TaskDefect::Branch { from, to } | TaskDefect::Circuit { from, to } => {
+                (from < to).then_some(*to)
+            }
             TaskDefect::Missed { point } => Some(*point),
-            TaskDefect::Order { .. } => None,
+            TaskDefect::Order { .. } | TaskDefect::Short => None,
         }
     }
 }
@@ -241,11 +270,6 @@ impl TaskDrive<'_> {
         } else {
             0.0
         };
-        if let TaskKind::Function(task) = &self.task.kind {
-            // On the way it does not close: there it comes to no pair.
-            let (miss, rms) = output_misses(task, self.proposal).ok_or(at.len())?;
-            (figures.miss, figures.rms) = (miss, rms);
-        }
         Ok(())
     }
 }
@@ -284,14 +308,49 @@ fn ratio(proposal: &Proposal) -> f64 {
     all.iter().copied().fold(0.0, f64::max) / least
 }
 
+/// What the task says of the crank's way.
+fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenWay {
+    let first = proposal.places.first();
+    let begin = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
+    match &task.kind {
+        TaskKind::Poses(_) => GivenWay::default(),
+        TaskKind::Function(task) => GivenWay {
+            turned: run.map(|run| task.pairs.iter().map(|[x, _]| run.crank(*x)).collect()),
+            closed: false,
+        },
+        TaskKind::Path(task) => GivenWay {
+            turned: task
+                .turns
+                .as_ref()
+                .map(|turns| turns.iter().map(|turn| begin + turn).collect()),
+            closed: task.closed,
+        },
+    }
+}
+
+/// The crank's least and greatest angle on the way.
+fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) -> (f64, f64) {
+    let beyond: Vec<f64> = match (&task.kind, run, range) {
+        (TaskKind::Function(task), Some(run), _) => {
+            task.between.iter().map(|[x, _]| run.crank(*x)).collect()
+        }
+        (TaskKind::Path(PathTask { closed: true, .. }), _, Range::Full { .. }) => {
+            at.first().map(|first| first + TURN).into_iter().collect()
+        }
+        _ => Vec::new(),
+    };
+    let all = at.iter().chain(&beyond).copied();
+    all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), angle| {
+        (low.min(angle), high.max(angle))
+    })
+}
+
 /// The least angle between coupler and rocker, or between coupler and the normal of the guide, over the crank's way: it
 /// turns at the ends, and where the crank lies on the line of the pivots or stands square to the guide.
-fn least_transmission(proposal: &Proposal, at: &[f64]) -> f64 {
+fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
     let Some((crank, coupler, rocker)) = proposal.lengths() else {
         return 0.0;
     };
-    let low = at.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let line = match proposal.partner {
         Partner::Rocker(d) => degrees(d - proposal.pivot),
         Partner::Slide(angle) => angle + TURN / 4.0,
@@ -344,7 +403,9 @@ fn missed(
     }
     let most = wishes.ratio.unwrap_or(f64::INFINITY);
     wish(figures.ratio <= most, MissedWish::Ratio);
-    if let (Some(sense), Some(first), Some(last)) = (wishes.sense, at.first(), at.last()) {
+    // Of points in any order the crank may come to each from either side.
+    let sense = wishes.sense.filter(|_| wishes.ordered);
+    if let (Some(sense), Some(first), Some(last)) = (sense, at.first(), at.last()) {
         let turns = match sense {
             Sense::CounterClockwise => last >= first,
             Sense::Clockwise => last <= first,
@@ -354,18 +415,24 @@ fn missed(
     missed
 }
 
-/// By how much the output misses its pairs and what is wanted between them, at worst and by root mean square.
-fn output_misses(task: &FunctionTask, proposal: &Proposal) -> Option<(f64, f64)> {
-    let run = FunctionRun::of(task, proposal)?;
+/// By how much the output misses what is wanted, at worst and by root mean square: over the range where that is known,
+/// else at the pairs. `None` where it does not close.
+fn output_misses(task: &FunctionTask, run: &FunctionRun) -> Option<(f64, f64)> {
     let mut worst = 0.0_f64;
-    for [x, y] in task.pairs.iter().chain(&task.between) {
+    for [x, y] in &task.pairs {
         worst = worst.max(run.error(*x, *y)?.abs());
     }
+    let range = match task.between.is_empty() {
+        true => &task.pairs,
+        false => &task.between,
+    };
     let mut squares = 0.0;
-    for [x, y] in &task.pairs {
-        squares += run.error(*x, *y)?.powi(2);
+    for [x, y] in range {
+        let error = run.error(*x, *y)?;
+        worst = worst.max(error.abs());
+        squares += error * error;
     }
-    Some((worst, (squares / task.pairs.len() as f64).sqrt()))
+    Some((worst, (squares / range.len() as f64).sqrt()))
 }
 
 /// Whether a place lies in the box of two opposite corners.

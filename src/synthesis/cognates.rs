@@ -108,7 +108,7 @@ fn pins(a: Vec2, [b, c]: [Vec2; 2], ratio: Vec2) -> [Vec2; 2] {
 mod tests {
     use super::*;
     use crate::numeric::SeededChance;
-    use crate::synthesis::planted::{Planted, tracer};
+    use crate::synthesis::planted::{PlantedDrive, tracer};
 
     /// Each cognate by its own lengths: driven by its own crank from its first place it draws the points of the first
     /// linkage, at every angle that this one goes through.
@@ -117,7 +117,7 @@ mod tests {
         let mut chance = SeededChance::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
         for _ in 0..3000 {
-            let planted = Planted::random(&mut chance, four_bars > 2 * sliders);
+            let planted = PlantedDrive::random(&mut chance, four_bars > 2 * sliders);
             let turns: Vec<f64> = (0..360).map(f64::from).collect();
             let Some(first) = planted.proposal(&turns) else {
                 continue;
@@ -182,7 +182,7 @@ mod tests {
         let mut chance = SeededChance::new(5);
         let turns: Vec<f64> = (0..40).map(|k| 9.0 * f64::from(k)).collect();
         let first = loop {
-            let planted = Planted::random(&mut chance, false);
+            let planted = PlantedDrive::random(&mut chance, false);
             if let Some(first) = planted.proposal(&turns) {
                 break first;
             }
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn a_coupler_that_is_a_line_has_cognates_and_a_tracer_on_a_pin_has_not_all() {
         let turns: Vec<f64> = (0..120).map(|k| 3.0 * f64::from(k)).collect();
-        let bar = |arm| Planted {
+        let bar = |arm| PlantedDrive {
             pivot: Vec2::new(3.0, -1.0),
             far: Partner::Rocker(Vec2::new(7.0, 0.5)),
             crank: 1.0,

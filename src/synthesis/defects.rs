@@ -35,6 +35,8 @@ pub enum TaskDefect {
         /// Where it goes then.
         to: usize,
     },
+    /// It comes to every pair, but does not close over the whole range of its function.
+    Short,
     /// It does not come to this point, by the solver's figure: a proposal that was none.
     Missed {
         /// The point.
@@ -58,73 +60,83 @@ pub(super) fn side(proposal: &Proposal, point: usize) -> f64 {
     }
 }
 
+/// What a task says of the crank's way, beside its wishes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct GivenWay {
+    /// The crank's angle at every point, where the task gives it: in degrees, counted on.
+    pub(super) turned: Option<Vec<f64>>,
+    /// Whether it comes back to the first point.
+    pub(super) closed: bool,
+}
+
 /// The crank's angle at every point in the order of the task, and what is wrong with it.
 pub(super) fn crank_way(
     proposal: &Proposal,
     range: Range,
     wishes: &Wishes,
+    way: &GivenWay,
 ) -> (Vec<f64>, Vec<TaskDefect>) {
-    let angles: Vec<f64> = proposal
-        .places
-        .iter()
-        .map(|[b, _]| degrees(*b - proposal.pivot))
-        .collect();
-    let (at, is_here, turns_back) = match range {
-        Range::Full { .. } => {
-            let Way { at, turns_back } = way::turning(&angles, wishes.sense);
-            let all = vec![true; at.len()];
-            (at, all, turns_back)
-        }
-        Range::Limited { low, high } => {
-            let found = way::swinging(&angles, (low, high));
-            let is_here = found.iter().map(Option::is_some).collect();
-            let at: Vec<f64> = found
-                .iter()
-                .zip(&angles)
-                .map(|(at, angle)| at.unwrap_or(*angle))
-                .collect();
+    let places = proposal.places.iter();
+    let angles: Vec<f64> = places.map(|[b, _]| degrees(*b - proposal.pivot)).collect();
+    let limits = match range {
+        Range::Full { .. } => None,
+        Range::Limited { low, high } => Some((low, high)),
+    };
+    let (found, mut turns_back) = match (&way.turned, limits) {
+        (Some(turned), limits) => (way::given(turned, limits), None),
+        (None, Some(limits)) => {
+            let found = way::swinging(&angles, limits);
             let reached: Vec<f64> = found.iter().map_while(|at| *at).collect();
-            (at, is_here, way::turns_back(&reached))
+            (found, way::turns_back(&reached))
+        }
+        (None, None) if !wishes.ordered => {
+            let at = way::anyhow(&angles);
+            (at.into_iter().map(Some).collect(), None)
+        }
+        (None, None) => {
+            let Way { at, turns_back } = way::turning(&angles, wishes.sense);
+            (at.into_iter().map(Some).collect(), turns_back)
         }
     };
-    let mut defects = passages(proposal, range, &is_here);
+    let is_here: Vec<bool> = found.iter().map(Option::is_some).collect();
+    let told = found.iter().zip(&angles);
+    let at = told.map(|(at, angle)| at.unwrap_or(*angle)).collect();
+    let mut defects = passages(proposal, range, &is_here, way.closed);
+    // Who swings comes back the way on which it went.
+    if way.closed && limits.is_some() {
+        turns_back = turns_back.or(Some(0));
+    }
     if let Some(to) = turns_back.filter(|_| wishes.ordered) {
-        defects.push(TaskDefect::Order { from: to - 1, to });
+        let from = to.checked_sub(1).unwrap_or(angles.len().saturating_sub(1));
+        defects.push(TaskDefect::Order { from, to });
     }
     (at, defects)
 }
 
 /// Between which neighbouring points the assembly changes; of a closed path the last comes before the first.
-fn passages(proposal: &Proposal, range: Range, is_here: &[bool]) -> Vec<TaskDefect> {
+fn passages(proposal: &Proposal, range: Range, is_here: &[bool], closed: bool) -> Vec<TaskDefect> {
     let mut found = Vec::new();
+    let points = is_here.len();
     // A point in a dead point belongs to both sides: it has the one that was there before.
     let mut before = (
         0,
         is_here.first().copied().unwrap_or(true),
         side(proposal, 0),
     );
-    for (point, &here) in is_here.iter().enumerate().skip(1) {
-        let own = side(proposal, point);
+    for place in 1..points + usize::from(closed) {
+        let to = place % points;
+        let own = side(proposal, to);
         let now = if own == 0.0 { before.2 } else { own };
-        let ends = (before.0, point);
-        if here != before.1 {
-            found.push(TaskDefect::Circuit {
-                from: ends.0,
-                to: ends.1,
-            });
+        let from = before.0;
+        if is_here[to] != before.1 {
+            found.push(TaskDefect::Circuit { from, to });
         } else if now * before.2 < 0.0 {
             found.push(match range {
-                Range::Full { .. } => TaskDefect::Circuit {
-                    from: ends.0,
-                    to: ends.1,
-                },
-                Range::Limited { .. } => TaskDefect::Branch {
-                    from: ends.0,
-                    to: ends.1,
-                },
+                Range::Full { .. } => TaskDefect::Circuit { from, to },
+                Range::Limited { .. } => TaskDefect::Branch { from, to },
             });
         }
-        before = (point, here, now);
+        before = (to, is_here[to], now);
     }
     found
 }

@@ -28,6 +28,8 @@ mod paths;
 mod planted;
 mod poses;
 mod proposal;
+#[cfg(test)]
+mod round_trips;
 mod run;
 mod task;
 #[cfg(test)]

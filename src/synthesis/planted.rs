@@ -7,7 +7,7 @@ use crate::{Vec2, angle};
 
 /// A linkage by its lengths.
 #[derive(Clone, Debug)]
-pub(super) struct Planted {
+pub(super) struct PlantedDrive {
     pub(super) pivot: Vec2,
     /// Of a slide the angle; its line goes by A at the distance `rocker`.
     pub(super) far: Partner,
@@ -23,14 +23,14 @@ pub(super) struct Planted {
     pub(super) across: f64,
 }
 
-impl Planted {
-    pub(super) fn random(chance: &mut SeededChance, slides: bool) -> Planted {
+impl PlantedDrive {
+    pub(super) fn random(chance: &mut SeededChance, slides: bool) -> PlantedDrive {
         let mut place = |most: f64| Vec2::new(most * chance.even(), most * chance.even());
         let (pivot, d, arm) = (place(3.0), place(3.0), place(1.5));
         let mut length = || 10_f64.powf(0.5 * chance.even());
         let [crank, coupler, rocker] = [length(), length(), length()];
         let start = 180.0 * chance.even();
-        Planted {
+        PlantedDrive {
             pivot,
             far: if slides {
                 Partner::Slide(180.0 * chance.even())

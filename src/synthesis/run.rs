@@ -1,7 +1,9 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{PathSearch, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses};
+use super::{
+    PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses,
+};
 use std::cmp::Ordering;
 use std::thread;
 
@@ -12,6 +14,11 @@ pub struct SynthesisOrder {
     pub seed: u64,
     /// Threads.
     pub threads: usize,
+}
+
+impl SynthesisOrder {
+    /// The seed where none is named.
+    pub const USUAL_SEED: u64 = 1;
 }
 
 /// What came of a task.
@@ -44,15 +51,17 @@ impl Synthesis {
                 task.wishes.inside,
             ),
             TaskKind::Function(function) => functions::propose(function),
-            TaskKind::Path(path) => PathSearch {
-                task: path,
-                four_bars: task.four_bars,
-                slider_cranks: task.slider_cranks,
-                seed: order.seed,
-                threads: order.threads,
-                starts: PathSearch::STARTS,
+            TaskKind::Path(path) => {
+                let search = PathSearch {
+                    task: path,
+                    four_bars: task.four_bars,
+                    slider_cranks: task.slider_cranks,
+                    seed: order.seed,
+                    threads: order.threads,
+                    starts: PathSearch::STARTS,
+                };
+                with_cognates(path, search.run(watch))
             }
-            .run(watch),
         };
         let found = Synthesis::of(task, proposals, order.threads);
         watch(1.0);
@@ -79,6 +88,23 @@ impl Synthesis {
             curves: proposals.curves,
         }
     }
+}
+
+/// The same, and behind each linkage those that lead the same point along the same curve: where the crank's turns are given
+/// the one that keeps them, and none where pivots are given, for theirs are others.
+fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
+    let mut found = Vec::new();
+    for one in &proposals.found {
+        let cognates = one.cognates();
+        let first = match (path.pivots.is_empty(), &path.turns) {
+            (false, _) => cognates.len(),
+            (true, Some(_)) => cognates.len().saturating_sub(1),
+            (true, None) => 0,
+        };
+        found.push(one.clone());
+        found.extend_from_slice(&cognates[first..]);
+    }
+    Proposals { found, ..proposals }
 }
 
 /// All of them, in their order, on several cores.

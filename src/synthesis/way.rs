@@ -12,6 +12,47 @@ pub(super) struct Way {
     pub(super) turns_back: Option<usize>,
 }
 
+/// What rounding may make of no turn at all, in degrees.
+const STANDS: f64 = 1e-9;
+
+/// The way of a crank that turns fully, and comes to its places in any order: the least turn that has them all.
+pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
+    let Some(&first) = angles.first() else {
+        return Vec::new();
+    };
+    let mut round: Vec<f64> = angles
+        .iter()
+        .map(|a| (a - first).rem_euclid(TURN))
+        .collect();
+    round.sort_by(f64::total_cmp);
+    let next = round[1..].iter().copied().chain([TURN]);
+    let gaps = round.iter().zip(next).map(|(from, to)| (to - from, to));
+    // Behind the widest gap it begins; the first place stays where it is.
+    let widest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
+    let begin = widest.map_or(TURN, |(_, to)| to);
+    let place = |angle: &f64| {
+        let on = (angle - first).rem_euclid(TURN);
+        first + if on < begin { on } else { on - TURN }
+    };
+    angles.iter().map(place).collect()
+}
+
+/// The way of a crank whose turns are given: `None` stands where it lies beyond the limits.
+pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f64>> {
+    let Some((low, high)) = limits else {
+        return turned.iter().copied().map(Some).collect();
+    };
+    // The whole way is told from another datum than the limits.
+    let first = turned.first().copied().unwrap_or(0.0);
+    let shift = swinging(&[first], (low, high))[0].map_or(0.0, |here| here - first);
+    let slack = STANDS * TURN;
+    let place = |turned: &f64| {
+        let at = turned + shift;
+        (low - slack <= at && at <= high + slack).then(|| at.clamp(low, high))
+    };
+    turned.iter().map(place).collect()
+}
+
 /// The way of a crank that turns fully: one way round where that passes all places within a turn, else the short way from
 /// each to the next.
 pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
@@ -55,7 +96,7 @@ pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f6
     let mut at = Vec::with_capacity(angles.len());
     for &angle in angles {
         // A place at a limit may be beside it by rounding.
-        let slack = 1e-9 * TURN;
+        let slack = STANDS * TURN;
         let first = ((low - slack - angle) / TURN).ceil();
         let last = ((high + slack - angle) / TURN).floor();
         let nearest = ((before - angle) / TURN)
@@ -73,12 +114,13 @@ pub(super) fn turns_back(at: &[f64]) -> Option<usize> {
     let steps = at.windows(2).map(|two| two[1] - two[0]);
     let mut sense = 0.0_f64;
     for (place, step) in (1..).zip(steps) {
+        if step.abs() <= STANDS {
+            continue;
+        }
         if step * sense < 0.0 {
             return Some(place);
         }
-        if step != 0.0 {
-            sense = step;
-        }
+        sense = step;
     }
     None
 }
@@ -89,13 +131,22 @@ fn one_way(angles: &[f64], sense: Sense) -> Vec<f64> {
         let next = match at.last() {
             None => angle,
             Some(before) => match sense {
-                Sense::CounterClockwise => before + (angle - before).rem_euclid(TURN),
-                Sense::Clockwise => before - (before - angle).rem_euclid(TURN),
+                Sense::CounterClockwise => before + forward(angle - before),
+                Sense::Clockwise => before - forward(before - angle),
             },
         };
         at.push(next);
     }
     at
+}
+
+/// A turn forward, from 0 to below a whole one; what goes back by rounding alone stays.
+fn forward(turn: f64) -> f64 {
+    let forward = turn.rem_euclid(TURN);
+    match forward < TURN - STANDS {
+        true => forward,
+        false => forward - TURN,
+    }
 }
 
 fn shortest(angles: &[f64]) -> Vec<f64> {
@@ -129,6 +180,37 @@ mod tests {
         );
         let wished = turning(&[0.0, 10.0], Some(Sense::Clockwise));
         assert_eq!(wished.at, [0.0, -350.0]);
+    }
+
+    #[test]
+    fn in_any_order_it_takes_the_least_turn() {
+        assert_eq!(
+            anyhow(&[0.0, 200.0, 100.0, 150.0]),
+            [0.0, 200.0, 100.0, 150.0]
+        );
+        assert_eq!(anyhow(&[10.0, 350.0, 20.0]), [10.0, -10.0, 20.0]);
+        assert_eq!(anyhow(&[350.0, 10.0, 300.0]), [350.0, 370.0, 300.0]);
+        assert_eq!(anyhow(&[40.0]), [40.0]);
+        assert!(anyhow(&[]).is_empty());
+    }
+
+    #[test]
+    fn what_goes_back_by_rounding_stands() {
+        let way = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
+        assert_eq!(way.turns_back, None);
+        assert!((way.at[3] - 90.0).abs() < 1e-9, "{way:?}");
+        assert_eq!(turns_back(&[0.0, 1.0, 1.0 - 1e-12, 2.0]), None);
+        assert_eq!(turns_back(&[0.0, 1.0, 0.9, 2.0]), Some(2));
+    }
+
+    #[test]
+    fn a_given_way_is_taken_as_it_is() {
+        assert_eq!(
+            given(&[0.0, 250.0, 500.0], None)[1..],
+            [Some(250.0), Some(500.0)]
+        );
+        let within = given(&[350.0, 370.0, 430.0], Some((-30.0, 60.0)));
+        assert_eq!(within, [Some(-10.0), Some(10.0), None]);
     }
 
     #[test]

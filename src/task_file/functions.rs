@@ -1,8 +1,8 @@
 //! Functions: pairs, or a formula over a range.
 
-use super::{Reader, WrittenTask, lacks, rows};
+use super::{Reader, WrittenTask, lacks, measured, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
-use crate::expression::Measured;
+use crate::expression::{Dimension, MeasuredNumber};
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
@@ -55,12 +55,17 @@ pub(super) fn function(
         }
     };
     let spans = [0, 1].map(|k| span(course.pairs.iter().chain(&course.between), k));
-    let crank = side(reader, "crank", file.crank.as_ref(), spans[0])?;
-    let output = side(reader, "output", file.output.as_ref(), spans[1])?;
+    let travel = match slides {
+        true => Dimension::LENGTH,
+        false => Dimension::DEGREES,
+    };
+    let angle = Dimension::DEGREES;
+    let crank = side(reader, "crank", file.crank.as_ref(), spans[0], angle)?;
+    let output = side(reader, "output", file.output.as_ref(), spans[1], travel)?;
     let size = match &file.size {
         None => 100.0,
         Some(value) => {
-            let size = reader.number("`size`", value)?;
+            let size = measured(reader, "`size`", value, Some(Dimension::LENGTH))?;
             if !(size > 0.0) {
                 reader.report(
                     Diagnostic::new(words().must_be(
@@ -91,7 +96,7 @@ pub(super) fn function(
 }
 
 fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
-    let rows = rows::<2>(reader, "pairs", ("[x, y]", "[30, 42]"), written)?;
+    let rows = rows(reader, "pairs", ("[x, y]", "[30, 42]"), [None; 2], written)?;
     if !(3..=MOST).contains(&rows.len()) {
         reader.report(
             Diagnostic::new(words().count_of_pairs(rows.len(), MOST))
@@ -137,12 +142,14 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let y = reader.string(&words().key_of("y", "`function`"), y)?;
     let (from, to, count) = (from?, to?, count?);
     let points = usize::try_from(count as i64).unwrap_or(0);
-    if !(to > from) || !(3..=MOST).contains(&points) || points as f64 != count {
+    let is_range = to > from && (to - from).is_finite();
+    let is_count = (3..=MOST).contains(&points) && points as f64 == count;
+    if !(is_range && is_count) {
         reader.report(Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""));
         return None;
     }
     let mut at = |x: f64| {
-        let worth = Measured {
+        let worth = MeasuredNumber {
             value: crate::Double::exactly(x),
             dimension: None,
         };
@@ -175,6 +182,7 @@ fn side(
     key: &str,
     value: Option<&Lenient<WrittenSide>>,
     (low, high): (f64, f64),
+    measure: Dimension,
 ) -> Option<(Given, Given)> {
     let Some(value) = value else {
         return Some((Given::Free, Given::Value(1.0)));
@@ -186,32 +194,30 @@ fn side(
         reader.report(Diagnostic::new(words().swing_and_scale()).at(scale.span.clone(), ""));
         return None;
     }
-    let mut number =
-        |key: &str, given: &Lenient<f64>| reader.number(&words().key_of(key, &of), given);
+    let mut number = |key: &str, given: &Lenient<f64>, measure: Option<Dimension>| {
+        measured(reader, &words().key_of(key, &of), given, measure)
+    };
+    let measure = Some(measure);
     let scale = match (&table.swing, &table.scale) {
-        (Some(swing), _) => Given::Value(number("swing", swing)? / (high - low)),
+        (Some(swing), _) => Given::Value(number("swing", swing, measure)? / (high - low)),
         (None, Some(scale)) => match &scale.read {
             Err(Misplaced::Text(text)) if text == "free" => Given::Free,
-            _ => Given::Value(number("scale", scale)?),
+            _ => Given::Value(number("scale", scale, None)?),
         },
         (None, None) => Given::Value(1.0),
     };
     let start = match &table.start {
-        Some(start) => Some(number("start", start)?),
+        Some(start) => Some(number("start", start, measure)?),
         None => None,
     };
-    match (start, scale) {
-        (None, scale) => Some((Given::Free, scale)),
-        (Some(start), Given::Value(scale)) if scale != 0.0 && scale.is_finite() => {
-            Some((Given::Value(start - scale * low), Given::Value(scale)))
+    let rule = match (start, scale) {
+        (Some(_), Given::Free) => words().start_wants_scale(),
+        (_, Given::Value(scale)) if scale == 0.0 || !scale.is_finite() => words().scale_is_nought(),
+        (None, scale) => return Some((Given::Free, scale)),
+        (Some(start), Given::Value(scale)) => {
+            return Some((Given::Value(start - scale * low), Given::Value(scale)));
         }
-        (Some(_), scale) => {
-            let rule = match scale {
-                Given::Free => words().start_wants_scale(),
-                Given::Value(_) => words().scale_is_nought(),
-            };
-            reader.report(Diagnostic::new(rule).at(value.span.clone(), ""));
-            None
-        }
-    }
+    };
+    reader.report(Diagnostic::new(rule).at(value.span.clone(), ""));
+    None
 }

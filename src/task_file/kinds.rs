@@ -2,7 +2,9 @@
 
 use super::{ByteSpan, Reader, WrittenTask, lacks, numbers, points, rows, same_twice};
 use crate::Vec2;
+use crate::angle::TURN;
 use crate::document::{Diagnostic, Lenient};
+use crate::expression::Dimension;
 use crate::synthesis::{PathTask, Pose, PoseTask};
 use crate::wording::words;
 
@@ -19,9 +21,10 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
         return lacks(reader, "poses", "poses", POSES);
     };
     let form = ("[x, y, angle]", "[120, 40, 35]");
-    let read = rows::<3>(reader, "poses", form, written);
-    let pivots = points(reader, "pivots", file.pivots.as_ref());
-    let pins = points(reader, "pins", file.pins.as_ref());
+    let measures = [Dimension::LENGTH, Dimension::LENGTH, Dimension::DEGREES];
+    let read = rows(reader, "poses", form, measures.map(Some), written);
+    let pivots = given(reader, "pivots", file.pivots.as_ref());
+    let pins = given(reader, "pins", file.pins.as_ref());
     let (read, pivots, pins) = (read?, pivots?, pins?);
     if !(FEWEST..=MOST).contains(&read.len()) {
         reader.report(
@@ -81,7 +84,7 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
         return lacks(reader, "path", "points", POINTS);
     };
     let read = points(reader, "points", Some(written));
-    let pivots = points(reader, "pivots", file.pivots.as_ref());
+    let pivots = given(reader, "pivots", file.pivots.as_ref());
     let closed = file.closed.as_ref();
     let closed = closed.and_then(|closed| reader.boolean("`closed`", closed));
     let (read, pivots) = (read?, pivots?);
@@ -108,15 +111,24 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
     }
     let turns = match &file.turns {
         None => None,
-        Some(written) => Some(as_many(reader, "turns", written, read.len())?),
+        Some(written) => {
+            let degrees = Some(Dimension::DEGREES);
+            Some(as_many(reader, "turns", written, degrees, read.len())?)
+        }
     };
     if let (Some(turns), Some(written)) = (&turns, &file.turns) {
-        first_is_nought(reader, turns, written);
+        turns_fit(reader, turns, written, closed == Some(true));
     }
     let weights = match &file.weights {
         None => vec![1.0; read.len()],
         Some(written) => {
-            let weights = as_many(reader, "weights", written, read.len())?;
+            let weights = as_many(
+                reader,
+                "weights",
+                written,
+                Some(Dimension::NUMBER),
+                read.len(),
+            )?;
             if !weights.iter().all(|weight| *weight > 0.0) {
                 reader.report(
                     Diagnostic::new(words().weights_are_positive()).at(written.span.clone(), ""),
@@ -139,9 +151,10 @@ fn as_many(
     reader: &mut Reader<'_>,
     key: &str,
     written: &super::NumberList,
+    measure: Option<Dimension>,
     count: usize,
 ) -> Option<Vec<f64>> {
-    let read = numbers(reader, key, written)?;
+    let read = numbers(reader, key, written, measure)?;
     if read.len() == count {
         return Some(read);
     }
@@ -152,14 +165,38 @@ fn as_many(
     None
 }
 
-/// The crank's turns count from the first point.
-fn first_is_nought(reader: &mut Reader<'_>, turns: &[f64], written: &Lenient<Vec<Lenient<f64>>>) {
+/// Pivots or pins that are given, each once.
+fn given(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&super::RowList>,
+) -> Option<Vec<(Vec2, ByteSpan)>> {
+    let read = points(reader, key, value)?;
+    for (again, (at, place)) in read.iter().enumerate() {
+        let first = read[..again].iter().position(|(before, _)| before == at);
+        if let Some(first) = first {
+            let help = words().links_have_their_own_ends();
+            same_twice(reader, (first, &read[first].1), (again, place), help);
+        }
+    }
+    Some(read)
+}
+
+/// The crank's turns count from the first point, go one way, and of a closed path end before it is come to again.
+fn turns_fit(
+    reader: &mut Reader<'_>,
+    turns: &[f64],
+    written: &Lenient<Vec<Lenient<f64>>>,
+    closed: bool,
+) {
     let steps: Vec<f64> = turns.windows(2).map(|two| two[1] - two[0]).collect();
     let one_way = steps.iter().all(|step| *step > 0.0) || steps.iter().all(|step| *step < 0.0);
     let fault = if turns.first() != Some(&0.0) {
         words().turns_begin_at_nought()
     } else if !one_way {
         words().turns_go_one_way()
+    } else if closed && turns.iter().any(|turn| turn.abs() >= TURN) {
+        words().turns_end_within_one()
     } else {
         return;
     };

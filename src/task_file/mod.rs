@@ -20,7 +20,8 @@ mod wishes;
 pub use examples::ExampleTask;
 
 use crate::Vec2;
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Name, Reader};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Misplaced, Name, Reader};
+use crate::expression::Dimension;
 use crate::nearest::did_you_mean;
 use crate::scene::{self, LARGEST_FILE, Unit};
 use crate::synthesis::{Task, TaskKind};
@@ -82,6 +83,13 @@ const KINDS: [(&str, &[&str]); 3] = [
 ];
 
 impl TaskFile {
+    /// Whether a file is meant as a task: it has a `kind`, which no scene has.
+    #[must_use]
+    pub fn is_meant(bytes: &[u8]) -> bool {
+        let text = std::str::from_utf8(bytes).unwrap_or_default();
+        document::has_key(text.trim_start_matches('\u{feff}'), "kind")
+    }
+
     /// Reads a task from the bytes of a file; `origin` is the name of the file in messages.
     ///
     /// # Errors
@@ -118,6 +126,15 @@ fn task_file(
     origin: &str,
 ) -> Option<TaskFile> {
     let file = root.get()?;
+    if let (None, Some(links)) = (&file.kind, root.key("links").or_else(|| root.key("slides"))) {
+        let fault = Diagnostic::new(words().scene_for_a_task());
+        reader.report(
+            fault
+                .at(links.span(), "")
+                .help(words().synthesize_reads_tasks()),
+        );
+        return None;
+    }
     reader.only(words().the_task_itself(), root);
     let name = scene::line(reader, "name", file.name.as_ref());
     let source = scene::line(reader, "source", file.source.as_ref());
@@ -127,6 +144,9 @@ fn task_file(
     let wishes = wishes::wishes(reader, file.wishes.as_ref());
     let (four_bars, slider_cranks) = linkages(reader, file.linkages.as_ref());
     let kind = kind(reader, root, file)?;
+    if let (true, true, "function", Some(both)) = (four_bars, slider_cranks, kind, &file.linkages) {
+        reader.report(Diagnostic::new(words().one_output()).at(both.span.clone(), ""));
+    }
     let task = Task {
         kind: match kind {
             "poses" => TaskKind::Poses(kinds::poses(reader, file)?),
@@ -135,9 +155,9 @@ fn task_file(
         },
         four_bars,
         slider_cranks,
-        wishes: wishes.for_motion(kind),
+        wishes: wishes.for_motion(),
     };
-    wishes.agree_with(reader, &task, file.pivots.as_ref());
+    wishes.agree_with(reader, &task, file);
     Some(TaskFile {
         name: name.unwrap_or_else(|| scene::stem(origin)),
         source,
@@ -237,22 +257,52 @@ fn list<'v, T>(
     }
 }
 
+/// A number that measures what stands there: a formula that measures something else is reported.
+fn measured(
+    reader: &mut Reader<'_>,
+    what: &str,
+    value: &Lenient<f64>,
+    wanted: Option<Dimension>,
+) -> Option<f64> {
+    let number = reader.number(what, value)?;
+    let (Some(wanted), Err(Misplaced::Text(formula))) = (wanted, &value.read) else {
+        return Some(number);
+    };
+    let worth = reader.worked_out(what, formula, &value.span)?;
+    match worth.dimension {
+        Some(found) if !found.adds_to(wanted) => {
+            let length = reader.named.length.0;
+            let message =
+                words().value_measures_other(what, &found.symbol(length), &wanted.symbol(length));
+            reader.report(Diagnostic::new(message).at(value.span.clone(), ""));
+            None
+        }
+        _ => Some(number),
+    }
+}
+
 /// The numbers of a list; `None` where one of them is none.
-fn numbers(reader: &mut Reader<'_>, key: &str, value: &NumberList) -> Option<Vec<f64>> {
+fn numbers(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: &NumberList,
+    measure: Option<Dimension>,
+) -> Option<Vec<f64>> {
     let what = format!("`{key}`");
     let items = list(reader, &what, "[0, 30, 60]", value);
     let read: Vec<Option<f64>> = items
         .iter()
-        .map(|item| reader.number(&what, item))
+        .map(|item| measured(reader, &what, item, measure))
         .collect();
     read.into_iter().collect()
 }
 
-/// Rows of `N` numbers with their places; `None` where one of them is none.
+/// Rows of `N` numbers with their places, each number of its own measure; `None` where one of them is none.
 fn rows<const N: usize>(
     reader: &mut Reader<'_>,
     key: &str,
     (form, example): (&str, &str),
+    measures: [Option<Dimension>; N],
     value: &RowList,
 ) -> Option<Vec<([f64; N], ByteSpan)>> {
     let items = list(reader, &format!("`{key}`"), &format!("[{example}]"), value);
@@ -271,7 +321,8 @@ fn rows<const N: usize>(
         }
         let read: Vec<f64> = parts
             .iter()
-            .filter_map(|part| reader.number(&what, part))
+            .zip(measures)
+            .filter_map(|(part, measure)| measured(reader, &what, part, measure))
             .collect();
         if let Ok(row) = <[f64; N]>::try_from(read) {
             rows.push((row, item.span.clone()));
@@ -289,7 +340,8 @@ fn points(
     let Some(value) = value else {
         return Some(Vec::new());
     };
-    let rows = rows::<2>(reader, key, ("[x, y]", "[20, 35]"), value)?;
+    let form = ("[x, y]", "[20, 35]");
+    let rows = rows(reader, key, form, [Some(Dimension::LENGTH); 2], value)?;
     let point = |([x, y], place): ([f64; 2], ByteSpan)| (Vec2::new(x, y), place);
     Some(rows.into_iter().map(point).collect())
 }

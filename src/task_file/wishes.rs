@@ -1,8 +1,9 @@
 //! What would be liked beside the motion, and whether it can be had.
 
-use super::{Reader, RowList, named, points, rows};
+use super::{Reader, RowList, WrittenTask, measured, named, points};
 use crate::Vec2;
-use crate::document::{Diagnostic, Lenient};
+use crate::document::{ByteSpan, Diagnostic, Lenient};
+use crate::expression::Dimension;
 use crate::synthesis::{Sense, Task, TaskKind, Wishes};
 use crate::wording::words;
 use serde::Deserialize;
@@ -29,6 +30,8 @@ const SENSES: [(&str, Sense); 2] = [
 pub(super) struct ReadWishes {
     wishes: Wishes,
     ordered: Option<bool>,
+    /// Where the direction is told.
+    direction: Option<ByteSpan>,
 }
 
 pub(super) fn wishes(
@@ -38,6 +41,7 @@ pub(super) fn wishes(
     let mut read = ReadWishes {
         wishes: Wishes::default(),
         ordered: None,
+        direction: None,
     };
     let Some(value) = value else { return read };
     let Some(table) = reader.table("[wishes]", WISHES, value) else {
@@ -56,9 +60,9 @@ pub(super) fn wishes(
         within(
             reader,
             "transmission",
-            value,
+            (value, Dimension::DEGREES),
             is_angle,
-            words().from_0_to_90(),
+            words().angle_below_90(),
         )
     });
     let ratio = table.ratio.as_ref();
@@ -66,7 +70,7 @@ pub(super) fn wishes(
         within(
             reader,
             "ratio",
-            value,
+            (value, Dimension::NUMBER),
             |ratio| ratio >= 1.0,
             words().at_least_1(),
         )
@@ -79,18 +83,24 @@ pub(super) fn wishes(
         .direction
         .as_ref()
         .and_then(|value| direction(reader, value));
+    read.direction = table.direction.as_ref().map(|value| value.span.clone());
+    if read.ordered == Some(false) && read.wishes.sense.is_some() {
+        let place = table.order.as_ref().map(|value| value.span.clone());
+        let fault = Diagnostic::new(words().direction_wants_order());
+        reader.report(fault.at(place.unwrap_or_default(), ""));
+    }
     read
 }
 
 fn within(
     reader: &mut Reader<'_>,
     key: &str,
-    value: &Lenient<f64>,
+    (value, measure): (&Lenient<f64>, Dimension),
     fits: impl Fn(f64) -> bool,
     rule: &str,
 ) -> Option<f64> {
     let what = format!("`{key}`");
-    let number = reader.number(&what, value)?;
+    let number = measured(reader, &what, value, Some(measure))?;
     if fits(number) {
         return Some(number);
     }
@@ -103,11 +113,8 @@ fn within(
 }
 
 fn inside(reader: &mut Reader<'_>, value: &RowList) -> Option<[Vec2; 2]> {
-    let corners = rows::<2>(reader, "inside", ("[x, y]", "[0, 0]"), value)?;
-    let corners: Vec<Vec2> = corners
-        .iter()
-        .map(|([x, y], _)| Vec2::new(*x, *y))
-        .collect();
+    let corners = points(reader, "inside", Some(value))?;
+    let corners: Vec<Vec2> = corners.iter().map(|(at, _)| *at).collect();
     match corners[..] {
         [one, other] if one.x != other.x && one.y != other.y => Some([one, other]),
         _ => {
@@ -136,22 +143,17 @@ fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> 
 }
 
 impl ReadWishes {
-    /// Poses and paths are come through in their order where nothing else is said.
-    pub(super) fn for_motion(&self, kind: &str) -> Wishes {
+    /// Points are come through in their order where nothing else is said.
+    pub(super) fn for_motion(&self) -> Wishes {
         Wishes {
-            ordered: self.ordered.unwrap_or(kind != "function"),
+            ordered: self.ordered.unwrap_or(true),
             ..self.wishes
         }
     }
 
     /// Reports what cannot be had together.
-    pub(super) fn agree_with(
-        &self,
-        reader: &mut Reader<'_>,
-        task: &Task,
-        pivots: Option<&RowList>,
-    ) {
-        if let (Some(corners), Some(written)) = (self.wishes.inside, pivots) {
+    pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, file: &WrittenTask) {
+        if let (Some(corners), Some(written)) = (self.wishes.inside, &file.pivots) {
             let given = points(reader, "pivots", Some(written)).unwrap_or_default();
             for (at, place) in given {
                 if !crate::synthesis::is_inside(corners, at) {
@@ -173,7 +175,13 @@ impl ReadWishes {
                 false => Sense::Clockwise,
             };
             if turns != sense {
-                reader.report(Diagnostic::new(words().turns_against_direction()));
+                let place = file.turns.as_ref().map(|turns| turns.span.clone());
+                let fault = Diagnostic::new(words().turns_against_direction());
+                let fault = fault.at(place.unwrap_or_default(), "");
+                reader.report(match &self.direction {
+                    Some(direction) => fault.and(direction.clone(), ""),
+                    None => fault,
+                });
             }
         }
     }

@@ -22,6 +22,7 @@ mod recovering;
 mod searching;
 mod shell;
 mod storing;
+mod synthesizing;
 mod touring;
 mod typing;
 mod writing;
@@ -49,6 +50,7 @@ use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
 use crate::tui::views;
 use crate::tui::views::accuracy::study_run::StudyRun;
+use crate::tui::views::candidates::list::CandidateList;
 use crate::tui::views::layout::Composition;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::motion::viewport::Viewport;
@@ -117,6 +119,8 @@ pub(crate) struct App {
     guess: String,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
+    /// The linkages for the task that was looked at last.
+    candidates: Option<CandidateList>,
     /// What the open scene is held against.
     comparison: Comparison,
 
@@ -152,6 +156,7 @@ impl App {
             watched: None,
             guess: String::new(),
             previews: Previews::default(),
+            candidates: None,
             comparison: Comparison::default(),
             clerk: Clerk::default(),
             csv: CsvDialect::default(),
@@ -198,6 +203,9 @@ impl App {
         self.motor = MotorStudy::default();
         self.previews.forget();
         self.player.open_scene.say_again();
+        if let Some(list) = &mut self.candidates {
+            list.say_again();
+        }
         self.attend_to_panes();
         self.shell.say(words().language_is());
     }

@@ -47,6 +47,8 @@ use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::scene::Scene;
 use crate::solver::Solver;
+use crate::synthesis::SynthesisOrder;
+use crate::task_file::TaskFile;
 use crate::wording::words;
 use app::Effect;
 use commands::mouse::{Mouse, MouseDeed};
@@ -66,6 +68,8 @@ pub enum Origin {
     Preset(String),
     /// A file.
     File(PathBuf),
+    /// Made here, under this name: no file holds it yet.
+    New(String),
     /// Standard input; keys are then read from /dev/tty.
     Stdin,
 }
@@ -79,6 +83,32 @@ pub struct Opened {
     pub solver: Solver,
     /// Where it comes from.
     pub origin: Origin,
+}
+
+/// A task whose linkages are to be looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TaskOrder {
+    /// What is wanted.
+    pub file: TaskFile,
+    /// What it is called in a list, and scenes after it.
+    pub name: String,
+    /// From which chance follows, where a search begins at many places.
+    pub seed: u64,
+    /// How far each length of a scene may be off; nothing where that is left open.
+    pub tolerance: Option<f64>,
+}
+
+impl TaskOrder {
+    /// A task as it is looked at where nothing else is said.
+    #[must_use]
+    pub fn new(file: TaskFile, name: String) -> TaskOrder {
+        TaskOrder {
+            file,
+            name,
+            seed: SynthesisOrder::USUAL_SEED,
+            tolerance: None,
+        }
+    }
 }
 
 /// How to open the workbench; what is `None` follows from the scene and the environment.
@@ -98,6 +128,8 @@ pub struct Options {
     pub picture: PictureChoice,
     /// What is configured beside these.
     pub config: Config,
+    /// A task whose linkages are looked for at once.
+    pub task: Option<TaskOrder>,
     /// Whether nothing was named that somebody wants to see at once: then the first start begins with the
     /// tour.
     pub idle: bool,
@@ -173,6 +205,9 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
         if let Some(state) = state {
             workbench.app().recover_in(&state.join("recovery"));
+        }
+        if let Some(task) = &options.task {
+            workbench.app().synthesize(task.clone());
         }
         let session = Session {
             tty,

@@ -6,7 +6,7 @@ use super::app::{App, Effect, View};
 use super::config::Config;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
-use super::{Frames, Opened, Theme};
+use super::{Frames, Opened, TaskOrder, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::tui::commands::key::Key;
@@ -72,6 +72,13 @@ impl Workbench {
         while self.app.is_working() {
             self.pass(Duration::ZERO);
         }
+    }
+
+    /// Looks for the linkages that do a task, and lists them.
+    #[must_use]
+    pub fn synthesizing(mut self, task: TaskOrder) -> Self {
+        self.app.synthesize(task);
+        self
     }
 
     /// Names of colours stand for those of a theme.

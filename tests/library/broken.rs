@@ -1,14 +1,20 @@
-//! Every file of `tests/broken` is refused, with the phrases and at the places that its head names:
+//! Every file of `tests/broken`, and every task of `tests/broken_tasks`, is refused, with the phrases and at the places that its head names:
 //! `# expect: a phrase of the message` and `# at: LINE:COLUMN`, each as often as wanted.
 
 use krank::quantity::check_figures;
 use krank::scene::{Diagnostics, Scene};
 use krank::solver::Solver;
+use krank::synthesis::{Synthesis, SynthesisOrder};
+use krank::task_file::{ExampleTask, TaskFile};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 fn broken() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/broken");
+    files_of("tests/broken")
+}
+
+fn files_of(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let entries = std::fs::read_dir(&folder).unwrap();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     files.sort();
@@ -34,8 +40,13 @@ fn after<'t>(head: &'t str, text: &'t str) -> Vec<&'t str> {
         .collect()
 }
 
+/// The same of a task.
+fn task_faults(bytes: &[u8], origin: &str) -> Option<Diagnostics> {
+    TaskFile::read(bytes, origin).err()
+}
+
 /// The complaints about one file, empty if it is refused as its head says.
-fn check(path: &Path) -> Vec<String> {
+fn check(path: &Path, faults: impl Fn(&[u8], &str) -> Option<Diagnostics>) -> Vec<String> {
     let bytes = std::fs::read(path).unwrap();
     let text = String::from_utf8_lossy(&bytes);
     let origin = path.file_name().unwrap().to_string_lossy();
@@ -89,11 +100,120 @@ fn every_broken_scene_is_refused_with_its_phrase_and_place() {
     let files = broken();
     assert!(files.len() >= 40, "only {} broken scenes", files.len());
     for path in &files {
-        for complaint in check(path) {
+        for complaint in check(path, faults) {
             report += &format!("{}: {complaint}\n", path.display());
         }
     }
     assert!(report.is_empty(), "{report}");
+}
+
+#[test]
+fn every_broken_task_is_refused_with_its_phrase_and_place() {
+    let mut report = String::new();
+    let files = files_of("tests/broken_tasks");
+    assert!(files.len() >= 40, "only {} broken tasks", files.len());
+    for path in &files {
+        for complaint in check(path, task_faults) {
+            report += &format!("{}: {complaint}\n", path.display());
+        }
+    }
+    assert!(report.is_empty(), "{report}");
+}
+
+/// Long lists are refused in a word, or read.
+#[test]
+fn lists_of_a_task_may_be_long() {
+    let rows = |count: usize| -> String {
+        let rows: Vec<String> = (0..count).map(|k| format!("[{k}, {}]", k % 7)).collect();
+        rows.join(", ")
+    };
+    let path = |count| format!("kind = \"path\"\npoints = [{}]\n", rows(count));
+    assert!(TaskFile::parse(&path(1000), "long").is_ok());
+    let faults = TaskFile::parse(&path(20_000), "long").unwrap_err();
+    assert!(
+        faults.first_words().contains("not 20000"),
+        "{}",
+        faults.first_words()
+    );
+    let pairs = format!("kind = \"function\"\npairs = [{}]\n", rows(1001));
+    assert!(TaskFile::parse(&pairs, "long").is_err());
+    let empty = "[],".repeat(20_000);
+    let faults = TaskFile::parse(&format!("kind = \"path\"\npoints = [{empty}]\n"), "long");
+    assert!(faults.unwrap_err().items.len() < 100);
+}
+
+/// A task with a few bytes changed is read, or refused with a reason; nothing panics, and what is read is run.
+#[test]
+fn changed_tasks_are_read_or_refused() {
+    let parts = [
+        "1e300", "-", "nan", "[", "]", "\"x\"", "0", "1e-300", ",", "=", "\u{0}", "true", "{",
+        "inf",
+    ];
+    let mut chance = 88_172_645_463_325_252_u64;
+    let mut next = |below: usize| {
+        chance ^= chance << 13;
+        chance ^= chance >> 7;
+        chance ^= chance << 17;
+        (chance % below as u64) as usize
+    };
+    let mut read = 0;
+    for example in ExampleTask::all() {
+        for _ in 0..400 {
+            let mut text = example.text.to_owned();
+            for _ in 0..=next(2) {
+                let places: Vec<usize> = text.char_indices().map(|(at, _)| at).collect();
+                let from = next(places.len());
+                let to = (from + next(4)).min(places.len() - 1);
+                text.replace_range(places[from]..places[to], parts[next(parts.len())]);
+            }
+            match TaskFile::read(text.as_bytes(), "changed") {
+                Ok(_) => read += 1,
+                Err(faults) => {
+                    assert!(!faults.items.is_empty(), "{text}");
+                    assert!(!faults.render(true, false).is_empty());
+                }
+            }
+        }
+    }
+    assert!(read > 50, "{read}");
+}
+
+/// Numbers at the ends of what is taken do not stop a method.
+#[test]
+fn numbers_of_any_size_are_run() {
+    for size in ["1e300", "1e150", "1e-150", "1e-300", "0"] {
+        for text in [
+            format!("kind = \"poses\"\nposes = [[0, 0, 0], [{size}, 1, 10], [2, {size}, 20]]\n"),
+            format!(
+                "kind = \"poses\"\nposes = [[0, 0, 0], [{size}, 1, 10], [2, {size}, 20], [3, 4, {size}], [1, 7, 3]]\n"
+            ),
+            format!("kind = \"function\"\npairs = [[0, 0], [1, {size}], [2, 5]]\n"),
+            format!(
+                "kind = \"function\"\npairs = [[0, 0], [1, 3], [2, 5]]\ncrank = {{ swing = {size} }}\n"
+            ),
+        ] {
+            if let Ok(file) = TaskFile::parse(&text, "size") {
+                let order = SynthesisOrder {
+                    seed: 1,
+                    threads: 2,
+                };
+                let found = Synthesis::run(&file.task, order, &mut |_| true);
+                for candidate in &found.good {
+                    let figures = candidate.figures;
+                    let told = [
+                        figures.miss,
+                        figures.rms,
+                        figures.transmission,
+                        figures.ratio,
+                    ];
+                    assert!(
+                        told.iter().all(|figure| figure.is_finite()),
+                        "{text}{figures:?}"
+                    );
+                }
+            }
+        }
+    }
 }
 
 /// What is shown in Unicode and in colour must be as harmless as the plain form.

@@ -10,6 +10,8 @@ mod accuracy;
 #[cfg(feature = "tui")]
 mod assemblies;
 #[cfg(feature = "tui")]
+mod candidates;
+#[cfg(feature = "tui")]
 mod claims;
 #[cfg(feature = "tui")]
 mod compare;

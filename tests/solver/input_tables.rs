@@ -24,7 +24,7 @@ impl Curve {
         let h = |k: usize| knots[k + 1][0] - knots[k][0];
         let d = |k: usize| (knots[k + 1][1] - knots[k][1]) / h(k);
         let mut rows = vec![vec![0.0; n + 1]; n];
-        for k in 0..n {
+        for (k, row) in rows.iter_mut().enumerate() {
             let (before, behind) = match (k, closes) {
                 (0, false) => (None, None),
                 (k, false) if k == n - 1 => (None, None),
@@ -33,16 +33,16 @@ impl Curve {
                 (k, _) => (Some((k - 1, k - 1)), Some((k, k + 1))),
             };
             let (Some((cell0, left)), Some((cell1, right))) = (before, behind) else {
-                rows[k][k] = 1.0;
+                row[k] = 1.0;
                 if closes {
-                    rows[k][0] -= 1.0;
+                    row[0] -= 1.0;
                 }
                 continue;
             };
-            rows[k][left] += 1.0 / h(cell0);
-            rows[k][k] += 2.0 / h(cell0) + 2.0 / h(cell1);
-            rows[k][right] += 1.0 / h(cell1);
-            rows[k][n] = 3.0 * (d(cell0) / h(cell0) + d(cell1) / h(cell1));
+            row[left] += 1.0 / h(cell0);
+            row[k] += 2.0 / h(cell0) + 2.0 / h(cell1);
+            row[right] += 1.0 / h(cell1);
+            row[n] = 3.0 * (d(cell0) / h(cell0) + d(cell1) / h(cell1));
         }
         Curve {
             knots: knots.to_vec(),
@@ -80,8 +80,9 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         rows.swap(k, pivot.unwrap());
         for i in (0..n).filter(|&i| i != k) {
             let part = rows[i][k] / rows[k][k];
-            for j in k..=n {
-                rows[i][j] -= part * rows[k][j];
+            let above = rows[k].clone();
+            for (value, above) in rows[i].iter_mut().zip(above) {
+                *value -= part * above;
             }
         }
     }

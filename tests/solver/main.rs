@@ -12,6 +12,7 @@ mod assemblies;
 mod bounds;
 mod coupled_assemblies;
 mod derived;
+mod elbows;
 mod forces;
 mod input_tables;
 mod inputs;

@@ -1,6 +1,7 @@
 //! From a motion that is wanted to linkages.
 
 use super::{CsvArgs, OutputFormat};
+use crate::synthesis::SynthesisOrder;
 use crate::wording::words;
 use clap::Args;
 use std::path::PathBuf;
@@ -13,7 +14,7 @@ pub(in crate::cli) struct SynthesizeArgs {
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub(in crate::cli) top: u16,
     #[arg(help = words().seed_of_search())]
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = SynthesisOrder::USUAL_SEED)]
     pub(in crate::cli) seed: u64,
     #[arg(help = words().tolerance_of_candidates())]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
@@ -23,6 +24,10 @@ pub(in crate::cli) struct SynthesizeArgs {
     pub(in crate::cli) format: OutputFormat,
     #[command(flatten)]
     pub(in crate::cli) csv: CsvArgs,
+    #[cfg(feature = "tui")]
+    #[arg(help = words().candidates_in_workbench())]
+    #[arg(long, conflicts_with_all = ["top", "format", "output"])]
+    pub(in crate::cli) view: bool,
     #[arg(help = words().folder_of_candidates())]
     #[arg(short, long, value_name = "DIR")]
     pub(in crate::cli) output: Option<PathBuf>,

@@ -147,19 +147,19 @@ fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState
 fn driver_told(scene: &Scene, state: &State) -> String {
     let unit = scene.unit.symbol();
     let (name, [at, speed, acceleration]) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (
-            scene.link_name(link),
+        input @ Input::Turn(_) => (
+            scene.driven_name(input),
             ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
         ),
-        Input::Push(slide) => (
-            scene.slide_name(slide),
+        input @ Input::Push(_) => (
+            scene.driven_name(input),
             ["", "/s", "/s^2"].map(|per| format!("{unit}{per}")),
         ),
     };
     let rates = [Measure::TurnSpeed, Measure::PushSpeed];
     let second = [Measure::TurnAcceleration, Measure::PushAcceleration];
     words().driver_stands(
-        name,
+        &name,
         &format!("{} {at}", figure(state.at())),
         &rate_told(scene, rates, state.driver_speed(), &speed),
         &rate_told(scene, second, state.driver_acceleration(), &acceleration),

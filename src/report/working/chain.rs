@@ -15,7 +15,8 @@ impl Working {
     /// is sought.
     #[must_use]
     pub fn chain(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<SolutionChain> {
-        if !state.has(Order::Acceleration) {
+        // An angle between two links is no side of a loop.
+        if !state.has(Order::Acceleration) || scene.mechanism.elbows().next().is_some() {
             return None;
         }
         let context = self.context(scene, solver, state, DIGITS);

@@ -204,6 +204,10 @@ fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
             words().distance_from_guide(point_name(context, point)),
             unit.into(),
         ),
+        NewtonRow::Elbow([link, from]) => {
+            let [link, from] = [link, from].map(|l| symbols::theta(context.scene.link_name(l)));
+            (format!("2 tan(({link} - {from} - q)/2)"), "rad".into())
+        }
     }
 }
 

@@ -332,10 +332,10 @@ impl FreeBody<'_> {
             });
         };
         own.for_each(|(_, couple)| add(words().torque(), *couple, None));
-        if self.mechanism().is_turned(self.id)
-            && let Some(torque) = self.context.state.drive()
-        {
-            add(words().driver(), torque, Some(BodyJoint::Driver));
+        for (input, sign) in self.mechanism().torques_on(self.id) {
+            if let Some(torque) = self.context.state.effort(input) {
+                add(words().driver(), torque * sign, Some(BodyJoint::Driver));
+            }
         }
     }
 }

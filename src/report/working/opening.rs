@@ -10,7 +10,7 @@ use crate::report::number::concise;
 use crate::report::range_text::limits_text;
 use crate::solver::Condition;
 use crate::wording::words;
-use crate::{Input, InputLaw, LinkId};
+use crate::{Body, Input, InputLaw, LinkId};
 
 /// The title, and where the driver is.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
@@ -21,15 +21,12 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
         ..
     } = context;
     draft.page.title(&scene.title());
-    let (is_turning, name, units) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (
-            true,
-            scene.link_name(link),
-            ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
-        ),
-        Input::Push(slide) => {
+    let name = &scene.driven_name(scene.mechanism.driver().input);
+    let (is_turning, units) = match scene.mechanism.driver().input {
+        Input::Turn(_) => (true, ["deg", "rad/s", "rad/s^2"].map(str::to_owned)),
+        Input::Push(_) => {
             let units = [0, 1, 2].map(|order| figures.length_unit(order));
-            (false, scene.slide_name(slide), units)
+            (false, units)
         }
     };
     let condition = &words().condition_called(state_word(state.condition()));
@@ -51,7 +48,13 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
 fn inputs(context: &Context<'_>, draft: &mut Draft) {
     let mechanism = &context.scene.mechanism;
     let symbol = |input| match input {
-        Input::Turn(link) => symbols::theta(context.scene.link_name(link)),
+        Input::Turn(link) => {
+            let name = |link| symbols::theta(context.scene.link_name(link));
+            match mechanism.turned_from(link) {
+                Body::Ground => name(link),
+                Body::Link(from) => format!("{} - {}", name(link), name(from)),
+            }
+        }
         Input::Push(slide) => context.scene.slide_name(slide).to_owned(),
     };
     if !mechanism.timed().is_empty() {
@@ -289,10 +292,10 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
     links
         .map(|link| {
             let turns = context.polygon.locks.turns(crate::Body::Link(link), 0.0);
-            let driven = mechanism.driver().input == Input::Turn(link);
+            let driven = mechanism.is_crank(link);
             let mark = match turns {
                 Turns::Never => words().given().into(),
-                _ if mechanism.is_turned(link) && !driven => words().given().into(),
+                _ if mechanism.is_directed(link) && !driven => words().given().into(),
                 _ if driven => words().driver().into(),
                 Turns::With(root, _) if root == link => words().is_sought().into(),
                 Turns::With(root, offset) => with_offset(context, root, offset),

@@ -34,6 +34,7 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
             projected(context, draft, stage, &members);
             super::collected::collected(context, draft, number, stage);
         }
+        super::rates::elbows(context, draft, stage, Order::Position);
     }
 }
 

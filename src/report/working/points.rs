@@ -8,7 +8,7 @@ use super::solution::angle_sum;
 use super::symbols::{self, of_point};
 use crate::solver::Sliding;
 use crate::wording::words;
-use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
+use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -248,8 +248,7 @@ impl OnLink<'_> {
     /// what is rounding beside a vector of this size is 0.
     fn rate(&self, value: f64, size: f64) -> String {
         let f = self.context.figures;
-        let driver = self.context.scene.mechanism.driver();
-        match driver.input == Input::Turn(self.link) {
+        match self.context.scene.mechanism.is_crank(self.link) {
             true => f.given(value.abs()),
             false => f.beside(value.abs(), size / self.r),
         }

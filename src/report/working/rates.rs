@@ -13,7 +13,7 @@ use super::symbols;
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
-use crate::{LinkId, Vec2, angle};
+use crate::{Input, LinkId, Vec2, angle};
 
 /// Velocities, or accelerations.
 pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
@@ -208,10 +208,12 @@ fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
 /// Several loops at once: the equations above together.
 fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     let count = stage.unknowns.len();
-    let equations = 2 * stage.loops.len();
+    let elbows = stage.elbows(&context.scene.mechanism, context.polygon);
+    let equations = 2 * stage.loops.len() + elbows.len();
     draft
         .page
         .text(words().equations_for_unknowns(equations, count));
+    self::elbows(context, draft, stage, order);
     for &unknown in &stage.unknowns {
         let symbol = rate_symbol(context, unknown, order);
         let value = rate_value(context, unknown, order);
@@ -219,6 +221,37 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
         draft
             .page
             .equation([symbol, format!("{} {unit}", context.figures.number(value))]);
+    }
+}
+
+/// The equations of inputs between links that are sought: the difference of their angles is given.
+pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
+    let mechanism = &context.scene.mechanism;
+    let driver = mechanism.driver();
+    for [link, from] in stage.elbows(mechanism, context.polygon) {
+        let symbol = |link: LinkId| {
+            let name = context.scene.link_name(link);
+            match order {
+                Order::Position => symbols::theta(name),
+                _ => rate_symbol(context, LoopUnknown::Angle(link), order),
+            }
+        };
+        let timed = mechanism.timed_input(Input::Turn(link));
+        let at = context.state.at();
+        let [first, second] = timed.map_or([1.0, 0.0], |timed| timed.rates(at, driver.input));
+        let speed = context.state.driver_speed();
+        let given = match order {
+            Order::Position => timed.map_or(at, |timed| timed.coordinate(at)),
+            Order::Velocity => speed * first,
+            _ => context.state.driver_acceleration() * first + speed * speed * second,
+        };
+        let unit = match order {
+            Order::Position => "deg".into(),
+            _ => rate_unit(context, LoopUnknown::Angle(link), order),
+        };
+        let difference = format!("{} - {}", symbol(link), symbol(from));
+        let given = format!("{} {unit}", context.figures.given(given));
+        draft.page.equation([difference, given]);
     }
 }
 

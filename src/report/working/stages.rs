@@ -4,7 +4,7 @@ use super::polygon::{Polygon, Term};
 use super::sides::{Side, SideShape, Turns};
 use crate::scene::Scene;
 use crate::solver::{GroupKind, Plan};
-use crate::{Body, Input, LinkId, SlideId};
+use crate::{Body, Input, LinkId, Mechanism, SlideId};
 
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +60,20 @@ pub(super) struct Schedule {
     inputs: Vec<(Input, Option<LinkId>)>,
 }
 
+impl Stage {
+    /// The inputs that turn links against others which are sought here: each is one equation more.
+    pub(super) fn elbows(&self, mechanism: &Mechanism, polygon: &Polygon) -> Vec<[LinkId; 2]> {
+        let root = |link: LinkId| match polygon.locks.turns(Body::Link(link), 0.0) {
+            Turns::With(root, _) => root,
+            Turns::Never | Turns::Freely => link,
+        };
+        let is_sought = |link: LinkId| self.unknowns.contains(&LoopUnknown::Angle(root(link)));
+        let elbows = mechanism.elbows().map(|(link, from)| [link, from]);
+        let sought = elbows.filter(|pair| pair.iter().any(|&link| is_sought(link)));
+        sought.collect()
+    }
+}
+
 impl Schedule {
     pub(super) fn of(scene: &Scene, plan: &Plan, polygon: &Polygon) -> Schedule {
         let mechanism = &scene.mechanism;
@@ -90,11 +104,13 @@ impl Schedule {
             guide.max(points[given.slider.point().index()])
         };
         let root = |input| match input {
-            Input::Turn(link) => match polygon.locks.turns(Body::Link(link), 0.0) {
-                Turns::With(root, _) => Some(root),
-                Turns::Never | Turns::Freely => None,
-            },
-            Input::Push(_) => None,
+            Input::Turn(link) if mechanism.is_directed(link) => {
+                match polygon.locks.turns(Body::Link(link), 0.0) {
+                    Turns::With(root, _) => Some(root),
+                    Turns::Never | Turns::Freely => None,
+                }
+            }
+            Input::Turn(_) | Input::Push(_) => None,
         };
         let inputs = mechanism.inputs().map(|input| (input, root(input)));
         Schedule {

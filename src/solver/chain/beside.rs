@@ -63,6 +63,15 @@ impl Chain<'_> {
                     following,
                 })
             }
+            ScalarEquation::Elbow(link) => {
+                let [link, from] = self.network.elbow(link);
+                let following = self.network.following(Input::Turn(link)).cloned();
+                Some(Gauge::Turned {
+                    link,
+                    from,
+                    following,
+                })
+            }
         }
     }
 

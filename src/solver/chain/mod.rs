@@ -6,7 +6,7 @@ mod dyads;
 mod guides;
 
 use super::coupled::{self, Coupled};
-use super::elements::{Aim, Arm, Crank, Lock, Push, Ride, Spin, Step, Timed};
+use super::elements::{Aim, Arm, Crank, Elbow, Lock, Push, Ride, Spin, Step, Timed};
 use super::fault::Fault;
 use super::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use super::order::{self, CoupledBlock, Ordering};
@@ -20,6 +20,8 @@ struct Scope {
     classes: Vec<ClassId>,
     links: Vec<LinkId>,
     slides: Vec<SlideId>,
+    /// The links that inputs turn against others.
+    elbows: Vec<LinkId>,
 }
 
 /// What becomes of a block that a dyad solves.
@@ -154,12 +156,12 @@ impl<'n> Chain<'n> {
     fn drive(&mut self) {
         self.open_group(GroupKind::Driver, None);
         match self.network.mechanism.driver().input {
-            Input::Turn(link) => {
+            Input::Turn(link) if self.network.mechanism.is_directed(link) => {
                 self.push(Crank { link });
                 self.learn_class(link);
                 self.settle_links(&self.network.members[self.network.class(link).0].clone());
             }
-            Input::Push(_) => {}
+            Input::Turn(_) | Input::Push(_) => {}
         }
         for (link, following) in self.network.timed_links() {
             let following = following.clone();
@@ -220,7 +222,7 @@ impl<'n> Chain<'n> {
 
     /// How a point of a link follows from another one; on the driven link, from its pivot.
     fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Constant>) -> Step {
-        let is_driven = self.network.mechanism.driver().input == Input::Turn(link);
+        let is_driven = self.network.mechanism.is_crank(link);
         let on_ground = self
             .network
             .mechanism
@@ -270,6 +272,28 @@ impl<'n> Chain<'n> {
         false
     }
 
+    /// Of two links between which an input turns, each has its direction from that of the other.
+    fn turn_elbows(&mut self, elbows: &[LinkId]) -> bool {
+        for &turned in elbows {
+            let [link, from] = self.network.elbow(turned);
+            let is_seat = match (self.knows(link), self.knows(from)) {
+                (false, true) => false,
+                (true, false) => true,
+                _ => continue,
+            };
+            let [link, from] = if is_seat { [from, link] } else { [link, from] };
+            self.push(Elbow {
+                link,
+                from,
+                is_seat,
+                following: self.network.following(Input::Turn(turned)).cloned(),
+            });
+            self.learn_class(link);
+            return true;
+        }
+        false
+    }
+
     /// A driven slide whose guide is known places its point.
     fn push_slides(&mut self, slides: &[SlideId]) -> bool {
         let mechanism = self.network.mechanism;
@@ -303,18 +327,22 @@ impl<'n> Chain<'n> {
 
     fn settle_block(&mut self, block: &CoupledBlock) -> Result<(), Fault> {
         let scope = self.scope(block);
-        while self.settle_links(&scope.links) || self.push_slides(&scope.slides) {}
-        loop {
-            if !(self.aim_links(&scope.links) || self.dyad(&scope)) {
-                break;
-            }
-            while self.settle_links(&scope.links) || self.push_slides(&scope.slides) {}
+        while self.settle_known(&scope) {}
+        while self.aim_links(&scope.links) || self.dyad(&scope) {
+            while self.settle_known(&scope) {}
         }
         if self.is_settled(&scope) {
             Ok(())
         } else {
             self.couple(block, &scope)
         }
+    }
+
+    /// What follows from what is known, by inputs too.
+    fn settle_known(&mut self, scope: &Scope) -> bool {
+        self.settle_links(&scope.links)
+            || self.push_slides(&scope.slides)
+            || self.turn_elbows(&scope.elbows)
     }
 
     fn dyad(&mut self, scope: &Scope) -> bool {
@@ -351,6 +379,7 @@ impl<'n> Chain<'n> {
                 ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
                     scope.slides.push(slide)
                 }
+                ScalarEquation::Elbow(link) => scope.elbows.push(link),
             }
         }
         // Riders: the links of a point or a class that is settled here, even if they add no equation.
@@ -417,6 +446,11 @@ impl<'n> Chain<'n> {
         // Where all blocks are one, some of it has been settled on the way.
         let links = self.unsettled_links(&scope.links);
         let slides = self.unsettled_slides(&scope.slides);
+        let is_open = |&link: &LinkId| {
+            let [link, from] = self.network.elbow(link);
+            !(self.knows(link) && self.knows(from))
+        };
+        let elbows: Vec<LinkId> = scope.elbows.iter().copied().filter(is_open).collect();
         let part = coupled::Remainder {
             network: self.network,
             point_known: &self.point_known,
@@ -425,6 +459,7 @@ impl<'n> Chain<'n> {
             classes: &classes,
             links: &links,
             slides: &slides,
+            elbows: &elbows,
             guide_points: &self.guide_points,
         };
         let singular = || Fault::Singular {

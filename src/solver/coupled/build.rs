@@ -1,7 +1,7 @@
 //! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
 //! the equations between them.
 
-use super::{ArmSeat, Base, GroupEquation, Remainder, Spot, Turning};
+use super::{ArmSeat, Base, Bearing, GroupEquation, Remainder, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -215,6 +215,28 @@ impl<'a> Maker<'a> {
         }
         for &slide in self.part.slides {
             self.add_slide(slide);
+        }
+        for &link in self.part.elbows {
+            self.add_elbow(link);
+        }
+    }
+
+    fn add_elbow(&mut self, turned: LinkId) {
+        let network = self.part.network;
+        let bearings = network.elbow(turned).map(|link| {
+            let (turning, turn) = self.turning(link)?;
+            Some(Bearing {
+                link,
+                turning,
+                turn,
+            })
+        });
+        if let [Some(link), Some(from)] = bearings {
+            self.equations.push(GroupEquation::Elbow {
+                link,
+                from,
+                following: network.following(Input::Turn(turned)).cloned(),
+            });
         }
     }
 

@@ -1,7 +1,7 @@
 //! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
 
-use super::{Base, Coupled, GroupEquation, Moving, Room, Spot, Turning};
-use crate::solver::following::InputMotion;
+use super::{Base, Bearing, Coupled, GroupEquation, Moving, Room, Spot, Turning};
+use crate::solver::following::{Following, InputMotion};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, Vec2};
 
@@ -94,6 +94,16 @@ impl Coupled {
                     room.right[row] = t.cross(gap);
                     row += 1;
                 }
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => {
+                    let ways = [link, from];
+                    let (off, along) = self.apart(ways, following.as_ref(), q, state, room);
+                    room.right[row] = off.scaled(2.0) / (T::exactly(1.0) + along);
+                    row += 1;
+                }
             }
         }
     }
@@ -157,6 +167,22 @@ impl Coupled {
                     };
                     row += 1;
                 }
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => {
+                    let [link_rate, from_rate] = [link, from].map(|bearing| {
+                        let turning = self.turning_state(bearing.turning, state, room);
+                        if second { turning.a } else { turning.w }
+                    });
+                    let motion = InputMotion::of(following.as_ref(), q);
+                    let input = if second { motion.a } else { motion.w };
+                    let ways = [link, from];
+                    let (_, along) = self.apart(ways, following.as_ref(), q, state, room);
+                    room.right[row] = (link_rate - from_rate - input) * steepness(along);
+                    row += 1;
+                }
             }
         }
     }
@@ -197,8 +223,40 @@ impl Coupled {
                     }
                     row += 1;
                 }
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => {
+                    let ways = [link, from];
+                    let (_, along) = self.apart(ways, following.as_ref(), q, state, room);
+                    let slope = steepness(along);
+                    for (bearing, slope) in [(link, slope), (from, -slope)] {
+                        if let Turning::Unknown(i) = bearing.turning {
+                            room.matrix[row * n + 2 * self.free + i] += slope;
+                        }
+                    }
+                    row += 1;
+                }
             }
         }
+    }
+
+    /// The sine and the cosine of the angle by which a link is ahead of where its input has it.
+    fn apart<T: Number>(
+        &self,
+        ways: [&Bearing; 2],
+        following: Option<&Following>,
+        q: T,
+        state: &State<T>,
+        room: &Room<'_, T>,
+    ) -> (T, T) {
+        let [link, from] = ways.map(|bearing| {
+            let d = self.turning_state(bearing.turning, state, room).d;
+            Vec2::of(bearing.turn).turned(d)
+        });
+        let wanted = from.turned(T::unit(InputMotion::of(following, q).p));
+        (wanted.cross(link), wanted.dot(link))
     }
 
     /// Adds `weight . (derivative of the spot)` to a row of the matrix.
@@ -224,10 +282,18 @@ impl Coupled {
     }
 }
 
+/// The derivative of 2 tan(delta / 2) by delta, from cos(delta): the residual of an elbow has no second zero on the
+/// other side, as a sine would.
+fn steepness<T: Number>(along: T) -> T {
+    T::exactly(2.0) / (T::exactly(1.0) + along)
+}
+
 impl GroupEquation {
     pub(super) fn count(&self) -> usize {
         match self {
-            GroupEquation::Distance { .. } | GroupEquation::Slot { .. } => 1,
+            GroupEquation::Distance { .. }
+            | GroupEquation::Slot { .. }
+            | GroupEquation::Elbow { .. } => 1,
             GroupEquation::Meeting { .. } => 2,
         }
     }

@@ -58,6 +58,15 @@ enum Turning {
     Unknown(usize),
 }
 
+impl Turning {
+    fn known(self) -> Option<LinkId> {
+        match self {
+            Turning::Known(link) => Some(link),
+            Turning::Unknown(_) => None,
+        }
+    }
+}
+
 /// A joint: `base + R (arm + along p)`, p the coordinate of an input where the joint is pushed.
 #[derive(Clone, Debug)]
 struct Spot {
@@ -122,6 +131,21 @@ enum GroupEquation {
         turning: Turning,
         slide: SlideId,
     },
+    /// The angle between two links is the coordinate of an input.
+    Elbow {
+        link: Bearing,
+        from: Bearing,
+        /// How that follows the driver, if it does.
+        following: Option<Following>,
+    },
+}
+
+/// The direction of a link: that of what it turns with, turned.
+#[derive(Clone, Copy, Debug)]
+struct Bearing {
+    link: LinkId,
+    turning: Turning,
+    turn: Vec2<Constant>,
 }
 
 /// What a coupled group is made from.
@@ -133,6 +157,8 @@ pub(super) struct Remainder<'a> {
     pub classes: &'a [ClassId],
     pub links: &'a [LinkId],
     pub slides: &'a [SlideId],
+    /// The links that inputs turn against others.
+    pub elbows: &'a [LinkId],
     /// The point of every guide on the ground, and of some others.
     pub guide_points: &'a [Option<PointId>],
 }
@@ -272,6 +298,7 @@ impl Coupled {
                     x.vary(place);
                     q.vary(place);
                 }
+                GroupEquation::Elbow { .. } => {}
             }
         }
     }
@@ -432,16 +459,16 @@ impl Coupled {
                     [a, b].map(&mut note)
                 }
                 GroupEquation::Slot { x, q, .. } => [x, q].map(&mut note),
+                GroupEquation::Elbow { .. } => continue,
             };
         }
         for equation in &self.equations {
-            if let GroupEquation::Slot {
-                turning: Turning::Known(link),
-                ..
-            } = equation
-            {
-                links.push(*link);
-            }
+            let turnings = match equation {
+                GroupEquation::Slot { turning, .. } => [Some(*turning), None],
+                GroupEquation::Elbow { link, from, .. } => [link, from].map(|b| Some(b.turning)),
+                GroupEquation::Distance { .. } | GroupEquation::Meeting { .. } => [None; 2],
+            };
+            links.extend(turnings.into_iter().flatten().filter_map(Turning::known));
         }
         (points, links)
     }

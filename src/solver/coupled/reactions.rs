@@ -3,7 +3,7 @@
 //! With Q what has come to the unknowns, J^T lambda = Q; an equation presses with -lambda times its
 //! gradient on what it ties together.
 
-use super::{Base, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
+use super::{Base, Bearing, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
 use crate::solver::forces::{ForceState, Slots};
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -109,6 +109,17 @@ impl Coupled {
         }
     }
 
+    /// A couple on a link itself.
+    fn wrench<T: Number>(&self, bearing: &Bearing, couple: T, forces: &mut ForceState<T>) {
+        match bearing.turning {
+            Turning::Known(link) => forces.links[link.index()] += couple,
+            Turning::Unknown(i) if bearing.link != self.turning[i] => {
+                forces.couples[bearing.link.index()] += couple;
+            }
+            Turning::Unknown(_) => {}
+        }
+    }
+
     /// What every equation presses with.
     fn press<T: Number>(&self, room: &Room<'_, T>, ledger: &mut Ledger<'_, T>) {
         let mut rows = room.right.iter().map(|&lambda| -lambda);
@@ -140,6 +151,19 @@ impl Coupled {
                             .forces
                             .drive_by(b.following.as_ref(), along, ledger.state);
                     }
+                }
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => {
+                    let couple = next();
+                    self.wrench(link, couple, ledger.forces);
+                    self.wrench(from, -couple, ledger.forces);
+                    let effort = T::default() - couple;
+                    ledger
+                        .forces
+                        .drive_by(following.as_ref(), effort, ledger.state);
                 }
                 GroupEquation::Slot {
                     x,

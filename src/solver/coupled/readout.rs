@@ -29,6 +29,8 @@ pub enum NewtonRow {
     MeetingY(Option<PointId>),
     /// A joint lies on a guide: its distance from that, in the length unit.
     Guide(Option<PointId>),
+    /// The angle of a link from another one is an input's: twice the tangent of half of what it is off, in rad.
+    Elbow([LinkId; 2]),
 }
 
 /// A coupled group at a state: J dz = -f of one more step of Newton's method.
@@ -77,6 +79,7 @@ impl Coupled {
         let size = |row: &NewtonRow| match row {
             NewtonRow::Distance(..) => unit * unit,
             NewtonRow::MeetingX(_) | NewtonRow::MeetingY(_) | NewtonRow::Guide(_) => unit,
+            NewtonRow::Elbow(_) => 1.0,
         };
         let column = |j: usize| if j < 2 * self.free { unit } else { 1.0 };
         let residuals = rows
@@ -130,6 +133,9 @@ impl Coupled {
                     rows.extend([NewtonRow::MeetingX(point), NewtonRow::MeetingY(point)]);
                 }
                 GroupEquation::Slot { x, .. } => rows.push(NewtonRow::Guide(self.point_at(x))),
+                GroupEquation::Elbow { link, from, .. } => {
+                    rows.push(NewtonRow::Elbow([link.link, from.link]));
+                }
             }
         }
         rows

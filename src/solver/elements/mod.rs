@@ -15,6 +15,7 @@ mod circles;
 mod crank;
 mod cylinder;
 mod dyad;
+mod elbow;
 mod line;
 mod lines;
 mod lock;
@@ -33,6 +34,7 @@ pub(super) use circles::Circles;
 pub(super) use crank::{Crank, Spin};
 pub(super) use cylinder::Cylinder;
 pub(super) use dyad::Dyad;
+pub(super) use elbow::Elbow;
 pub(super) use line::GuideLine;
 pub(super) use lines::Lines;
 pub(super) use lock::Lock;
@@ -283,7 +285,7 @@ macro_rules! elements {
 }
 
 elements! {
-    Crank, Spin, Timed, Ride, Push, Aim, Lock,
+    Crank, Spin, Timed, Elbow, Ride, Push, Aim, Lock,
     Circles, CircleLine, CircleRail, Swing, Cylinder, Lines,
     SlideReadout,
 }

@@ -11,21 +11,21 @@ use table::{ReadyTable, TableUnits};
 /// How the coordinate of an input follows from the driver's.
 #[derive(Clone, Debug)]
 pub(super) struct Following {
-    law: Law,
+    law: FollowingLaw,
     /// Its place among the inputs: the driver's is 0.
     pub number: usize,
 }
 
 #[derive(Clone, Debug)]
-enum Law {
-    Line(Line),
+enum FollowingLaw {
+    Proportion(Proportion),
     Table(Arc<TableMotion>),
 }
 
 /// p = count q / of + phase: q the driver's coordinate as the steps have it, in degrees or scaled lengths, and p
 /// the input's own.
 #[derive(Clone, Copy, Debug)]
-struct Line {
+struct Proportion {
     count: Constant,
     of: f64,
     phase: Constant,
@@ -55,12 +55,14 @@ impl Following {
     pub(super) fn all(mechanism: &Mechanism, frame: &Frame) -> Vec<Following> {
         let driver = mechanism.driver().input;
         let laws = mechanism.timed().iter().map(|timed| match timed.law {
-            InputLaw::Ratio { ratio, phase } => {
-                Law::Line(Line::new([ratio, phase], [driver, timed.input], frame))
-            }
+            InputLaw::Ratio { ratio, phase } => FollowingLaw::Proportion(Proportion::new(
+                [ratio, phase],
+                [driver, timed.input],
+                frame,
+            )),
             InputLaw::Table(ref table) => {
                 let motion = TableMotion::new(table, [driver, timed.input], frame);
-                Law::Table(Arc::new(motion))
+                FollowingLaw::Table(Arc::new(motion))
             }
         });
         let numbered = laws.zip(1..);
@@ -72,26 +74,26 @@ impl Following {
     #[inline(always)]
     pub(super) fn at<T: Number>(&self, q: T) -> InputMotion<T> {
         match &self.law {
-            Law::Line(line) => line.at(q),
-            Law::Table(motion) => motion.at(q),
+            FollowingLaw::Proportion(line) => line.at(q),
+            FollowingLaw::Table(motion) => motion.at(q),
         }
     }
 
     pub(super) fn is_table(&self) -> bool {
-        matches!(self.law, Law::Table(_))
+        matches!(self.law, FollowingLaw::Table(_))
     }
 
     /// How far around a coordinate its law is one function: in degrees or scaled lengths.
     pub(super) fn smooth(&self, q: f64) -> f64 {
         match &self.law {
-            Law::Line(_) => f64::INFINITY,
-            Law::Table(motion) => motion.table.smooth(q),
+            FollowingLaw::Proportion(_) => f64::INFINITY,
+            FollowingLaw::Table(motion) => motion.table.smooth(q),
         }
     }
 }
 
-impl Line {
-    fn new([ratio, phase]: [f64; 2], [from, to]: [Input; 2], frame: &Frame) -> Line {
+impl Proportion {
+    fn new([ratio, phase]: [f64; 2], [from, to]: [Input; 2], frame: &Frame) -> Proportion {
         // A fraction of whole numbers is what was meant.
         let (count, of) = match fraction(ratio) {
             Some((count, of)) => (Constant::exactly(count), of),
@@ -105,7 +107,7 @@ impl Line {
         } else {
             count / Constant::exactly(of)
         };
-        Line {
+        Proportion {
             count,
             of,
             phase: frame.number(phase).scaled(1.0 / frame.unit_of(to)),

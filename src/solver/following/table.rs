@@ -10,7 +10,7 @@ use crate::{Constant, InputTable, Number};
 pub(super) struct ReadyTable {
     /// The knots, in the driver's coordinate as the steps have it.
     places: Vec<Constant>,
-    cubics: Vec<Cubic>,
+    cubics: Vec<TableCubic>,
     /// The values at both ends.
     ends: [Constant; 2],
     /// Of a closed one, in degrees.
@@ -19,7 +19,7 @@ pub(super) struct ReadyTable {
 
 /// c0 + c1 d + c2 d^2 + c3 d^3, d the way from its knot.
 #[derive(Debug)]
-struct Cubic([Constant; 4]);
+struct TableCubic([Constant; 4]);
 
 /// The sizes of the units of the driver's coordinate and of the input's own, powers of two.
 #[derive(Clone, Copy, Debug)]
@@ -41,10 +41,10 @@ impl ReadyTable {
             Some(_) => SplineEnds::Closed,
         };
         let bends = bends(&knots, ends);
-        let mut cubics: Vec<Cubic> = knots
+        let mut cubics: Vec<TableCubic> = knots
             .windows(2)
             .zip(bends.windows(2))
-            .map(|(knots, bends)| Cubic::between([knots[0], knots[1]], [bends[0], bends[1]]))
+            .map(|(knots, bends)| TableCubic::between([knots[0], knots[1]], [bends[0], bends[1]]))
             .collect();
         if let (SplineEnds::AtRest, Some(first)) = (ends, cubics.first_mut()) {
             first.0[1] = Constant::default();
@@ -161,17 +161,17 @@ impl ReadyTable {
     }
 }
 
-impl Cubic {
+impl TableCubic {
     /// From knot to knot, with the second derivatives there.
     fn between(
         [[begin, low], [end, high]]: [[Constant; 2]; 2],
         [first, second]: [Constant; 2],
-    ) -> Cubic {
+    ) -> TableCubic {
         let width = end - begin;
         let six = Constant::exactly(6.0);
         let slope = (high - low) / width - width * (first.scaled(2.0) + second) / six;
         let third = (second - first) / (width * six);
-        Cubic([low, slope, first.scaled(0.5), third])
+        TableCubic([low, slope, first.scaled(0.5), third])
     }
 
     fn at<T: Number>(&self, d: T) -> InputMotion<T> {

@@ -19,7 +19,7 @@ pub(super) struct Framed {
     held: Vec<(SlideId, PointId, Option<usize>)>,
     /// The slides of links, with the place of the origin's force; the guide's own is none of it.
     origins: Vec<(SlideId, Slot, Option<usize>)>,
-    /// Whether each input turns a link.
+    /// Whether each input turns a link against the ground.
     turned: Vec<bool>,
 }
 
@@ -49,7 +49,7 @@ impl Framed {
             origins: origins.collect(),
             turned: mechanism
                 .inputs()
-                .map(|i| matches!(i, Input::Turn(_)))
+                .map(|i| matches!(i, Input::Turn(link) if mechanism.is_directed(link)))
                 .collect(),
         }
     }

@@ -232,6 +232,6 @@ fn press(
             }
         }
         // The driver's own: it repeats nothing.
-        Gauge::Pushed { .. } => {}
+        Gauge::Pushed { .. } | Gauge::Turned { .. } => {}
     }
 }

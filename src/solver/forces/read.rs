@@ -91,11 +91,7 @@ impl<T: Number> State<T> {
         let forces = self.forces.as_deref()?;
         let metres = forces.scale.couple.scaled(1.0 / self.frame.scale);
         let speed = self.driver_speed();
-        let speed = if self.driven.is_some() {
-            speed
-        } else {
-            speed * metres
-        };
+        let speed = if self.turns() { speed } else { speed * metres };
         Some(self.drive()? * speed)
     }
 

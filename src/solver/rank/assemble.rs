@@ -141,6 +141,7 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
     rows.drive(at, &mut pose);
     let mut placing = Placing {
         rows,
+        at,
         point_known: vec![false; pose.points.len()],
         class_known: vec![false; pose.classes.len()],
         pose,
@@ -166,6 +167,8 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
 /// Someone who places links roughly, one after another.
 struct Placing<'r, 'n> {
     rows: &'r Rows<'n>,
+    /// The driver's coordinate.
+    at: f64,
     pose: RankPose,
     point_known: Vec<bool>,
     class_known: Vec<bool>,
@@ -198,7 +201,7 @@ impl Placing<'_, '_> {
     /// Places what follows from what is placed.
     fn follow(&mut self) -> bool {
         let network = self.rows.network;
-        let mut any = false;
+        let mut any = self.turn_elbows();
         for link in network.mechanism.link_ids() {
             let class = network.class(link).0;
             let (known, _) = self.joints(link);
@@ -220,6 +223,26 @@ impl Placing<'_, '_> {
                 let arm = local.turned(self.pose.direction(network, link));
                 self.put(next, self.pose.points[base.index()] + arm);
                 any = true;
+            }
+        }
+        any
+    }
+
+    /// Of two links between which an input turns, each has its direction from that of the other.
+    fn turn_elbows(&mut self) -> bool {
+        let network = self.rows.network;
+        let mut any = false;
+        for (turned, _) in network.mechanism.elbows() {
+            let [link, from] = network.elbow(turned);
+            let by = self.rows.elbow(turned, self.at);
+            for (to, of, by) in [(link, from, by), (from, link, by.conj())] {
+                let [class, known] = [to, of].map(|body| network.class(body).0);
+                if self.class_known[known] && !self.class_known[class] {
+                    let own = self.pose.direction(network, of).turned(by);
+                    let turn = network.turn[to.index()].nearest();
+                    self.pose.classes[class] = own.turned(turn.conj());
+                    (self.class_known[class], any) = (true, true);
+                }
             }
         }
         any

@@ -28,12 +28,13 @@ struct EquationRow {
     miss: f64,
     /// By the point; by the centre of the body it is the opposite.
     normal: Vec2,
-    point: PointId,
+    point: Option<PointId>,
     centre: Option<PointId>,
     class: ClassId,
-    /// By the direction of the class.
+    /// By the direction of the class; by that of the seat, if there is one, it is the opposite.
     turn: f64,
-    /// By the driver's coordinate, of a driven slide.
+    seat: Option<ClassId>,
+    /// By the driver's coordinate, of a driven slide or of links that are turned against each other.
     push: f64,
 }
 
@@ -84,7 +85,7 @@ impl<'n> Rows<'n> {
         found
     }
 
-    /// The driver's coordinate in radians or scaled lengths, and the direction of a driven link.
+    /// The driver's coordinate in radians or scaled lengths, and its direction where it is an angle.
     pub(super) fn driver(&self, at: f64) -> (f64, Vec2) {
         match self.network.mechanism.driver().input {
             Input::Turn(_) => (angle::radians(at), angle::unit(at)),
@@ -103,7 +104,9 @@ impl<'n> Rows<'n> {
     /// Turns the driven links to where they are at the driver's coordinate.
     pub(super) fn drive(&self, at: f64, pose: &mut RankPose) {
         let mechanism = self.network.mechanism;
-        if let Input::Turn(link) = mechanism.driver().input {
+        if let Input::Turn(link) = mechanism.driver().input
+            && mechanism.is_directed(link)
+        {
             self.turn(link, self.driver(at).1, pose);
         }
         for (link, following) in self.network.timed_links() {
@@ -119,15 +122,17 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// Where a driven slide is, and its derivative by the driver's coordinate.
-    fn pushed(&self, slide: SlideId, at: f64) -> (f64, f64) {
-        let following = self.network.following(Input::Push(slide));
-        let q = match following {
-            Some(_) => self.given(at),
-            None => self.driver(at).0,
-        };
+    /// The coordinate of an input, in degrees or scaled lengths, and its derivative by the driver's.
+    fn input(&self, input: Input, at: f64) -> (f64, f64) {
+        let following = self.network.following(input);
+        let q = self.given(at);
         let motion = InputMotion::of(following, q);
         (motion.p, motion.w)
+    }
+
+    /// The direction of a link that is turned against another one, as seen from that.
+    pub(super) fn elbow(&self, turned: LinkId, at: f64) -> Vec2 {
+        angle::unit(self.input(Input::Turn(turned), at).0)
     }
 
     /// The derivative of the direction of a driven class by the driver's coordinate.
@@ -191,15 +196,20 @@ impl<'n> Rows<'n> {
                 terms.extend([(column, by.x), (column + 1, by.y)]);
             }
         };
-        point(e.point, e.normal);
+        if let Some(end) = e.point {
+            point(end, e.normal);
+        }
         if let Some(centre) = e.centre {
             point(centre, -e.normal);
         }
         let turn = e.turn / self.lever;
-        if let Some(column) = self.class_column[e.class.0] {
-            terms.push((column, turn));
-        } else if e.class != GROUND && self.network.is_given(e.class) {
-            terms.push((self.width, turn * self.rate(e.class, at)));
+        for (class, turn) in [(Some(e.class), turn), (e.seat, -turn)] {
+            let Some(class) = class else { continue };
+            if let Some(column) = self.class_column[class.0] {
+                terms.push((column, turn));
+            } else if class != GROUND && self.network.is_given(class) {
+                terms.push((self.width, turn * self.rate(class, at)));
+            }
         }
         if e.push != 0.0 {
             terms.push((self.width, e.push));
@@ -218,10 +228,11 @@ impl<'n> Rows<'n> {
                 let of = |miss, normal, turn: f64| EquationRow {
                     miss,
                     normal,
-                    point: end,
+                    point: Some(end),
                     centre: self.network.centre(link),
                     class: self.network.class(link),
                     turn: turn * turning,
+                    seat: None,
                     push: 0.0,
                 };
                 match row {
@@ -235,18 +246,37 @@ impl<'n> Rows<'n> {
                 let of = |miss, normal, turn, push| EquationRow {
                     miss,
                     normal,
-                    point: guide.point,
+                    point: Some(guide.point),
                     centre: guide.centre,
                     class: guide.class,
                     turn,
+                    seat: None,
                     push,
                 };
                 match row {
                     ScalarEquation::Slot(_) => of(n.dot(guide.seen), n, -t.dot(guide.arm), 0.0),
                     _ => {
-                        let (p, rate) = self.pushed(slide, at);
+                        let (p, rate) = self.input(Input::Push(slide), at);
                         of(t.dot(guide.seen) - p, t, n.dot(guide.arm), -rate)
                     }
+                }
+            }
+            ScalarEquation::Elbow(turned) => {
+                let bodies = self.network.elbow(turned);
+                let [link, from] = bodies.map(|body| pose.direction(self.network, body));
+                let rate = self.input(Input::Turn(turned), at).1;
+                let wanted = from.turned(self.elbow(turned, at));
+                let off = wanted.cross(link).atan2(wanted.dot(link));
+                let [class, seat] = bodies.map(|body| self.network.class(body));
+                EquationRow {
+                    miss: off * self.lever,
+                    normal: Vec2::ZERO,
+                    point: None,
+                    centre: None,
+                    class,
+                    turn: self.lever,
+                    seat: Some(seat),
+                    push: -rate,
                 }
             }
         }

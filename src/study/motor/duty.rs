@@ -192,7 +192,7 @@ impl Duty {
 
 /// Whether anything but a driven link, which keeps its speed, resists being accelerated.
 fn has_inertia(mechanism: &Mechanism) -> bool {
-    let driven = |id: LinkId| mechanism.is_turned(id);
+    let driven = |id: LinkId| mechanism.is_directed(id);
     let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
     let mut links = mechanism.link_ids();
     links.any(|id| !driven(id) && has_mass(mechanism.link(id)))

@@ -13,9 +13,9 @@
 //! made on the rows themselves, by their singular values: squares would cost half of the digits.
 
 use super::evolution::{Quarry, Raw};
-use super::linear::{Place, Projection};
-use super::shape::{Form, Shape};
-use super::wanted::{Held, Wanted};
+use super::linear::{LinkagePlace, Projection};
+use super::shape::{LinkageForm, LinkageShape};
+use super::wanted::{HeldPivots, WantedPath};
 use crate::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
@@ -31,14 +31,14 @@ const LEVEL: f64 = 1e-9;
 /// Singular values below this part of the largest are those of unknowns that the path does not tell.
 const UNTOLD: f64 = 1e-11;
 
-type Square = [[f64; MOST]; MOST];
+type MatrixOfUnknowns = [[f64; MOST]; MOST];
 
 /// A linkage in the frame of the path, with its crank's angle at every point.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) quarry: Quarry,
-    pub(super) shape: Shape,
-    pub(super) place: Place,
+    pub(super) shape: LinkageShape,
+    pub(super) place: LinkagePlace,
     /// In degrees.
     pub(super) angles: Vec<f64>,
     /// The weighted mean square of the misses, in squares of the path's size.
@@ -47,12 +47,12 @@ pub(super) struct Fit {
 
 /// The sums of the rows of all points.
 #[derive(Clone, Debug)]
-struct Normal {
+struct NormalSums {
     /// J'J and J'r.
-    all: Square,
+    all: MatrixOfUnknowns,
     all_miss: [f64; MOST],
     /// (J'k)(k'J) / k'k and (J'k) k'r / k'k.
-    own: Square,
+    own: MatrixOfUnknowns,
     own_miss: [f64; MOST],
     /// k'J, k'r and k'k of every point; empty where times are given.
     points: Vec<([f64; MOST], f64, f64)>,
@@ -62,23 +62,23 @@ struct Normal {
 /// Which unknowns a task leaves, and where each stands.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
-    held: Held,
-    form: Form,
+    held: HeldPivots,
+    form: LinkageForm,
     timed: bool,
     count: usize,
 }
 
 impl Layout {
-    fn of(wanted: &Wanted, quarry: &Quarry) -> Layout {
+    fn of(wanted: &WantedPath, quarry: &Quarry) -> Layout {
         let timed = wanted.turns.is_some();
         let linear = match quarry.held {
-            Held::Free => 6,
-            Held::Crank(_) | Held::Rocker(_) => 4,
-            Held::Both(..) => 2,
+            HeldPivots::Free => 6,
+            HeldPivots::Crank(_) | HeldPivots::Rocker(_) => 4,
+            HeldPivots::Both(..) => 2,
         };
         let lengths = match quarry.form {
-            Form::FourBar => 3,
-            Form::SliderCrank => 2,
+            LinkageForm::FourBar => 3,
+            LinkageForm::SliderCrank => 2,
         };
         Layout {
             held: quarry.held,
@@ -90,7 +90,7 @@ impl Layout {
 }
 
 /// A point's miss and its rows.
-struct Rows {
+struct PointRows {
     miss: Vec2,
     common: [Vec2; MOST],
     own: Vec2,
@@ -98,7 +98,7 @@ struct Rows {
 
 impl Fit {
     /// The start of a descent.
-    pub(super) fn of(wanted: &Wanted, quarry: Quarry, raw: &Raw) -> Fit {
+    pub(super) fn of(wanted: &WantedPath, quarry: Quarry, raw: &Raw) -> Fit {
         let turned = |j: usize| wanted.turns.as_ref().map(|turns| turns[j]);
         let angles: Vec<f64> = (0..wanted.points.len())
             .map(|j| raw.angle(&wanted.along[j], turned(j)))
@@ -132,7 +132,7 @@ impl Fit {
 
     /// The rows of a point; `None` where the links do not close, or at a dead point.
     #[inline]
-    fn rows(&self, layout: Layout, point: Vec2, degrees: f64) -> Option<Rows> {
+    fn rows(&self, layout: Layout, point: Vec2, degrees: f64) -> Option<PointRows> {
         let (shape, place) = (&self.shape, &self.place);
         let e = angle::unit(degrees);
         let at = shape.coupling(e);
@@ -154,23 +154,23 @@ impl Fit {
         };
         let mut by_ground = swing * rates.by_ground;
         match layout.held {
-            Held::Free => {
+            HeldPivots::Free => {
                 push(Vec2::X);
                 push(Vec2::new(0.0, 1.0));
                 push(crank);
                 push(crank.perp());
             }
-            Held::Crank(_) => {
+            HeldPivots::Crank(_) => {
                 push(crank);
                 push(crank.perp());
             }
-            Held::Rocker(_) => {
+            HeldPivots::Rocker(_) => {
                 let crank = crank - Vec2::new(shape.ground, 0.0);
                 push(crank);
                 push(crank.perp());
                 by_ground = by_ground - place.scale;
             }
-            Held::Both(..) => {
+            HeldPivots::Both(..) => {
                 by_ground = by_ground - crank.turned(place.scale) * (1.0 / shape.ground);
             }
         }
@@ -178,13 +178,13 @@ impl Fit {
         push(at.u.perp());
         push(se + swing * rates.by_crank);
         push(swing * rates.by_far);
-        if layout.form == Form::FourBar {
+        if layout.form == LinkageForm::FourBar {
             push(by_ground);
         }
         if layout.timed {
             push(own);
         }
-        Some(Rows {
+        Some(PointRows {
             miss: point - tracer,
             common,
             own,
@@ -192,7 +192,7 @@ impl Fit {
     }
 
     /// The sums of all rows, and whether there are any.
-    fn sum(&self, wanted: &Wanted, layout: Layout, normal: &mut Normal) -> bool {
+    fn sum(&self, wanted: &WantedPath, layout: Layout, normal: &mut NormalSums) -> bool {
         normal.clear();
         let n = layout.count;
         for (j, &degrees) in self.angles.iter().enumerate() {
@@ -215,13 +215,14 @@ impl Fit {
             let along = rows.own.dot(rows.miss);
             let mut products = [0.0; MOST];
             let part = weight / square;
-            for i in 0..n {
-                products[i] = rows.own.dot(rows.common[i]);
-                let product = part * products[i];
-                for l in 0..=i {
-                    normal.own[i][l] += product * products[l];
+            for (product, row) in products.iter_mut().zip(&rows.common[..n]) {
+                *product = rows.own.dot(*row);
+            }
+            for (i, &own) in products[..n].iter().enumerate() {
+                for (sum, other) in normal.own[i].iter_mut().zip(&products[..=i]) {
+                    *sum += part * own * other;
                 }
-                normal.own_miss[i] += product * along;
+                normal.own_miss[i] += part * own * along;
             }
             normal.points.push((products, along, square));
         }
@@ -241,16 +242,16 @@ impl Fit {
         new.angles.extend_from_slice(&self.angles);
         let mut rest = step.iter().copied();
         let mut next = || rest.next().unwrap_or(0.0);
-        if layout.held == Held::Free {
+        if layout.held == HeldPivots::Free {
             new.place.origin += Vec2::new(next(), next());
         }
-        if !matches!(layout.held, Held::Both(..)) {
+        if !matches!(layout.held, HeldPivots::Both(..)) {
             new.place.scale += Vec2::new(next(), next());
         }
         new.place.arm += Vec2::new(next(), next());
         new.shape.crank += next();
         new.shape.far += next();
-        if layout.form == Form::FourBar {
+        if layout.form == LinkageForm::FourBar {
             new.shape.ground += next();
         }
         if layout.timed {
@@ -264,10 +265,10 @@ impl Fit {
     /// What given pivots say of the place.
     fn settle(&mut self) {
         match self.quarry.held {
-            Held::Free => {}
-            Held::Crank(a) => self.place.origin = a,
-            Held::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
-            Held::Both(a, d) => {
+            HeldPivots::Free => {}
+            HeldPivots::Crank(a) => self.place.origin = a,
+            HeldPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
+            HeldPivots::Both(a, d) => {
                 self.place.origin = a;
                 self.place.scale = (d - a) * (1.0 / self.shape.ground);
             }
@@ -275,9 +276,9 @@ impl Fit {
     }
 
     /// Descends for some steps at the most; whether there was a place to start from.
-    pub(super) fn descend(&mut self, wanted: &Wanted, steps: usize) -> bool {
+    pub(super) fn descend(&mut self, wanted: &WantedPath, steps: usize) -> bool {
         let layout = Layout::of(wanted, &self.quarry);
-        let (mut now, mut next) = (Normal::new(), Normal::new());
+        let (mut now, mut next) = (NormalSums::new(), NormalSums::new());
         self.settle();
         if !self.sum(wanted, layout, &mut now) {
             return false;
@@ -316,10 +317,10 @@ impl Fit {
     }
 
     /// The last steps: Gauss's and Newton's, on the rows themselves.
-    pub(super) fn polish(&mut self, wanted: &Wanted, steps: usize) {
+    pub(super) fn polish(&mut self, wanted: &WantedPath, steps: usize) {
         let layout = Layout::of(wanted, &self.quarry);
         let mut spare = Vec::new();
-        let mut normal = Normal::new();
+        let mut normal = NormalSums::new();
         for _ in 0..steps {
             let Some(step) = self.exact_step(wanted, layout) else {
                 return;
@@ -340,7 +341,7 @@ impl Fit {
 
     /// The step of the least length among those that leave the least misses, by singular values. A free angle is
     /// eliminated by looking across its direction of motion alone.
-    fn exact_step(&self, wanted: &Wanted, layout: Layout) -> Option<DVector<f64>> {
+    fn exact_step(&self, wanted: &WantedPath, layout: Layout) -> Option<DVector<f64>> {
         let each = if layout.timed { 2 } else { 1 };
         let count = each * wanted.points.len();
         let mut matrix = DMatrix::zeros(count.max(layout.count), layout.count);
@@ -374,9 +375,9 @@ impl Fit {
     }
 }
 
-impl Normal {
-    fn new() -> Normal {
-        Normal {
+impl NormalSums {
+    fn new() -> NormalSums {
+        NormalSums {
             all: [[0.0; MOST]; MOST],
             all_miss: [0.0; MOST],
             own: [[0.0; MOST]; MOST],
@@ -404,8 +405,8 @@ impl Normal {
                 if i == l {
                     sum += damping * self.all[i][i] + f64::MIN_POSITIVE;
                 }
-                for m in 0..l {
-                    sum -= lower[i][m] * lower[l][m];
+                for (one, other) in lower[i][..l].iter().zip(&lower[l]) {
+                    sum -= one * other;
                 }
                 if i == l {
                     if !(sum > 0.0) {
@@ -417,14 +418,15 @@ impl Normal {
                 }
             }
             let mut sum = self.all_miss[i] - part * self.own_miss[i];
-            for m in 0..i {
-                sum -= lower[i][m] * step[m];
+            for (factor, known) in lower[i][..i].iter().zip(&step) {
+                sum -= factor * known;
             }
             step[i] = sum / lower[i][i];
         }
         for i in (0..n).rev() {
-            for m in i + 1..n {
-                step[i] -= lower[m][i] * step[m];
+            let after = step;
+            for (row, &known) in lower[i + 1..n].iter().zip(&after[i + 1..n]) {
+                step[i] -= row[i] * known;
             }
             step[i] /= lower[i][i];
         }

@@ -1,8 +1,8 @@
 //! Which of many linkages are different ones, and which of them come first.
 
 use super::descent::Fit;
-use super::shape::Form;
-use super::wanted::{Held, Wanted};
+use super::shape::LinkageForm;
+use super::wanted::{HeldPivots, WantedPath};
 use crate::Vec2;
 
 /// Linkages whose pivots and pins lie together within this part of their largest distance are one.
@@ -28,14 +28,14 @@ pub(super) struct Ranked {
 }
 
 impl Ranked {
-    pub(super) fn of(fit: Fit, wanted: &Wanted) -> Option<Ranked> {
+    pub(super) fn of(fit: Fit, wanted: &WantedPath) -> Option<Ranked> {
         let first = *fit.angles.first()?;
         let [b, c, _] = fit.places(first);
         let a = fit.place.origin;
         let (d, far) = match fit.shape.form {
-            Form::FourBar => (fit.far_pivot(), (c - fit.far_pivot()).norm()),
+            LinkageForm::FourBar => (fit.far_pivot(), (c - fit.far_pivot()).norm()),
             // A slide has no pivot: the foot of its normal through A.
-            Form::SliderCrank => {
+            LinkageForm::SliderCrank => {
                 let foot = Vec2::new(0.0, fit.shape.far).turned(fit.place.scale);
                 (a + foot, (c - b).norm())
             }
@@ -63,7 +63,7 @@ impl Ranked {
         (!self.keeps, self.fit.square.max(ROUNDING), self.extreme)
     }
 
-    fn is_one_with(&self, other: &Ranked, wanted: &Wanted) -> bool {
+    fn is_one_with(&self, other: &Ranked, wanted: &WantedPath) -> bool {
         let (x, y) = (&self.fit, &other.fit);
         if x.shape.form != y.shape.form {
             return false;
@@ -75,15 +75,15 @@ impl Ranked {
             pairs.map(|(p, q)| (*p - q).norm()).all(|far| far < near)
         };
         // The same with crank and rocker exchanged, where the crank's angles do not count.
-        let turns_over = x.shape.form == Form::FourBar
+        let turns_over = x.shape.form == LinkageForm::FourBar
             && wanted.turns.is_none()
-            && !matches!(x.quarry.held, Held::Both(..));
+            && !matches!(x.quarry.held, HeldPivots::Both(..));
         together([0, 1, 2, 3]) || turns_over && together([1, 0, 3, 2])
     }
 }
 
 /// Whether a linkage closes on its whole way without a dead point, with the crank turning one way.
-fn keeps(fit: &Fit, wanted: &Wanted) -> bool {
+fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
     let angles = &fit.angles;
     let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let most = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -105,7 +105,7 @@ fn keeps(fit: &Fit, wanted: &Wanted) -> bool {
 }
 
 /// The best of all that are different, at most so many.
-pub(super) fn distinct(mut all: Vec<Ranked>, wanted: &Wanted, most: usize) -> Vec<Ranked> {
+pub(super) fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranked> {
     all.sort_by(|x, y| {
         let (x, y) = (x.key(), y.key());
         x.0.cmp(&y.0)

@@ -2,8 +2,8 @@
 //! and, where times are free, how far and how unevenly it turns.
 
 use super::linear::Projection;
-use super::shape::{Form, Shape};
-use super::wanted::{Along, Held, Wanted};
+use super::shape::{LinkageForm, LinkageShape};
+use super::wanted::{HeldPivots, PathPart, WantedPath};
 use crate::numeric::SeededChance;
 
 /// Numbers of a design at the most: three ratios, the first angle, the whole turn and two of its unevenness.
@@ -24,21 +24,21 @@ const FLAT_COUNTS: f64 = 1e-3;
 /// Which linkages a start looks for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quarry {
-    pub(super) form: Form,
-    pub(super) held: Held,
+    pub(super) form: LinkageForm,
+    pub(super) held: HeldPivots,
     /// The sign of the assembly.
     pub(super) sign: f64,
     /// Which way the crank turns where times are free: 1 or -1.
     pub(super) sense: f64,
 }
 
-type Design = [f64; GENES];
+type Genes = [f64; GENES];
 
 /// A linkage of a generation, without its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Raw {
-    pub(super) shape: Shape,
-    genes: Design,
+    pub(super) shape: LinkageShape,
+    genes: Genes,
     turn: f64,
     worth: f64,
 }
@@ -46,7 +46,7 @@ pub(super) struct Raw {
 impl Raw {
     /// The crank's angle at a point, in degrees.
     #[inline]
-    pub(super) fn angle(&self, along: &Along, turned: Option<f64>) -> f64 {
+    pub(super) fn angle(&self, along: &PathPart, turned: Option<f64>) -> f64 {
         let start = self.genes[3];
         match turned {
             Some(turned) => start + turned,
@@ -59,11 +59,11 @@ impl Raw {
 }
 
 /// The ends of every number; the first three are of the crank, the far length and the ground, by their logarithms.
-fn ends(quarry: &Quarry, wanted: &Wanted) -> [[f64; 2]; GENES] {
+fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
     let free = wanted.turns.is_none();
     let (crank, far, ground) = match quarry.form {
-        Form::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
-        Form::SliderCrank => ([-3.0, 1.6], [-2.5, 2.5], [0.0, 0.0]),
+        LinkageForm::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
+        LinkageForm::SliderCrank => ([-3.0, 1.6], [-2.5, 2.5], [0.0, 0.0]),
     };
     let turn = if free && !wanted.closed {
         [25.0, 345.0]
@@ -76,7 +76,7 @@ fn ends(quarry: &Quarry, wanted: &Wanted) -> [[f64; 2]; GENES] {
 
 /// A search of one start.
 pub(super) struct Evolution<'a> {
-    wanted: &'a Wanted,
+    wanted: &'a WantedPath,
     quarry: Quarry,
     ends: [[f64; 2]; GENES],
     chance: SeededChance,
@@ -85,7 +85,7 @@ pub(super) struct Evolution<'a> {
 }
 
 impl<'a> Evolution<'a> {
-    pub(super) fn new(wanted: &'a Wanted, quarry: Quarry, seed: u64) -> Evolution<'a> {
+    pub(super) fn new(wanted: &'a WantedPath, quarry: Quarry, seed: u64) -> Evolution<'a> {
         let turns = wanted.turns.as_ref().map(|turns| {
             let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
             [
@@ -145,10 +145,10 @@ impl<'a> Evolution<'a> {
         self.raw(genes)
     }
 
-    fn raw(&self, genes: Design) -> Raw {
-        let four_bar = self.quarry.form == Form::FourBar;
+    fn raw(&self, genes: Genes) -> Raw {
+        let four_bar = self.quarry.form == LinkageForm::FourBar;
         Raw {
-            shape: Shape {
+            shape: LinkageShape {
                 form: self.quarry.form,
                 sign: self.quarry.sign,
                 crank: genes[0].exp(),

@@ -11,13 +11,13 @@
 //! and Pereyra, 1973): at most two complex unknowns, since A leaves with the means. A pivot that is given takes its part
 //! of them: with D given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
 
-use super::shape::Shape;
-use super::wanted::{Held, Wanted};
+use super::shape::LinkageShape;
+use super::wanted::{HeldPivots, WantedPath};
 use crate::{Vec2, angle};
 
 /// What a linkage of known shape still lacks.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct LinkagePlace {
     /// A.
     pub(super) origin: Vec2,
     /// The size and turning of the ground, as a complex number.
@@ -29,7 +29,7 @@ pub(super) struct Place {
 /// How well the best of all places meets the path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection {
-    pub(super) place: Place,
+    pub(super) place: LinkagePlace,
     /// The weighted mean square of the misses.
     pub(super) square: f64,
     /// How far the links were too short, all together.
@@ -39,14 +39,14 @@ pub(super) struct Projection {
 /// How much less a linkage of a hundred times the path's size counts: it keeps apart what would else be one.
 const RIDGE: f64 = 1e-8;
 
-impl Held {
+impl HeldPivots {
     /// What comes before the linear unknowns: the point from which the path is seen, and how much of g stands there.
     #[inline]
     pub(super) fn seen(self) -> (Vec2, f64) {
         match self {
-            Held::Free => (Vec2::ZERO, 0.0),
-            Held::Crank(a) | Held::Both(a, _) => (a, 0.0),
-            Held::Rocker(d) => (d, 1.0),
+            HeldPivots::Free => (Vec2::ZERO, 0.0),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => (a, 0.0),
+            HeldPivots::Rocker(d) => (d, 1.0),
         }
     }
 }
@@ -55,18 +55,18 @@ impl Projection {
     /// The best place of a shape whose crank is at these angles, in degrees, at the points.
     #[inline]
     pub(super) fn of(
-        wanted: &Wanted,
-        held: Held,
-        shape: &Shape,
+        wanted: &WantedPath,
+        held: HeldPivots,
+        shape: &LinkageShape,
         angles: impl Iterator<Item = f64>,
     ) -> Projection {
         let (seen, part) = held.seen();
         let back = Vec2::new(part * shape.ground, 0.0);
         let fixed = match held {
-            Held::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
-            Held::Free | Held::Crank(_) | Held::Rocker(_) => None,
+            HeldPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
+            HeldPivots::Free | HeldPivots::Crank(_) | HeldPivots::Rocker(_) => None,
         };
-        let mut sums = Sums::default();
+        let mut sums = ProjectionSums::default();
         let mut short = 0.0;
         for ((&point, &weight), degrees) in wanted.points.iter().zip(&wanted.weights).zip(angles) {
             let e = angle::unit(degrees);
@@ -84,16 +84,16 @@ impl Projection {
                 let arm = sums.ut * (1.0 / (1.0 + RIDGE));
                 (scale, arm, sums.tt - arm.dot(sums.ut))
             }
-            (Held::Free, None) => sums.centred().two(),
+            (HeldPivots::Free, None) => sums.centred().two(),
             (_, None) => sums.two(),
         };
         let origin = match held {
-            Held::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
-            Held::Crank(a) | Held::Both(a, _) => a,
-            Held::Rocker(d) => d - scale * shape.ground,
+            HeldPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => a,
+            HeldPivots::Rocker(d) => d - scale * shape.ground,
         };
         Projection {
-            place: Place { origin, scale, arm },
+            place: LinkagePlace { origin, scale, arm },
             square: square.max(0.0),
             short,
         }
@@ -102,7 +102,7 @@ impl Projection {
 
 /// Weighted means of the products of the two columns p and u and of the target t.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
+struct ProjectionSums {
     p: Vec2,
     u: Vec2,
     t: Vec2,
@@ -114,7 +114,7 @@ struct Sums {
     ut: Vec2,
 }
 
-impl Sums {
+impl ProjectionSums {
     #[inline(always)]
     fn add(&mut self, weight: f64, p: Vec2, u: Vec2, t: Vec2) {
         let (wp, wu) = (p * weight, u * weight);
@@ -130,8 +130,8 @@ impl Sums {
     }
 
     /// About the means.
-    fn centred(&self) -> Sums {
-        Sums {
+    fn centred(&self) -> ProjectionSums {
+        ProjectionSums {
             pp: self.pp - self.p.norm2(),
             uu: self.uu - self.u.norm2(),
             tt: self.tt - self.t.norm2(),

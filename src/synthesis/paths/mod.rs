@@ -28,11 +28,11 @@ use crate::angle;
 use descent::Fit;
 use distinct::{Ranked, distinct};
 use evolution::{Evolution, Quarry};
-use shape::Form;
+use shape::LinkageForm;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::thread;
-use wanted::{Held, Wanted};
+use wanted::{HeldPivots, WantedPath};
 
 /// Points that the evolution looks at; the descent looks at all.
 const ROUGH_POINTS: usize = 36;
@@ -73,7 +73,7 @@ impl PathSearch<'_> {
     /// Nothing is found for fewer than two different points, and for numbers that are none.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
-        let Some(wanted) = Wanted::of(self.task) else {
+        let Some(wanted) = WantedPath::of(self.task) else {
             return Proposals::default();
         };
         let quarries = self.quarries(&wanted);
@@ -113,10 +113,10 @@ impl PathSearch<'_> {
     }
 
     /// What the starts look for, in turn.
-    fn quarries(&self, wanted: &Wanted) -> Vec<Quarry> {
+    fn quarries(&self, wanted: &WantedPath) -> Vec<Quarry> {
         let forms = [
-            (self.four_bars, Form::FourBar),
-            (self.slider_cranks, Form::SliderCrank),
+            (self.four_bars, LinkageForm::FourBar),
+            (self.slider_cranks, LinkageForm::SliderCrank),
         ];
         let senses: &[f64] = if wanted.turns.is_some() {
             &[1.0]
@@ -142,14 +142,16 @@ impl PathSearch<'_> {
     }
 
     /// To which links the pivots that are given may belong.
-    fn held(&self, wanted: &Wanted, form: Form) -> Vec<Held> {
+    fn held(&self, wanted: &WantedPath, form: LinkageForm) -> Vec<HeldPivots> {
         let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
         match (pivots[..].as_ref(), form) {
-            ([], _) => vec![Held::Free],
-            ([one], Form::FourBar) => vec![Held::Crank(*one), Held::Rocker(*one)],
-            ([one], Form::SliderCrank) => vec![Held::Crank(*one)],
-            ([one, two], Form::FourBar) if one != two => {
-                vec![Held::Both(*one, *two), Held::Both(*two, *one)]
+            ([], _) => vec![HeldPivots::Free],
+            ([one], LinkageForm::FourBar) => {
+                vec![HeldPivots::Crank(*one), HeldPivots::Rocker(*one)]
+            }
+            ([one], LinkageForm::SliderCrank) => vec![HeldPivots::Crank(*one)],
+            ([one, two], LinkageForm::FourBar) if one != two => {
+                vec![HeldPivots::Both(*one, *two), HeldPivots::Both(*two, *one)]
             }
             // A slider-crank has one pivot, and nothing has three.
             _ => Vec::new(),
@@ -193,26 +195,26 @@ impl PathSearch<'_> {
     }
 
     /// A linkage in the frame of the task; what was given is in it as it was given.
-    fn proposal(&self, fit: &Fit, wanted: &Wanted) -> Proposal {
+    fn proposal(&self, fit: &Fit, wanted: &WantedPath) -> Proposal {
         let given = |held| {
             let all = self.task.pivots.iter().copied();
             all.into_iter().find(|&p| wanted.inside(p) == held)
         };
         let (crank, rocker) = match fit.quarry.held {
-            Held::Free => (None, None),
-            Held::Crank(a) => (given(a), None),
-            Held::Rocker(d) => (None, given(d)),
-            Held::Both(a, d) => (given(a), given(d)),
+            HeldPivots::Free => (None, None),
+            HeldPivots::Crank(a) => (given(a), None),
+            HeldPivots::Rocker(d) => (None, given(d)),
+            HeldPivots::Both(a, d) => (given(a), given(d)),
         };
         let places = |&degrees: &f64| fit.places(degrees).map(|p| wanted.outside(p));
         let all: Vec<_> = fit.angles.iter().map(places).collect();
         Proposal {
             pivot: crank.unwrap_or_else(|| wanted.outside(fit.place.origin)),
             partner: match fit.shape.form {
-                Form::FourBar => {
+                LinkageForm::FourBar => {
                     Partner::Rocker(rocker.unwrap_or_else(|| wanted.outside(fit.far_pivot())))
                 }
-                Form::SliderCrank => Partner::Slide(angle::degrees(fit.place.scale)),
+                LinkageForm::SliderCrank => Partner::Slide(angle::degrees(fit.place.scale)),
             },
             places: all.iter().map(|[b, c, _]| [*b, *c]).collect(),
             tracer: all.first().map(|[_, _, tracer]| *tracer),
@@ -221,7 +223,13 @@ impl PathSearch<'_> {
 }
 
 /// What comes of one start.
-fn start(wanted: &Wanted, rough: &Wanted, quarry: Quarry, seed: u64, number: usize) -> Vec<Ranked> {
+fn start(
+    wanted: &WantedPath,
+    rough: &WantedPath,
+    quarry: Quarry,
+    seed: u64,
+    number: usize,
+) -> Vec<Ranked> {
     // The golden ratio's bits keep the chances of the starts apart.
     let seed = seed ^ (number as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let last = Evolution::new(rough, quarry, seed).run();

@@ -20,15 +20,15 @@ use crate::Vec2;
 
 /// Which linkage it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum LinkageForm {
     FourBar,
     SliderCrank,
 }
 
 /// Lengths in those of the coupler, and the sign of the assembly.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
-    pub(super) form: Form,
+pub(super) struct LinkageShape {
+    pub(super) form: LinkageForm,
     /// 1 or -1.
     pub(super) sign: f64,
     pub(super) crank: f64,
@@ -58,12 +58,12 @@ pub(super) struct AngleRates {
     pub(super) by_ground: f64,
 }
 
-impl Shape {
+impl LinkageShape {
     /// The coupler where the crank points along the unit vector `e`.
     #[inline]
     pub(super) fn coupling(&self, e: Vec2) -> Coupling {
         match self.form {
-            Form::FourBar => {
+            LinkageForm::FourBar => {
                 let q = Vec2::new(self.crank * e.x - self.ground, self.crank * e.y);
                 let q2 = q.norm2();
                 let m = 0.5 * ((self.far - 1.0) * (self.far + 1.0) - q2);
@@ -83,7 +83,7 @@ impl Shape {
                     short: 0.0,
                 }
             }
-            Form::SliderCrank => {
+            LinkageForm::SliderCrank => {
                 let m = self.far - self.crank * e.y;
                 let c2 = (1.0 - m) * (1.0 + m);
                 if c2 < 0.0 {
@@ -108,14 +108,14 @@ impl Shape {
     pub(super) fn rates(&self, e: Vec2, at: &Coupling) -> AngleRates {
         let per = 1.0 / at.lever;
         let (f, far) = match self.form {
-            Form::FourBar => {
+            LinkageForm::FourBar => {
                 let b = e * self.crank;
                 (
                     Vec2::new(b.x + at.u.x - self.ground, b.y + at.u.y),
                     self.far,
                 )
             }
-            Form::SliderCrank => (Vec2::new(0.0, 1.0), 1.0),
+            LinkageForm::SliderCrank => (Vec2::new(0.0, 1.0), 1.0),
         };
         AngleRates {
             by_angle: -self.crank * f.dot(e.perp()) * per,
@@ -128,8 +128,8 @@ impl Shape {
     /// The sine of the angle between coupler and rocker, or between coupler and the normal of the slide.
     pub(super) fn transmission(&self, at: &Coupling) -> f64 {
         match self.form {
-            Form::FourBar => at.lever.abs() / self.far.abs(),
-            Form::SliderCrank => at.lever.abs(),
+            LinkageForm::FourBar => at.lever.abs() / self.far.abs(),
+            LinkageForm::SliderCrank => at.lever.abs(),
         }
     }
 
@@ -137,8 +137,8 @@ impl Shape {
     /// the transmission angle: both are worst at the ends or where the crank lies along the ground, or across the slide.
     pub(super) fn worst_between(&self, low: f64, high: f64) -> (f64, f64) {
         let first = match self.form {
-            Form::FourBar => 0.0,
-            Form::SliderCrank => 90.0,
+            LinkageForm::FourBar => 0.0,
+            LinkageForm::SliderCrank => 90.0,
         };
         let next = ((low - first) / 180.0).ceil() * 180.0 + first;
         let inner = [next, next + 180.0].map(|angle| angle.clamp(low, high));

@@ -1,4 +1,4 @@
-use super::super::planted::{Planted, tracer};
+use super::super::planted::{PlantedDrive, tracer};
 use super::*;
 use crate::Vec2;
 use crate::numeric::SeededChance;
@@ -54,9 +54,9 @@ fn planted(
     slides: bool,
     closed: bool,
     count: usize,
-) -> (Planted, Vec<f64>, Vec<Vec2>) {
+) -> (PlantedDrive, Vec<f64>, Vec<Vec2>) {
     loop {
-        let planted = Planted::random(chance, slides);
+        let planted = PlantedDrive::random(chance, slides);
         let span = if closed {
             360.0
         } else {
@@ -89,7 +89,7 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
     let Partner::Rocker(d) = proposal.partner else {
         return false;
     };
-    let bar = Planted {
+    let bar = PlantedDrive {
         pivot: proposal.pivot,
         far: proposal.partner,
         crank,
@@ -325,7 +325,7 @@ fn whoever_watches_is_told_the_part_and_may_stop() {
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
     let mut parts = Vec::new();
-    search(&task).run(&mut |part| {
+    let _ = search(&task).run(&mut |part| {
         parts.push(part);
         true
     });
@@ -445,16 +445,16 @@ fn odd_points_are_no_trouble() {
 /// The derivatives of the coupler's angle against differences.
 #[test]
 fn rates_are_those_of_the_coupler() {
-    use super::shape::Shape;
+    use super::shape::LinkageShape;
     let mut chance = SeededChance::new(6);
     let mut held = 0;
     for k in 0..200 {
         let form = if k % 2 == 0 {
-            Form::FourBar
+            LinkageForm::FourBar
         } else {
-            Form::SliderCrank
+            LinkageForm::SliderCrank
         };
-        let shape = Shape {
+        let shape = LinkageShape {
             form,
             sign: chance.even().signum(),
             crank: 0.7 + 0.5 * chance.even(),
@@ -470,7 +470,7 @@ fn rates_are_those_of_the_coupler() {
             },
         };
         let degrees = 180.0 * chance.even();
-        let psi = |shape: &Shape, degrees: f64| {
+        let psi = |shape: &LinkageShape, degrees: f64| {
             let at = shape.coupling(angle::unit(degrees));
             (at.short == 0.0 && shape.transmission(&at) > 0.2).then(|| at.u.angle())
         };
@@ -488,7 +488,7 @@ fn rates_are_those_of_the_coupler() {
             (
                 slope(&|h| {
                     psi(
-                        &Shape {
+                        &LinkageShape {
                             crank: shape.crank + h,
                             ..shape
                         },
@@ -500,7 +500,7 @@ fn rates_are_those_of_the_coupler() {
             (
                 slope(&|h| {
                     psi(
-                        &Shape {
+                        &LinkageShape {
                             far: shape.far + h,
                             ..shape
                         },
@@ -512,7 +512,7 @@ fn rates_are_those_of_the_coupler() {
             (
                 slope(&|h| {
                     psi(
-                        &Shape {
+                        &LinkageShape {
                             ground: shape.ground + h,
                             ..shape
                         },
@@ -522,7 +522,7 @@ fn rates_are_those_of_the_coupler() {
                 rates.by_ground,
             ),
         ];
-        let lengths = if form == Form::FourBar { 4 } else { 3 };
+        let lengths = if form == LinkageForm::FourBar { 4 } else { 3 };
         for (slope, rate) in &pairs[..lengths] {
             if let Some(slope) = slope {
                 assert!(

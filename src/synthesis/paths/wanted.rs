@@ -5,14 +5,14 @@ use crate::synthesis::PathTask;
 
 /// How far along the path a point lies, from 0 to 1, and what a crank that turns unevenly has turned more there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Along {
+pub(super) struct PathPart {
     pub(super) part: f64,
     pub(super) uneven: [f64; 2],
 }
 
 /// Which pivots are given, and to which link each belongs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Held {
+pub(super) enum HeldPivots {
     /// None.
     Free,
     /// The crank's.
@@ -25,22 +25,22 @@ pub(super) enum Held {
 
 /// A path in its own frame.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted {
+pub(super) struct WantedPath {
     pub(super) points: Vec<Vec2>,
     /// How much each point counts; together 1.
     pub(super) weights: Vec<f64>,
     /// Degrees from the first point; none where they are free.
     pub(super) turns: Option<Vec<f64>>,
-    pub(super) along: Vec<Along>,
+    pub(super) along: Vec<PathPart>,
     pub(super) closed: bool,
     /// Its frame in that of the task.
     pub(super) middle: Vec2,
     pub(super) size: f64,
 }
 
-impl Wanted {
+impl WantedPath {
     /// `None` where there are no two different points that count, or a number is none.
-    pub(super) fn of(task: &PathTask) -> Option<Wanted> {
+    pub(super) fn of(task: &PathTask) -> Option<WantedPath> {
         let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
         let total: f64 = (0..task.points.len()).map(given).sum();
         let weights: Vec<f64> = (0..task.points.len()).map(|j| given(j) / total).collect();
@@ -61,7 +61,7 @@ impl Wanted {
             .iter()
             .map(|&p| (p - middle) * (1.0 / size))
             .collect();
-        Some(Wanted {
+        Some(WantedPath {
             along: along(&points, task.closed),
             points,
             weights,
@@ -83,7 +83,7 @@ impl Wanted {
     }
 
     /// The same with about `most` points at the most.
-    pub(super) fn thinned(&self, most: usize) -> Wanted {
+    pub(super) fn thinned(&self, most: usize) -> WantedPath {
         let step = self.points.len().div_ceil(most).max(1);
         let count = self.points.len();
         // The last point stays: an open path ends there.
@@ -97,7 +97,7 @@ impl Wanted {
                 even
             }
         };
-        Wanted {
+        WantedPath {
             points: kept().map(|j| self.points[j]).collect(),
             weights: kept().map(weight).collect(),
             turns: self
@@ -129,7 +129,7 @@ fn frame(points: &[Vec2], weights: &[f64]) -> Option<(Vec2, f64)> {
     (size > 0.0 && size.is_finite() && middle.is_finite()).then_some((middle, size))
 }
 
-fn along(points: &[Vec2], closed: bool) -> Vec<Along> {
+fn along(points: &[Vec2], closed: bool) -> Vec<PathPart> {
     let mut length = 0.0;
     let mut lengths = Vec::with_capacity(points.len());
     for (j, &point) in points.iter().enumerate() {
@@ -148,7 +148,7 @@ fn along(points: &[Vec2], closed: bool) -> Vec<Along> {
         } else {
             part * (1.0 - part)
         };
-        Along {
+        PathPart {
             part,
             uneven: [sin / turn, second],
         }

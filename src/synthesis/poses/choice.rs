@@ -10,9 +10,9 @@ const NOTHING: f64 = 1e-7;
 const RATIO: f64 = 6.0;
 /// What a linkage is worth whose crank would have to turn back on the way.
 const UNORDERED: f64 = 0.5;
-/// Linkages of which no point is further from that of another than this part of the size are alike.
-const ALIKE: f64 = 0.3;
-/// Of linkages that are sure to change their assembly between poses, and chosen from any number, so many are shown.
+/// Linkages of which no point is further from that of another than this part of the shortest link are alike.
+const ALIKE: f64 = 0.5;
+/// Of linkages that are sure to change their assembly between poses, and chosen from any number, so many of each kind are shown.
 const DEFECTIVE: usize = 8;
 
 /// A linkage of two dyads, as far as it is one that is wanted.
@@ -77,32 +77,39 @@ impl DyadPairing<'_> {
         let Some(most) = most else {
             return ranked.into_iter().map(|(_, linkage)| linkage).collect();
         };
-        let apart = ALIKE * self.guidance.size;
         // Both kinds have their share.
-        let (mut four_bars, mut slider_cranks): (Vec<Proposal>, Vec<Proposal>) = Default::default();
+        let (mut four_bars, mut slider_cranks) = (ChosenOfKind::default(), ChosenOfKind::default());
         let share = match self.four_bars && self.slider_cranks {
             true => most / 2,
             false => most,
         };
-        let mut defective = 0;
         for (quality, linkage) in ranked {
             let kind = match linkage.partner {
                 Partner::Rocker(_) => &mut four_bars,
                 Partner::Slide(_) => &mut slider_cranks,
             };
             let is_defective = quality <= 0.0;
-            let is_full = kind.len() >= share || (is_defective && defective >= DEFECTIVE);
-            if !is_full && !kind.iter().any(|other| are_alike(other, &linkage, apart)) {
-                defective += usize::from(is_defective);
-                kind.push(linkage);
+            let is_full =
+                kind.found.len() >= share || (is_defective && kind.defective >= DEFECTIVE);
+            if !is_full && !kind.found.iter().any(|other| are_alike(other, &linkage)) {
+                kind.defective += usize::from(is_defective);
+                kind.found.push(linkage);
             }
         }
-        four_bars.append(&mut slider_cranks);
-        four_bars
+        four_bars.found.append(&mut slider_cranks.found);
+        four_bars.found
     }
 }
 
-fn are_alike(a: &Proposal, b: &Proposal, apart: f64) -> bool {
+/// Those of one kind that were chosen.
+#[derive(Default)]
+struct ChosenOfKind {
+    found: Vec<Proposal>,
+    defective: usize,
+}
+
+fn are_alike(a: &Proposal, b: &Proposal) -> bool {
+    let apart = ALIKE * shortest(a).min(shortest(b));
     let near = |p: Vec2, q: Vec2| (p - q).norm() < apart;
     let [Some(pins), Some(others)] = [a, b].map(|linkage| linkage.places.first()) else {
         return true;
@@ -159,16 +166,22 @@ fn is_ordered(linkage: &Proposal) -> bool {
     forwards.min(backwards) < 360.0
 }
 
-/// The longest by the shortest length, pivot to pivot among them.
+/// The longest by the shortest length.
 fn ratio(linkage: &Proposal) -> f64 {
-    let Some((crank, coupler, rocker)) = linkage.lengths() else {
-        return f64::INFINITY;
-    };
+    lengths(linkage).fold(0.0, f64::max) / shortest(linkage)
+}
+
+fn shortest(linkage: &Proposal) -> f64 {
+    lengths(linkage).fold(f64::INFINITY, f64::min)
+}
+
+/// All lengths, pivot to pivot among them.
+fn lengths(linkage: &Proposal) -> impl Iterator<Item = f64> {
+    let links = linkage.lengths();
     let base = match linkage.partner {
         Partner::Rocker(d) => Some((d - linkage.pivot).norm()),
         Partner::Slide(_) => None,
     };
-    let lengths = [Some(crank), Some(coupler), rocker, base];
-    let lengths = || lengths.into_iter().flatten();
-    lengths().fold(0.0, f64::max) / lengths().fold(f64::INFINITY, f64::min)
+    let links = links.map(|(crank, coupler, rocker)| [Some(crank), Some(coupler), rocker]);
+    links.into_iter().flatten().flatten().chain(base)
 }

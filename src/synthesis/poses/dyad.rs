@@ -24,6 +24,8 @@ const MISS: f64 = 1e-9;
 const ONE: f64 = 1e-7;
 /// Pins further out than so many sizes are at infinity; and a pivot that is may be the slide that it looks like.
 const FAR: f64 = 1e6;
+/// A direction nearer to the x axis than these degrees is its own.
+const LEVEL: f64 = 1e-14;
 /// A part of the number of poses that keeps the quietest point of a body that hardly turns from being far away.
 const RIDGE: f64 = 1e-4;
 
@@ -90,6 +92,16 @@ impl Guidance {
             .map_or(Vec2::ZERO, |[at, _]| at.nearest())
     }
 
+    /// The way from the body's origin to where pins are counted from, and from the middle of the poses to where pivots
+    /// are, in units of the equations.
+    pub(super) fn offsets(&self) -> [Vec2<Double>; 2] {
+        let count = Double::exactly(self.poses.len() as f64);
+        let origins = self.poses.iter().map(|[at, _]| *at / count);
+        let middle = origins.fold(Vec2::ZERO.exactly(), |sum, at| sum + at);
+        [self.quietest.exactly(), self.middle.exactly() - middle]
+            .map(|offset: Vec2<Double>| offset.scaled(1.0 / self.unit))
+    }
+
     fn equations(&self) -> Option<Vec<Form>> {
         let forms: Vec<Form> = self
             .poses
@@ -146,7 +158,15 @@ impl Guidance {
         let place = Vec2::new(pin[0] / pin[2], pin[1] / pin[2]);
         let is_near = place.nearest().norm() <= FAR * self.size / self.unit;
         let pin = place.scaled(self.unit) + self.quietest.exactly();
-        (is_near && pin.nearest().is_finite()).then_some(pin.nearest())
+        (is_near && pin.nearest().is_finite()).then(|| self.plain(pin))
+    }
+
+    /// In doubles, without what is left of a nought where coordinates of the size are rounded.
+    fn plain(&self, place: Vec2<Double>) -> Vec2 {
+        let least = f64::EPSILON * self.size;
+        place
+            .nearest()
+            .map(|v| if v.abs() < least { 0.0 } else { v })
     }
 
     /// Where a pin is at every pose; none where it stands still, since then anything holds it.
@@ -198,13 +218,18 @@ impl Guidance {
         let normal = normal / normal.norm();
         let off = |at: &Vec2<Double>| normal.dot(*at - *places.first().unwrap_or(at)).hi.abs();
         let is_line = places.iter().all(|at| off(at) <= MISS * self.size);
-        let along = Double::degrees(-normal.perp()).hi.rem_euclid(180.0);
+        let along = Double::degrees(-normal.perp()).hi;
+        let along = if along.abs() < LEVEL {
+            0.0
+        } else {
+            along.rem_euclid(180.0)
+        };
         (is_far && is_line && along.is_finite()).then_some(Partner::Slide(along))
     }
 
     fn rocker(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
         let place = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
-        let pivot = (place.scaled(self.unit) + self.middle.exactly()).nearest();
+        let pivot = self.plain(place.scaled(self.unit) + self.middle.exactly());
         self.keeps_distance(places, pivot)
             .then_some(Partner::Rocker(pivot))
     }

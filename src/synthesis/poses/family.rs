@@ -30,7 +30,7 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<PinHeld>> {
     let rest = |spot: &CurveSpot| space::dot(form::of_pivot(left_out, spot.pivot), spot.pin).hi;
     let mut pieces: Vec<Vec<PinHeld>> = Vec::new();
     let mut single: Vec<PinHeld> = Vec::new();
-    for piece in four::traced(others) {
+    for piece in four::traced(others, guidance.offsets()) {
         let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         pieces.push(piece.spots.iter().filter_map(dyad).collect());
         for pair in piece.spots.windows(2) {

@@ -10,7 +10,7 @@
 
 use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
-use super::polynomial::{self, Cubic};
+use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use crate::{Double, Vec2};
 
@@ -58,7 +58,7 @@ fn solutions(forms: &[Form; 4]) -> Option<Vec<(Triple, Triple)>> {
     Some(pins.filter_map(|pin| refined(forms, pin)).collect())
 }
 
-fn of_size_one(cubic: &Cubic) -> Cubic {
+fn of_size_one(cubic: &PlaneCubic) -> PlaneCubic {
     let size = Double::exactly(
         cubic
             .iter()
@@ -74,7 +74,7 @@ fn of_size_one(cubic: &Cubic) -> Cubic {
 
 /// The coefficients of `x^3, x^2, x, 1` at a level y have no other determinant: by the products of its first two columns
 /// and its last two, as polynomials of y.
-fn resultant(cubics: &[Cubic; 4]) -> Vec<Double> {
+fn resultant(cubics: &[PlaneCubic; 4]) -> Vec<Double> {
     let coefficient = |row: usize, power: usize| &cubics[row][power][..=3 - power];
     let minor = |[a, b]: [usize; 2], [p, q]: [usize; 2]| {
         let first = polynomial::product(coefficient(a, p), coefficient(b, q));
@@ -100,7 +100,7 @@ fn resultant(cubics: &[Cubic; 4]) -> Vec<Double> {
 }
 
 /// The x that all cubics have in common at a level y, from the three that differ most.
-fn common_root(cubics: &[Cubic; 4], y: Double) -> Option<Double> {
+fn common_root(cubics: &[PlaneCubic; 4], y: Double) -> Option<Double> {
     let rows = cubics.map(|cubic| cubic.map(|c| polynomial::value(&c, y)));
     // Columns by rising powers of x; the product of three rows is orthogonal to them.
     let product = |k: usize| -> [Double; 4] {

@@ -15,7 +15,7 @@
 
 use super::dyad::{Guidance, PinHeld};
 use super::form::{self, Form};
-use super::polynomial::{self, Cubic};
+use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use super::trace::{self, CurveSpot, Piece};
 use crate::{Double, Vec2};
@@ -41,14 +41,17 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
         let links = piece.spots.iter().filter_map(dyad);
         before.chain(links).chain(behind).collect()
     };
-    let mut pieces: Vec<Vec<PinHeld>> = traced(forms).iter().map(dyads).collect();
+    let mut pieces: Vec<Vec<PinHeld>> = traced(forms, guidance.offsets())
+        .iter()
+        .map(dyads)
+        .collect();
     pieces.retain(|piece| !piece.is_empty());
     pieces
 }
 
-/// The solutions of three equations, along their curve.
-pub(super) fn traced(forms: &[Form; 3]) -> Vec<Piece> {
-    let Some(curve) = PinCurve::new(*forms) else {
+/// The solutions of three equations, along their curve as it is seen with these offsets of pins and pivots.
+pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece> {
+    let Some(curve) = PinCurve::new(*forms, offsets) else {
         return Vec::new();
     };
     let pieces = |run: &Run| trace::pieces(run, |s| curve.spot(run, s));
@@ -72,6 +75,7 @@ pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<PinHeld> {
 /// The circle-point curve in a frame with its real point at infinity in the direction of y.
 struct PinCurve {
     forms: [Form; 3],
+    offsets: [Vec2<Double>; 2],
     /// The x axis of that frame.
     direction: Vec2<Double>,
     /// The coefficients of y^2, y and 1, by powers of x.
@@ -98,7 +102,7 @@ pub(super) enum Run {
 
 impl PinCurve {
     /// None where every pin has a pivot.
-    fn new(forms: [Form; 3]) -> Option<PinCurve> {
+    fn new(forms: [Form; 3], offsets: [Vec2<Double>; 2]) -> Option<PinCurve> {
         // With a pin at infinity the determinant is (x^2 + y^2) (p x + q y).
         let far = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
         let at_infinity = |pin| space::determinant(forms.map(|f| form::of_pin(&f, pin)));
@@ -116,6 +120,7 @@ impl PinCurve {
         let [alpha, beta, gamma] = in_y(&cubic, is_cubic);
         let mut curve = PinCurve {
             forms: turned,
+            offsets,
             direction,
             alpha,
             beta,
@@ -201,7 +206,9 @@ impl PinCurve {
         let pin = space::leveled(pin)?;
         let pivot = space::kernel(&self.forms.map(|f| form::of_pin(&f, pin)))?;
         let pin = form::turned_back(pin, self.direction);
-        Some(CurveSpot { pin, pivot })
+        let seen = [(pin, self.offsets[0]), (pivot, self.offsets[1])];
+        let seen = seen.map(|([x, y, w], offset)| [x + offset.x * w, y + offset.y * w, w]);
+        Some(CurveSpot { pin, pivot, seen })
     }
 
     /// The y at an x, as a ratio: the root with the positive square root of D, or the other one, either without
@@ -231,7 +238,7 @@ impl PinCurve {
 }
 
 /// A cubic by powers of y. Where its highest terms are rounding it is a conic, times the line at infinity.
-fn in_y(cubic: &Cubic, is_cubic: bool) -> [Vec<Double>; 3] {
+fn in_y(cubic: &PlaneCubic, is_cubic: bool) -> [Vec<Double>; 3] {
     let degree = if is_cubic { 3 } else { 2 };
     [2, 1, 0].map(|y| (0..=degree - y).map(|x| cubic[x][y]).collect())
 }

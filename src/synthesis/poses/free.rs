@@ -4,6 +4,7 @@ use super::dyad::{Guidance, PinHeld};
 use super::{family, five, four, three};
 use crate::Vec2;
 use crate::synthesis::{Partner, PoseTask, PosedDyad};
+use std::ops::RangeInclusive;
 
 /// Linkages that are proposed of a grid, and of a curve.
 const MOST_OF_GRID: usize = 100;
@@ -13,7 +14,7 @@ const DYADS_OF_CURVE: usize = 96;
 /// Where there are any number, no linkage is made of pins and pivots further away than this many sizes, and of links
 /// shorter or longer than these.
 const REACH: f64 = 6.0;
-const LENGTHS: [f64; 2] = [0.03, 12.0];
+const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
 
 /// What there is.
 pub(super) struct Free {
@@ -84,7 +85,7 @@ fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>) -> b
             let length = (pin - pivot).norm() / size;
             // Of a box that is given one is as near as another.
             let is_near = inside.is_some() || is_near(pivot);
-            is_near && is_inside(pivot) && LENGTHS[0] <= length && length <= LENGTHS[1]
+            is_near && is_inside(pivot) && LENGTHS.contains(&length)
         }
         Partner::Slide(_) => true,
     };

@@ -135,12 +135,12 @@ fn between(p: &[Double], slope: &[Double], low: Double, high: Double) -> Option<
 }
 
 /// A cubic polynomial of two variables: `[i][j]` stands before `x^i y^j`.
-pub(super) type Cubic = [[Double; 4]; 4];
+pub(super) type PlaneCubic = [[Double; 4]; 4];
 
 /// The determinant of three rows of three linear forms `a x + b y + c` each.
-pub(super) fn determinant(rows: [&[Triple; 3]; 3]) -> Cubic {
+pub(super) fn determinant(rows: [&[Triple; 3]; 3]) -> PlaneCubic {
     const EVEN: [[usize; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
-    let mut sum = Cubic::default();
+    let mut sum = PlaneCubic::default();
     for [i, j, k] in EVEN {
         add_product(&mut sum, [rows[0][i], rows[1][j], rows[2][k]], 1.0);
         add_product(&mut sum, [rows[0][i], rows[1][k], rows[2][j]], -1.0);
@@ -148,7 +148,7 @@ pub(super) fn determinant(rows: [&[Triple; 3]; 3]) -> Cubic {
     sum
 }
 
-fn add_product(sum: &mut Cubic, forms: [Triple; 3], sign: f64) {
+fn add_product(sum: &mut PlaneCubic, forms: [Triple; 3], sign: f64) {
     for (i, a) in forms[0].into_iter().enumerate() {
         for (j, b) in forms[1].into_iter().enumerate() {
             let part = (a * b).scaled(sign);

@@ -75,8 +75,9 @@ pub(super) fn solved(mut rows: [[Double; 4]; 4], mut right: [Double; 4]) -> Opti
         }
         for row in k + 1..4 {
             let factor = rows[row][k] / rows[k][k];
-            for column in k..4 {
-                rows[row][column] = rows[row][column] - factor * rows[k][column];
+            let above = rows[k];
+            for (entry, above) in rows[row].iter_mut().zip(above).skip(k) {
+                *entry = *entry - factor * above;
             }
             right[row] = right[row] - factor * right[k];
         }

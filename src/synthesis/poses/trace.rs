@@ -22,6 +22,8 @@ const INFINITE: f64 = 1e-12;
 pub(super) struct CurveSpot {
     pub pin: Triple,
     pub pivot: Triple,
+    /// Both as they are drawn: from the body's origin, and from the middle of the poses.
+    pub seen: [Triple; 2],
 }
 
 /// Spots one behind the other, with nothing at infinity between them.
@@ -98,7 +100,10 @@ fn refine(
     all: &mut Vec<Option<CurveSpot>>,
 ) {
     let is_near = match (&a.1, &b.1) {
-        (Some(a), Some(b)) => angle(&a.pin, &b.pin) <= STEP && angle(&a.pivot, &b.pivot) <= STEP,
+        (Some(a), Some(b)) => {
+            let mut pairs = a.seen.iter().zip(&b.seen);
+            pairs.all(|(a, b)| angle(a, b) <= STEP)
+        }
         (None, _) | (_, None) => true,
     };
     if is_near {

@@ -2,7 +2,9 @@
 
 use super::super::views::Need;
 use super::{App, Mode};
+use crate::tui::player::FRAME;
 use crate::tui::views::accuracy::study_run::{Phase, StudyRun, Ticker};
+use crate::tui::views::candidates::list::CandidateList;
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
@@ -15,6 +17,9 @@ impl App {
             self.scroll_by(0);
         }
         self.now = now;
+        if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
+            list.follow(now);
+        }
         self.shell.forget_message(now);
         if self.next_frame().is_none_or(|next| now < next) {
             return;
@@ -32,8 +37,15 @@ impl App {
     /// When to call [`App::tick`]: for the next frame, and when what is said has been read.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
         // While another scene is looked for, this one waits.
-        let is_shown = !matches!(self.shell.mode, Mode::Pick(_));
-        let frame = self.player.next_frame().filter(|_| is_shown);
+        let frame = match self.shell.mode {
+            Mode::Pick(_) => None,
+            Mode::Candidates => {
+                let moves = |list: &&CandidateList| list.is_playing() || list.percent().is_some();
+                let list = self.candidates.as_ref().filter(moves);
+                list.map(|_| self.now + FRAME)
+            }
+            _ => self.player.next_frame(),
+        };
         let message = self.shell.message_ends();
         [frame, message].into_iter().flatten().min()
     }
@@ -41,6 +53,9 @@ impl App {
     /// The program was stopped meanwhile: playing goes on from where it was.
     pub(crate) fn wake(&mut self, now: Duration) {
         self.player.rebase(now);
+        if let Some(list) = &mut self.candidates {
+            list.rebase(now);
+        }
     }
 
     /// Whether there is work to do between two frames, whoever waits: only while it stands.

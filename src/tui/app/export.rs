@@ -216,7 +216,7 @@ impl App {
     /// `four-bar-plot.csv`.
     fn proposal(&self, ending: &str) -> String {
         let stem = match self.player.open_scene.origin() {
-            Origin::Preset(name) => Some(name.clone()),
+            Origin::Preset(name) | Origin::New(name) => Some(name.clone()),
             Origin::File(path) => path.file_stem().map(|s| s.to_string_lossy().into_owned()),
             Origin::Stdin => None,
         };

@@ -37,6 +37,8 @@ pub(crate) enum Mode {
     Confirm(Question),
     /// The list of presets and files.
     Pick(Box<Picker>),
+    /// The linkages for a task.
+    Candidates,
     /// The line in which a name is typed that is sought.
     Search(NameSearch),
     /// The question how much of the tables is copied.
@@ -68,6 +70,7 @@ impl Mode {
             | Mode::Unsaved(_)
             | Mode::Recovery(_)
             | Mode::Pick(_)
+            | Mode::Candidates
             | Mode::Copy => None,
         }
     }

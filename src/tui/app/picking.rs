@@ -1,11 +1,11 @@
 //! Choosing a preset or a file.
 
-use super::super::{Opened, Origin};
+use super::super::Origin;
 use super::{App, Effect, Mode};
 use crate::scene::presets;
 use crate::tui::commands::key::Key;
-use crate::tui::document::opening::{self, Unopened};
-use crate::tui::views::picker::list::{FolderReading, Picker, PickerTarget, Purpose};
+use crate::tui::document::opening::{self, OpenedFile, Unopened};
+use crate::tui::views::picker::list::{FolderReading, Picker, PickerItem, PickerTarget, Purpose};
 use crate::tui::views::picker::preview::Preview;
 use crate::wording::words;
 use std::env;
@@ -23,14 +23,28 @@ impl App {
     pub(super) fn list(&mut self, purpose: Purpose, at: Option<PickerTarget>) {
         let folder = match self.player.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
-            Origin::Preset(_) | Origin::Stdin => None,
+            Origin::Preset(_) | Origin::New(_) | Origin::Stdin => None,
         };
         let here = PickerTarget::of(self.player.open_scene.origin());
-        let original = purpose == Purpose::Compare && self.is_edited();
+        let first = self.first_listed(purpose);
         let folder = folder.unwrap_or_default();
         self.previews.forget();
-        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, original, here)));
+        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, first, here)));
         self.look_into(folder, at, true);
+    }
+
+    /// What stands before all scenes: to be compared with, the open one as it was opened; to be opened, the linkages
+    /// that were found for a task.
+    fn first_listed(&self, purpose: Purpose) -> Option<PickerItem> {
+        match purpose {
+            Purpose::Compare => self
+                .is_edited()
+                .then(|| PickerItem::new(PickerTarget::Original, words().as_opened(), "")),
+            Purpose::Open => self.candidates.as_ref().map(|list| {
+                let name = words().linkages_for(&list.order().name);
+                PickerItem::new(PickerTarget::Candidates, &name, "")
+            }),
+        }
     }
 
     /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
@@ -56,6 +70,9 @@ impl App {
     /// many keys came before it.
     pub(crate) fn catch_up(&mut self) {
         self.follow();
+        if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
+            list.draw();
+        }
         let Mode::Pick(picker) = &self.shell.mode else {
             return;
         };
@@ -136,9 +153,10 @@ impl App {
             return;
         };
         let purpose = picker.purpose();
-        if let PickerTarget::Folder(_) = place {
-            self.look_into_chosen();
-            return;
+        match place {
+            PickerTarget::Folder(_) => return self.look_into_chosen(),
+            PickerTarget::Candidates => return self.list_candidates(),
+            PickerTarget::Original | PickerTarget::File(_) | PickerTarget::Preset(_) => {}
         }
         let name = picker
             .chosen()
@@ -160,7 +178,7 @@ impl App {
         purpose: Purpose,
         place: PickerTarget,
         name: String,
-        opened: Result<Opened, String>,
+        opened: Result<OpenedFile, String>,
         now: Duration,
     ) {
         self.shell.message = None;
@@ -168,14 +186,20 @@ impl App {
         if !matches!(self.shell.mode, Mode::Pick(_)) {
             return;
         }
-        let done = opened.and_then(|opened| match purpose {
-            Purpose::Open => {
+        let done = opened.and_then(|opened| match (purpose, opened) {
+            (Purpose::Open, OpenedFile::Scene(opened)) => {
                 self.leave_list(now);
-                self.show(opened);
+                self.show(*opened);
                 Ok(())
             }
-            Purpose::Compare => {
-                self.compare_with(place, name, opened)?;
+            (Purpose::Open, OpenedFile::Task(order)) => {
+                self.previews.forget();
+                self.synthesize(*order);
+                Ok(())
+            }
+            (Purpose::Compare, OpenedFile::Task(_)) => Err(words().task_is_no_scene().to_owned()),
+            (Purpose::Compare, OpenedFile::Scene(opened)) => {
+                self.compare_with(place, name, *opened)?;
                 self.leave_list(now);
                 Ok(())
             }
@@ -186,19 +210,22 @@ impl App {
     }
 }
 
-/// Opens a scene of the list; in words why it cannot be.
-fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<Opened, String> {
+/// Opens a scene or a task of the list; in words why it cannot be.
+fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<OpenedFile, String> {
+    let scene = |opened| OpenedFile::Scene(Box::new(opened));
     match place {
         PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
         // Its name is under the cursor.
-        PickerTarget::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
+        PickerTarget::File(path) => opening::file(&near(path)).map_err(Unopened::first_words),
         PickerTarget::Preset(name) => match presets::find(name) {
-            Some(preset) => opening::preset(preset),
+            Some(preset) => opening::preset(preset).map(scene),
             None => Err(words().no_preset(name)),
         },
-        PickerTarget::Original => {
-            opening::text(original, origin).map_err(|d| d.first_words().to_owned())
-        }
+        PickerTarget::Original => opening::text(original, origin)
+            .map(scene)
+            .map_err(|d| d.first_words().to_owned()),
+        // They are listed, and not opened.
+        PickerTarget::Candidates => Err(words().found_before().to_owned()),
     }
 }
 

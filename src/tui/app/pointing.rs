@@ -7,7 +7,7 @@ use crate::tui::commands::mouse::{Mouse, MouseDeed};
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::views::{PaneSpot, Under};
 use crate::wording::words;
-use crate::{Input, Vec2, angle};
+use crate::{Body, Input, Vec2, angle};
 use std::time::Duration;
 
 /// A turn of the wheel goes so many lines.
@@ -207,10 +207,12 @@ impl App {
         let mechanism = &open_scene.scene().mechanism;
         match mechanism.driver().input {
             Input::Turn(link) => {
-                let members = mechanism.link(link).members.iter();
-                let mut grounded =
-                    members.filter_map(|member| mechanism.point(member.point).ground);
-                Some(angle::degrees(place - grounded.next()?))
+                let state = open_scene.state();
+                let seen = angle::degrees(place - state.position(mechanism.hub(link)?)?);
+                match mechanism.turned_from(link) {
+                    Body::Ground => Some(seen),
+                    Body::Link(from) => Some(seen - state.angle(from)?),
+                }
             }
             Input::Push(slide) => {
                 let travel = open_scene.state().travel(slide)?;

@@ -42,7 +42,7 @@ impl App {
         self.player.playback.pause();
         let proposal = match self.player.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
-            Origin::Preset(name) => format!("{name}.toml"),
+            Origin::Preset(name) | Origin::New(name) => format!("{name}.toml"),
             Origin::Stdin => "scene.toml".into(),
         };
         self.ask_for_file(SavedContent::Scene, &proposal);

@@ -35,7 +35,7 @@ impl App {
     /// drawing beside them.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
-        if let Mode::Help(_) | Mode::Assemblies(_) = self.shell.mode {
+        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates = self.shell.mode {
             return keymap.action_in_list(key);
         }
         let own = keymap.action(key, self.shell.view);
@@ -89,6 +89,7 @@ impl App {
             Mode::Palette(_) => self.palette_key(key, now),
             Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
+            Mode::Candidates => self.candidates_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
             Mode::Unsaved(_) => self.answer(key, now),

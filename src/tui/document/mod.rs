@@ -71,7 +71,7 @@ impl Document {
     pub(crate) fn belong_to(&mut self, origin: &Origin) {
         self.disk = match origin {
             Origin::File(path) => Some(Disk::new(path)),
-            Origin::Preset(_) | Origin::Stdin => None,
+            Origin::Preset(_) | Origin::New(_) | Origin::Stdin => None,
         };
     }
 

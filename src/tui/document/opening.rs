@@ -5,7 +5,8 @@ use crate::quantity::check_figures;
 use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
 use crate::solver::Solver;
-use crate::tui::{Opened, Origin};
+use crate::task_file::TaskFile;
+use crate::tui::{Opened, Origin, TaskOrder};
 use crate::wording::words;
 use std::path::Path;
 
@@ -35,23 +36,39 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
     text(preset.text, origin).map_err(fault)
 }
 
+/// What a file holds.
+#[derive(Debug)]
+pub(crate) enum OpenedFile {
+    /// A scene.
+    Scene(Box<Opened>),
+    /// A task whose linkages are to be looked for.
+    Task(Box<TaskOrder>),
+}
+
 /// Opens a file, or says all that is wrong with it.
-pub(crate) fn scene_of(path: &Path) -> Result<Opened, Unopened> {
+pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
-    let scene = Scene::read(&bytes, &path.display().to_string());
+    let shown = path.display().to_string();
+    if TaskFile::is_meant(&bytes) {
+        let file = TaskFile::read(&bytes, &shown).map_err(Unopened::Wrong)?;
+        let name = path.file_stem().unwrap_or(path.as_os_str());
+        let order = TaskOrder::new(file, name.to_string_lossy().into_owned());
+        return Ok(OpenedFile::Task(Box::new(order)));
+    }
+    let scene = Scene::read(&bytes, &shown);
     let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
     let origin = Origin::File(path.to_owned());
-    Ok(Opened {
+    Ok(OpenedFile::Scene(Box::new(Opened {
         scene,
         solver,
         origin,
-    })
+    })))
 }
 
 /// Opens a text that comes from somewhere.
 pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
     let name = match &origin {
-        Origin::Preset(name) => name.clone(),
+        Origin::Preset(name) | Origin::New(name) => name.clone(),
         Origin::File(path) => path.display().to_string(),
         Origin::Stdin => "stdin".into(),
     };

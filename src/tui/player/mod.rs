@@ -23,7 +23,7 @@ use std::time::Duration;
 use steps::StepLadder;
 
 /// Time between two frames while playing.
-const FRAME: Duration = Duration::from_millis(33);
+pub(crate) const FRAME: Duration = Duration::from_millis(33);
 /// Decimals to which a step is exact.
 const STEP_DECIMALS: usize = 9;
 

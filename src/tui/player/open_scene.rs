@@ -460,7 +460,7 @@ impl OpenScene {
         let all = presets::all();
         let position = match &self.opened.origin {
             Origin::Preset(name) => all.iter().position(|preset| preset.name == name.as_str()),
-            Origin::File(_) | Origin::Stdin => None,
+            Origin::File(_) | Origin::New(_) | Origin::Stdin => None,
         };
         let count = isize::try_from(all.len()).ok().filter(|&n| n > 0)?;
         let target = match position {

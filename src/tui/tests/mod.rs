@@ -1,5 +1,6 @@
 //! Tests of the workbench as a whole that see inside.
 
+mod candidates;
 mod monkey;
 mod mouse;
 

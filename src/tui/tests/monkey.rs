@@ -337,12 +337,15 @@ fn stays(app: &App, deed: &MonkeyDeed) -> bool {
         (Mode::Pick(picker), MonkeyDeed::Press(Key::Enter | Key::Right)) => {
             match picker.chosen().map(|item| &item.place) {
                 Some(PickerTarget::Folder(path) | PickerTarget::File(path)) => is_in_cage(path),
-                Some(PickerTarget::Original | PickerTarget::Preset(_)) | None => true,
+                Some(
+                    PickerTarget::Original | PickerTarget::Candidates | PickerTarget::Preset(_),
+                )
+                | None => true,
             }
         }
         _ => match app.open_scene().origin() {
             Origin::File(path) => is_in_cage(path),
-            Origin::Preset(_) | Origin::Stdin => true,
+            Origin::Preset(_) | Origin::New(_) | Origin::Stdin => true,
         },
     }
 }

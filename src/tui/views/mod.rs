@@ -11,6 +11,7 @@
 
 pub(crate) mod accuracy;
 mod assemblies;
+pub(crate) mod candidates;
 mod compact;
 pub(crate) mod forces;
 pub(crate) mod help;
@@ -79,7 +80,7 @@ impl View {
 
 /// Brings what the screen remembers of its last frame up to date.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
-    if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
+    if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_) | Mode::Candidates) {
         return;
     }
     sketch.begin();
@@ -138,6 +139,11 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     }
     if let Mode::Pick(picker) = app.mode() {
         picker::render(app, picker, area, buffer);
+        status::render(app, row(area, area.height - 1), buffer);
+        return;
+    }
+    if let (Mode::Candidates, Some(list)) = (app.mode(), app.candidates()) {
+        candidates::render(app, list, area, buffer);
         status::render(app, row(area, area.height - 1), buffer);
         return;
     }
@@ -307,6 +313,9 @@ fn on_top(app: &App) -> (usize, usize) {
         Mode::Help(help) => help::extent(app, help, body),
         Mode::Pick(picker) => picker::extent(picker, middle(area)),
         Mode::Palette(palette) => palette::extent(palette, body),
+        Mode::Candidates if let Some(list) = app.candidates() => {
+            candidates::extent(list, middle(area))
+        }
         _ => {
             let (pane, area) = looked_at(app);
             pane.extent(app, area)

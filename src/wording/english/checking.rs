@@ -43,6 +43,7 @@ catalogue! {
             )
         };
         driven_link(name: &str) = "link {name}";
+        turned_from(name: &str, from: &str) = "{name} from {from}";
         driven_slide(name: &str) = "slide {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, opens at {at}, {speed}, {acceleration}";

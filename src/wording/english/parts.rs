@@ -123,10 +123,16 @@ catalogue! {
         one_pin = "one pin";
         another_pin = "another";
         turns_about_one_point = "the driven link, mostly the crank, turns about one point of the ground";
+        slide_has_its_guide(of: &str) = "{of}: a slide is driven along its guide, and `from` says nothing of it";
+        not_of_a_slide = "of a driven link";
+        seat_is_for_links = "leave it out, or name a link in the place of the slide: `from` is the link that its motor sits on";
+        turns_from_itself(name: &str) = "{name} cannot be turned against itself";
+        seat_is_another_link = "`from` names another link, on which the motor sits; without it the link is turned against the ground";
         no_pivot(name: &str) = "the driven link {name} has no ground point to turn about";
         not_joined_to_ground = "not joined to the ground";
         none_in_ground = "none of its points is in [ground]";
         put_into_ground = "put one of its points into [ground]: A = [0, 0]";
+        or_name_its_seat = "or name the link that its motor sits on: from = \"r2\"";
         links_with_ground_point(names: &str) = "links with a ground point: {names}";
 
         input_called(name: &str) = "input {name}";

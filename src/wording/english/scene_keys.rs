@@ -35,6 +35,7 @@ catalogue! {
         phase_of_input = "its coordinate where the driver's is 0: the direction of a link's x axis in deg, or the position of a slide";
         table_of_input = "instead of both, a table: knots of the driver's coordinate and its own, a smooth curve between; \
              the motion ends with it, or it spans whole turns of the driver, comes back to its first value and repeats";
+        seat_of_driver = "the link that the motor sits on, if not the ground: the angle is then the turned link's from that one's, and the torque acts between the two";
         range_of_driver = "the stops of the driver `[low, high]`, in deg or of a driven slide in the scene's `unit`";
         link_and_from_where = "the link whose angle is limited, and the link from which it is seen";
         ends_of_an_angle = "its ends `[low, high]` in deg, less than a turn apart";

@@ -6,6 +6,10 @@ catalogue! {
     /// Faults of task files.
     trait TasksWords for English {
         the_task_itself = "the task itself";
+        task_for_a_scene = "this is a task, not a scene";
+        synthesize_does_tasks = "`krank synthesize` looks for linkages that do it: each becomes a scene";
+        scene_for_a_task = "this is a scene, not a task";
+        synthesize_reads_tasks = "a task says what motion is wanted (krank help synthesis); `krank check` and `krank FILE` open scenes";
         task_without_kind = "the task has no `kind`";
         kinds_of_tasks(kinds: &str) = "there are `{kinds}`";
         no_kind_of_task(kind: &str) = "{kind} is no kind of task";
@@ -32,7 +36,11 @@ catalogue! {
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` has {found} numbers for {points} points";
         turns_begin_at_nought = "`turns` count from the first point: the first is 0";
         turns_go_one_way = "`turns` must grow from point to point, or fall";
-        from_0_to_90 = "from 0 to below 90";
+        links_have_their_own_ends = "two links that hang on one place are one";
+        turns_end_within_one = "of a closed path all `turns` lie within one turn: the last comes back to the first point";
+        direction_wants_order = "`order = false` and a `direction` contradict each other: points in any order are come to from either side";
+        one_output = "a function has one output: of `linkages` name one";
+        angle_below_90 = "from 0 to below 90";
         at_least_1 = "at least 1";
         inside_is_a_box = "`inside` must be two opposite corners of a box";
         no_turning_direction(name: &str) = "{name} is no direction of turning";
@@ -49,7 +57,7 @@ catalogue! {
         range_of_function(most: usize) = "`function` must go from a smaller x to a larger one, in 3 to {most} points";
         swing_and_scale = "`swing` and `scale` say the same: give one of both";
         start_wants_scale = "`start` is where x is least: it needs a `scale` or a `swing` that is given";
-        scale_is_nought = "what does not turn follows no function: the scale is 0";
+        scale_is_nought = "what does not move follows no function: its scale must be a number other than 0";
 
         // What came of a task.
         wanted_motion = "wanted";
@@ -66,6 +74,8 @@ catalogue! {
             };
             let others = match defective {
                 0 => String::new(),
+                1 if good == 0 => "; one that does not".into(),
+                count if good == 0 => format!("; {count} that do not"),
                 1 => "; one more that does not".into(),
                 count => format!("; {count} more that do not"),
             };
@@ -88,27 +98,49 @@ catalogue! {
         circuit_between(from: usize, to: usize) =
             "circuit: points {from} and {to} lie on different ones, it would have to be taken apart";
         order_between(from: usize, to: usize) = "order: the crank turns back from point {from} to {to}";
+        short_of_range = "it comes to every pair, but does not close over the whole range";
         point_missed(point: usize) = "it does not come to point {point}";
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
         candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
         note_of_candidate(miss: &str, unit: &str, transmission: &str) =
             "Driven through its task: it misses by {miss} {unit} at most, with a transmission angle of at least {transmission} deg on the way.";
 
+        // The list of what came of it.
+        linkages = "linkages";
+        linkages_for(task: &str) = "Linkages for {task}";
+        good_and_defective(good: usize, defective: usize) = {
+            match defective {
+                0 => format!("{good} found"),
+                _ => format!("{good} found, {defective} defective"),
+            }
+        };
+        looking_for_linkages(percent: u32) = "looking for linkages: {percent} %";
+        at_point_of_task(point: usize, points: usize, crank: &str) =
+            "point {point} of {points}, crank at {crank} deg";
+        point_by_point = "from point to point";
+        task_in_preview(wanted: &str) = "a task: {wanted}; Enter looks for linkages that do it";
+        found_before = "found before: Enter lists them";
+        task_is_no_scene = "this is a task, and no scene";
+
         // The command.
         does_synthesize = "Find linkages that do a task: poses, a function or a path";
         task_to_do = "A task file, `-` for standard input, or an example: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "How many linkages are told, the best first";
         tolerance_of_candidates = "How far each length may be off: it is written into the scenes";
+        candidates_in_workbench = "Go through the linkages in the workbench, each on its way, and take one as a scene";
         folder_of_candidates = "A folder for a scene of each linkage that is told";
         tolerance_is_no_length = "--tolerance must be a length, and not negative";
         nothing_does_the_task = "no linkage was found that does the task";
         no_task_and_no_file(name: &str, meant: &str) = "there is no task and no file `{name}`; there is {meant}";
+        example_is_a_task(name: &str) = "it is a task: krank synthesize {name}";
+        preset_is_no_task(name: &str) = "`{name}` is a preset, not a task: krank {name} opens it (krank help synthesis)";
         candidates_written(count: usize, folder: &str) = {
             format!("{} in {folder}", counted(count, "scene", "scenes"))
         };
         examples_of_synthesize = "\
 Examples:
   krank synthesize wiper
+  krank synthesize wiper --view
   krank synthesize straight-line --top 3 -o found
   krank synthesize task.toml --format json --seed 7
 ";

@@ -43,6 +43,7 @@ catalogue! {
             )
         };
         driven_link(name: &str) = "uzuv {name}";
+        turned_from(name: &str, from: &str) = "{name} ({from} uzvuna göre)";
         driven_slide(name: &str) = "kızak {name}";
         driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
             "{driven}, açılışta {at}, {speed}, {acceleration}";

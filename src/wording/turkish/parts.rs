@@ -137,10 +137,16 @@ catalogue! {
         one_pin = "bir pim";
         another_pin = "ötekisi";
         turns_about_one_point = "tahrik edilen uzuv, çoğu zaman krank, şasenin tek noktası çevresinde döner";
+        slide_has_its_guide(of: &str) = "{of}: kızak kendi kılavuzu boyunca itilir, `from` ona bir şey katmaz";
+        not_of_a_slide = "tahrik edilen bir uzuv içindir";
+        seat_is_for_links = "bunu sil ya da kızağın yerine bir uzuv yaz: `from`, motorun üzerinde durduğu uzuvdur";
+        turns_from_itself(name: &str) = "{name} kendisine göre döndürülemez";
+        seat_is_another_link = "`from`, motorun üzerinde durduğu başka bir uzvu adlandırır; yazılmazsa uzuv şaseye göre döndürülür";
         no_pivot(name: &str) = "tahrik edilen {name} uzvunun çevresinde döneceği sabit noktası yok";
         not_joined_to_ground = "şaseye bağlı değil";
         none_in_ground = "hiçbir noktası [ground] içinde değil";
         put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
+        or_name_its_seat = "ya da motorunun üzerinde durduğu uzvu yaz: from = \"r2\"";
         links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
 
         input_called(name: &str) = "giriş {name}";

@@ -35,6 +35,7 @@ catalogue! {
         phase_of_input = "tahrikin koordinatı 0 iken kendi koordinatı: uzvun x ekseninin derece olarak doğrultusu ya da kızağın konumu";
         table_of_input = "ikisinin yerine bir tablo: tahrikin koordinatı ile kendi koordinatından düğümler, arada düzgün bir eğri; \
              hareket onunla biter ya da tablo tahrikin tam turlarını kapsar, ilk değerine döner ve yinelenir";
+        seat_of_driver = "şase değilse motorun üzerinde durduğu uzuv: açı o zaman döndürülen uzvun ona göre açısıdır, moment ikisi arasında etkir";
         range_of_driver = "tahrikin dayamaları `[low, high]`, deg ya da itilen bir kızakta sahnenin `unit` biriminde";
         link_and_from_where = "açısı sınırlanan uzuv ve görüldüğü uzuv";
         ends_of_an_angle = "uçları `[low, high]`, deg olarak, araları bir turdan az";

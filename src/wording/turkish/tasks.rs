@@ -6,6 +6,10 @@ use crate::wording::english::TasksWords;
 catalogue! {
     impl TasksWords for Turkish {
         the_task_itself = "görevin kendisi";
+        task_for_a_scene = "bu bir görev, sahne değil";
+        synthesize_does_tasks = "görevi yapan mekanizmaları `krank synthesize` arar: her biri bir sahne olur";
+        scene_for_a_task = "bu bir sahne, görev değil";
+        synthesize_reads_tasks = "görev istenen hareketi söyler (krank help synthesis); sahneleri `krank check` ve `krank DOSYA` açar";
         task_without_kind = "görevin `kind` anahtarı yok";
         kinds_of_tasks(kinds: &str) = "türler: `{kinds}`";
         no_kind_of_task(kind: &str) = "{kind} bir görev türü değil";
@@ -32,7 +36,11 @@ catalogue! {
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
         turns_begin_at_nought = "`turns` ilk noktadan sayar: ilki 0 olur";
         turns_go_one_way = "`turns` noktadan noktaya hep artmalı ya da hep azalmalı";
-        from_0_to_90 = "0 ile 90 arasında (90 hariç)";
+        links_have_their_own_ends = "tek noktaya asılı iki uzuv tek uzuvdur";
+        turns_end_within_one = "kapalı bir yolda bütün `turns` bir tam dönüşün içindedir: sonuncusu ilk noktaya döner";
+        direction_wants_order = "`order = false` ile `direction` çelişir: sırası serbest olan noktalara iki yandan da gelinir";
+        one_output = "bir işlevin tek çıkışı vardır: `linkages` içinde birini yazın";
+        angle_below_90 = "0 ile 90 arasında (90 hariç)";
         at_least_1 = "en az 1";
         inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
         no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
@@ -49,7 +57,7 @@ catalogue! {
         range_of_function(most: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {most} arası noktayla gitmeli";
         swing_and_scale = "`swing` ile `scale` aynı şeyi söyler: birini verin";
         start_wants_scale = "`start` x değerinin en küçük olduğu yerdir: verilmiş bir `scale` ya da `swing` gerektirir";
-        scale_is_nought = "dönmeyen bir şey hiçbir işlevi izlemez: ölçek 0";
+        scale_is_nought = "hareket etmeyen bir şey hiçbir işlevi izlemez: ölçeği 0 dışında bir sayı olmalı";
 
         // What came of a task.
         wanted_motion = "istenen";
@@ -86,25 +94,47 @@ catalogue! {
         circuit_between(from: usize, to: usize) =
             "devre: {from} ve {to} noktaları ayrı devrelerde, mekanizmanın sökülmesi gerekir";
         order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
+        short_of_range = "her çifte gelir, ama aralığın tümünde kapanmaz";
         point_missed(point: usize) = "{point} noktasına gelmiyor";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
         note_of_candidate(miss: &str, unit: &str, transmission: &str) =
             "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki bağlama açısı en az {transmission} derecedir.";
 
+        // The list of what came of it.
+        linkages = "mekanizmalar";
+        linkages_for(task: &str) = "{task} için mekanizmalar";
+        good_and_defective(good: usize, defective: usize) = {
+            match defective {
+                0 => format!("{good} bulundu"),
+                _ => format!("{good} bulundu, {defective} kusurlu"),
+            }
+        };
+        looking_for_linkages(percent: u32) = "mekanizma aranıyor: %{percent}";
+        at_point_of_task(point: usize, points: usize, crank: &str) =
+            "nokta {point} / {points}, krank {crank} derecede";
+        point_by_point = "noktadan noktaya";
+        task_in_preview(wanted: &str) = "bir görev: {wanted}; Enter onu yapan mekanizmaları arar";
+        found_before = "önceden bulundu: Enter listeler";
+        task_is_no_scene = "bu bir görev, sahne değil";
+
         // The command.
         does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
         task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
         tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
+        candidates_in_workbench = "Mekanizmaları çalışma tezgâhında yolları boyunca gezdir, birini sahne olarak al";
         folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
         tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
         nothing_does_the_task = "görevi yapan bir mekanizma bulunamadı";
         no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
+        example_is_a_task(name: &str) = "bu bir görev: krank synthesize {name}";
+        preset_is_no_task(name: &str) = "`{name}` hazır bir sahne, görev değil: krank {name} onu açar (krank help synthesis)";
         candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
         examples_of_synthesize = "\
 Örnekler:
   krank synthesize wiper
+  krank synthesize wiper --view
   krank synthesize straight-line --top 3 -o found
   krank synthesize task.toml --format json --seed 7
 ";

@@ -1,4 +1,4 @@
-//! PlantedLinkage linkages are among what is found.
+//! PlantedFunction linkages are among what is found.
 
 mod grid;
 
@@ -7,7 +7,7 @@ use crate::numeric::SeededChance;
 use crate::synthesis::{FunctionTask, Given, Output, Partner, Proposal, Proposals};
 
 /// A linkage that is planted, with its crank's angles in degrees and its output at every one: angles, or travels.
-struct PlantedLinkage {
+struct PlantedFunction {
     output: Output,
     lengths: [f64; 3],
     pairs: Vec<[f64; 2]>,
@@ -20,9 +20,9 @@ struct PlantedLaw([f64; 4]);
 const PLAIN: PlantedLaw = PlantedLaw([0.0, 1.0, 0.0, 1.0]);
 const LAW: PlantedLaw = PlantedLaw([20.0, 40.0, -35.0, 25.0]);
 
-impl PlantedLinkage {
+impl PlantedFunction {
     /// At so many angles over a swing, where it closes; by the circles' own formula, which the room does not use.
-    fn draw(chance: &mut SeededChance, output: Output, count: usize) -> PlantedLinkage {
+    fn draw(chance: &mut SeededChance, output: Output, count: usize) -> PlantedFunction {
         loop {
             let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + chance.even());
             let (a, b) = (length(0.3, 1.6), length(0.5, 2.0));
@@ -44,7 +44,7 @@ impl PlantedLinkage {
                     pairs[k][1] += 360.0 * turns;
                 }
             }
-            return PlantedLinkage {
+            return PlantedFunction {
                 output,
                 lengths: [a, b, c],
                 pairs,
@@ -120,7 +120,7 @@ fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (u
     let mut chance = SeededChance::new(200 + count as u64);
     let (mut found, mut is_complete) = (0, true);
     for _ in 0..rounds {
-        let planted = PlantedLinkage::draw(&mut chance, output, count);
+        let planted = PlantedFunction::draw(&mut chance, output, count);
         let proposals = propose(&planted.task(law_of(output, free), free));
         found += usize::from(planted.nearest(&proposals) < 1e-9);
         is_complete &= proposals.is_complete;
@@ -182,7 +182,7 @@ fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
     let mut chance = SeededChance::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
-            let planted = PlantedLinkage::draw(&mut chance, output, 9);
+            let planted = PlantedFunction::draw(&mut chance, output, 9);
             let free = [true, false, true, false];
             let mut task = planted.task(law_of(output, free), free);
             let mut squares = 0.0;
@@ -301,7 +301,7 @@ fn hardly_anything_to_go_by_does_no_harm() {
 #[test]
 fn a_task_that_is_not_sound_finds_nothing() {
     let mut task =
-        PlantedLinkage::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
+        PlantedFunction::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
     task.size = 0.0;
     assert_eq!(propose(&task), Proposals::default());
@@ -318,7 +318,7 @@ fn a_task_that_is_not_sound_finds_nothing() {
 fn solutions_without_number_are_proposed_in_part() {
     let mut chance = SeededChance::new(9);
     for output in [Output::Angle, Output::Slide] {
-        let planted = PlantedLinkage::draw(&mut chance, output, 3);
+        let planted = PlantedFunction::draw(&mut chance, output, 3);
         let free = [true, false, true, false];
         let task = planted.task(law_of(output, free), free);
         let proposals = propose(&task);
@@ -351,7 +351,7 @@ fn a_run_follows_the_planted_function_between_the_pairs() {
             Output::Slide => [true, false, true, true],
         };
         // Every other angle is a pair, the ones between are looked at.
-        let planted = PlantedLinkage::draw(&mut chance, output, 9);
+        let planted = PlantedFunction::draw(&mut chance, output, 9);
         let all = planted.task(law_of(output, free), free);
         let mut task = all.clone();
         task.pairs = all.pairs.iter().step_by(2).copied().collect();

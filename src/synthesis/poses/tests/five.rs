@@ -71,43 +71,132 @@ fn all_pairs_are_proposed_and_come_through_the_poses() {
     assert_eq!(most, 6);
 }
 
-/// What Newton's method finds from hundreds of starts, the resultant has found; and it has found something that the
-/// other did not have to start near.
+/// Every dyad that Newton's method finds from so many starts is among those of the resultant; how many it finds.
+fn met_by_newton(task: &PoseTask, chance: &mut Chance, starts: usize) -> usize {
+    let found = dyads(task).unwrap();
+    let mut seen: Vec<[Vec2; 2]> = Vec::new();
+    for _ in 0..starts {
+        let mut near = || Vec2::new(chance.within(-8.0, 8.0), chance.within(-8.0, 8.0));
+        let start = [near(), near()];
+        let Some([pivot, pin]) = newton::solution(task, start, 2.0) else {
+            continue;
+        };
+        // On its way to infinity every pin seems to be on a circle.
+        if pivot.norm() > 1e3 || pin.norm() > 1e3 {
+            continue;
+        }
+        let dyads = [(Partner::Rocker(pivot), pin); 2];
+        let off = Planted {
+            task: PoseTask::default(),
+            dyads,
+        }
+        .off(0, &found);
+        assert!(off < 1e-8, "{pivot:?} {pin:?} is missing: {off:e}");
+        let is_near = |[p, w]: &[Vec2; 2]| (*p - pivot).norm() + (*w - pin).norm() < 1e-6;
+        if !seen.iter().any(is_near) {
+            seen.push([pivot, pin]);
+        }
+    }
+    assert!(seen.len() <= found.len());
+    seen.len()
+}
+
 #[test]
 fn nothing_is_missed_that_newton_finds_from_everywhere() {
     let mut chance = Chance(3);
-    let (mut met, mut all) = (0, 0);
-    for n in 0..30 {
-        let planted = Planted::four_bar(&mut chance, 5, 15.0);
-        let found = dyads(&planted.task).unwrap();
-        all += found.len();
-        let mut seen: Vec<[Vec2; 2]> = Vec::new();
-        for _ in 0..250 {
-            let mut near = || Vec2::new(chance.within(-8.0, 8.0), chance.within(-8.0, 8.0));
-            let start = [near(), near()];
-            let Some([pivot, pin]) = newton::solution(&planted.task, start, 2.0) else {
-                continue;
-            };
-            // Towards infinity every pin on a straight line seems to be one.
-            if pivot.norm() > 1e3 || pin.norm() > 1e3 {
-                continue;
-            }
-            let off = Planted {
-                task: PoseTask::default(),
-                dyads: [(Partner::Rocker(pivot), pin); 2],
-            }
-            .off(0, &found);
-            assert!(off < 1e-8, "{n}: {pivot:?} {pin:?} is missing: {off:e}");
-            if !seen
-                .iter()
-                .any(|[p, w]| (*p - pivot).norm() + (*w - pin).norm() < 1e-6)
-            {
-                seen.push([pivot, pin]);
-            }
-        }
-        met += seen.len();
+    let planted = |chance: &mut Chance| Planted::four_bar(chance, 5, 15.0).task;
+    let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut chance)).collect();
+    let met: usize = tasks
+        .iter()
+        .map(|task| met_by_newton(task, &mut chance, 250))
+        .sum();
+    assert!(met > 60, "{met}");
+}
+
+/// Poses that mirror each other, origins on a line and on a circle, equal angles in pairs: pins that are level or one
+/// above the other, and dyads at infinity.
+#[test]
+fn nothing_is_missed_of_special_poses() {
+    let task = |poses: [(f64, f64, f64); 5]| PoseTask {
+        poses: poses
+            .map(|(x, y, angle)| Pose {
+                at: Vec2::new(x, y),
+                angle,
+            })
+            .to_vec(),
+        ..PoseTask::default()
+    };
+    let on_circle = [
+        (0.0, 10.0),
+        (35.0, -20.0),
+        (80.0, 5.0),
+        (140.0, 60.0),
+        (200.0, 35.0),
+    ];
+    let tasks = [
+        task([
+            (-2.0, 0.8, -35.0),
+            (-0.7, 0.1, -15.0),
+            (0.0, 0.0, 0.0),
+            (0.7, 0.1, 15.0),
+            (2.0, 0.8, 35.0),
+        ]),
+        task([
+            (-2.0, 0.8, 35.0),
+            (-1.0, 0.2, 10.0),
+            (0.0, 0.1, 0.0),
+            (1.0, 0.2, -10.0),
+            (2.0, 0.8, -35.0),
+        ]),
+        task([
+            (0.0, 0.0, 0.0),
+            (1.0, 0.0, 20.0),
+            (2.0, 0.0, 70.0),
+            (3.0, 0.0, 50.0),
+            (4.0, 0.0, -10.0),
+        ]),
+        on_a_circle(&on_circle),
+        task([
+            (0.0, 0.0, 10.0),
+            (1.0, 0.3, 10.0),
+            (2.5, 1.0, 40.0),
+            (2.0, -1.0, 40.0),
+            (3.0, 2.0, 75.0),
+        ]),
+        task([
+            (0.0, 0.0, 10.0),
+            (1.0, 0.3, 10.0),
+            (2.5, 1.0, 10.0),
+            (2.0, -1.0, 40.0),
+            (3.0, 2.0, 75.0),
+        ]),
+    ];
+    let mut chance = Chance(8);
+    let met: Vec<usize> = tasks
+        .iter()
+        .map(|task| met_by_newton(task, &mut chance, 400))
+        .collect();
+    assert!(met.iter().sum::<usize>() >= 8, "{met:?}");
+    // No coordinate is left at what rounding makes of nought.
+    let mirrored = dyads(&tasks[0]).unwrap();
+    assert!(mirrored.iter().all(|held| held.pin.x == 0.0));
+    // The origin itself is on the circle.
+    let middle = Planted {
+        task: PoseTask::default(),
+        dyads: [(Partner::Rocker(Vec2::ZERO), Vec2::ZERO); 2],
+    };
+    assert!(middle.off(0, &dyads(&on_a_circle(&on_circle)).unwrap()) < 1e-12);
+}
+
+fn on_a_circle(places: &[(f64, f64)]) -> PoseTask {
+    let pose = |(around, angle): &(f64, f64)| Pose {
+        at: turned(2.0, *around),
+        angle: *angle,
+    };
+    PoseTask {
+        poses: places.iter().map(pose).collect(),
+        ..PoseTask::default()
     }
-    assert!(met > 60 && met <= all, "{met} of {all}");
 }
 
 /// Poses that nearly repeat, that are all near each other, and pivots that are far away: the dyads of the poses as they
@@ -274,6 +363,35 @@ fn a_turn_about_a_point_is_no_linkage() {
         all.found
     );
     assert!(!all.is_complete);
+}
+
+/// Four poses of a square turn about its middle, and say less than they seem to: with a fifth there is a line of pins,
+/// all with the middle for their pivot, so that no two of them make a linkage.
+#[test]
+fn poses_that_say_too_little_have_a_curve() {
+    let places = [
+        (0.0, 0.0, 0.0),
+        (1.0, 0.0, 90.0),
+        (1.0, 1.0, 180.0),
+        (0.0, 1.0, 270.0),
+        (2.0, 2.0, 45.0),
+    ];
+    let pose = |(x, y, angle)| Pose {
+        at: Vec2::new(x, y),
+        angle,
+    };
+    let task = PoseTask {
+        poses: places.map(pose).to_vec(),
+        ..PoseTask::default()
+    };
+    let all = both(&task);
+    assert!(!all.is_complete && all.found.is_empty());
+    let curve: Vec<_> = all.curves.iter().flatten().collect();
+    assert!(curve.len() > 50);
+    let middle = Vec2::new(0.5, 0.5);
+    for dyad in curve {
+        assert!(matches!(dyad.held, Partner::Rocker(at) if (at - middle).norm() < 1e-12));
+    }
 }
 
 /// Cardan's motion: two pins on perpendicular lines, so that every pin of a circle goes along a line, and the middle on

@@ -37,53 +37,56 @@ fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
     all.fold(f64::INFINITY, f64::min)
 }
 
-/// Along lines all over the body every root of the determinant is on a piece that was traced.
+/// Along lines all over the body every root of the determinant is on a piece that was traced; how many there are.
+fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
+    let mut roots = 0;
+    for line in -12..=12 {
+        for is_level in [true, false] {
+            let at = |s: f64| {
+                let across = f64::from(line) * 0.5 + 0.01;
+                if is_level {
+                    Vec2::new(s, across)
+                } else {
+                    Vec2::new(across, s)
+                }
+            };
+            let places = (-300..=300).map(|k| f64::from(k) * 0.02);
+            let values: Vec<(f64, f64)> = places.map(|s| (s, cubic(task, at(s)))).collect();
+            for ends in values
+                .windows(2)
+                .filter(|ends| ends[0].1 * ends[1].1 <= 0.0)
+            {
+                let middle = at(0.5 * (ends[0].0 + ends[1].0));
+                let off = distance(pieces, middle);
+                assert!(off < 0.02, "{middle:?} is {off} from the curve");
+                roots += 1;
+            }
+        }
+    }
+    roots
+}
+
 #[test]
 fn no_branch_and_no_oval_is_missed() {
     let mut chance = Chance(11);
     let (mut roots, mut ovals) = (0, 0);
-    for n in 0..60 {
+    for _ in 0..24 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let pieces = pieces(&planted.task);
-        ovals += usize::from(
-            pieces
-                .iter()
-                .filter(|p| p[0].pin == p[p.len() - 1].pin)
-                .count()
-                > 0,
-        );
-        for line in -12..=12 {
-            for is_level in [true, false] {
-                let at = |s: f64| {
-                    let across = f64::from(line) * 0.5;
-                    if is_level {
-                        Vec2::new(s, across)
-                    } else {
-                        Vec2::new(across, s)
-                    }
-                };
-                let value = |s: f64| cubic(&planted.task, at(s));
-                for k in -300..300 {
-                    let ends = [f64::from(k), f64::from(k + 1)].map(|s| s * 0.02);
-                    if value(ends[0]) * value(ends[1]) > 0.0 {
-                        continue;
-                    }
-                    let middle = 0.5 * (ends[0] + ends[1]);
-                    let off = distance(&pieces, at(middle));
-                    assert!(off < 0.03, "{n}: {:?} is {off} from the curve", at(middle));
-                    roots += 1;
-                }
-            }
-        }
+        ovals += pieces
+            .iter()
+            .filter(|p| p.len() > 1 && p[0].pin == p[p.len() - 1].pin)
+            .count();
+        roots += sliced(&planted.task, &pieces);
     }
-    assert!(roots > 3000 && ovals > 10, "{roots} {ovals}");
+    assert!(roots > 1200 && ovals > 4, "{roots} {ovals}");
 }
 
 /// Spots are as near to each other as they are drawn, and all of them lead through the poses.
 #[test]
 fn the_curve_is_traced_in_small_steps() {
     let mut chance = Chance(12);
-    for n in 0..100 {
+    for n in 0..40 {
         let planted = if n % 2 == 0 {
             Planted::four_bar(&mut chance, 4, 15.0)
         } else {
@@ -123,7 +126,7 @@ fn the_curve_is_traced_in_small_steps() {
 #[test]
 fn planted_dyads_are_on_the_curve() {
     let mut chance = Chance(13);
-    for n in 0..100 {
+    for n in 0..40 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let pieces = pieces(&planted.task);
         let guidance = Guidance::new(&planted.task).unwrap();
@@ -145,7 +148,7 @@ fn planted_dyads_are_on_the_curve() {
 #[test]
 fn the_slide_of_four_poses_is_the_planted_one() {
     let mut chance = Chance(14);
-    for n in 0..100 {
+    for n in 0..40 {
         let planted = Planted::slider_crank(&mut chance, 4, 20.0);
         let slides = pieces(&planted.task).into_iter().flatten();
         let slides: Vec<PinHeld> = slides
@@ -163,7 +166,7 @@ fn linkages_of_four_poses_come_through_them() {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let all = propose(&planted.task, true, true, None);
         assert!(!all.is_complete && all.found.len() <= 200, "{n}");
-        assert!(all.found.len() > 20, "{n}: {}", all.found.len());
+        assert!(all.found.len() > 30, "{n}: {}", all.found.len());
         let size = Guidance::new(&planted.task).unwrap().size;
         let miss = worst_miss(&planted.task, &all.found);
         assert!(miss < 1e-10 * size, "{n}: {miss:e}");
@@ -220,7 +223,7 @@ fn what_is_given_of_four_poses_is_kept() {
 #[test]
 fn special_poses_have_their_curve() {
     let mut chance = Chance(17);
-    for n in 0..60 {
+    for n in 0..30 {
         let shape = PlantedForm::four_bar(&mut chance);
         let from = chance.within(0.0, 360.0);
         for steps in [
@@ -303,5 +306,6 @@ fn mirrored_poses_have_a_line_and_a_circle() {
         .flatten()
         .filter(|held| held.pin.x.abs() > 0.1)
         .count();
-    assert!(aside > 50, "{aside}");
+    assert!(aside > 30, "{aside}");
+    assert!(sliced(&task, &pieces) > 30);
 }

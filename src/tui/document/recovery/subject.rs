@@ -35,7 +35,10 @@ impl RecoverySubject {
         };
         match origin {
             Origin::Preset(name) => plain("preset", name.clone().into_bytes()),
-            Origin::Stdin => plain("stdin", sum(text.as_bytes()).to_be_bytes().to_vec()),
+            // Of what no file holds the text alone tells what it is.
+            Origin::New(_) | Origin::Stdin => {
+                plain("stdin", sum(text.as_bytes()).to_be_bytes().to_vec())
+            }
             Origin::File(path) => {
                 let place = path.canonicalize().or_else(|_| std::path::absolute(path));
                 let place = place.unwrap_or_else(|_| path.clone());

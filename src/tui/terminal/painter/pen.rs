@@ -11,10 +11,6 @@ use ratatui::buffer::Cell;
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
 
-/// One row down in its column: the line is raw, and nothing makes an end of a line of it.
-const DOWN: u8 = b'\n';
-const BACK: u8 = b'\x08';
-
 /// What it costs to take a style back.
 const PLAINLY: usize = 3;
 
@@ -146,7 +142,7 @@ impl CellPen {
                         self.bytes.extend_from_slice(cell.symbol().as_bytes());
                     }
                 } else {
-                    self.right(x - cx);
+                    queue(&mut self.bytes, MoveRight(x - cx));
                 }
             }
             Some((cx, cy)) => self.leave((cx, cy), (x, y)),
@@ -155,47 +151,31 @@ impl CellPen {
         self.cursor = Some((x, y));
     }
 
-    /// To another row, or back in this one: by returns, backspaces and line feeds, where these are fewer bytes than a
+    /// To another row, or back in this one: by returns and line feeds, where these are fewer bytes than a
     /// place in figures.
-    fn leave(&mut self, from: (u16, u16), (x, y): (u16, u16)) {
+    fn leave(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
         let start = self.bytes.len();
         queue(&mut self.bytes, MoveTo(x, y));
         let direct = self.bytes.len() - start;
-        let Some(down) = y.checked_sub(from.1).map(usize::from) else {
-            return;
-        };
-        let by_return = 1 + down + length_of_right(x);
-        let straight = match x.checked_sub(from.0) {
-            None => down + usize::from(from.0 - x),
-            Some(right) => down + length_of_right(right),
-        };
-        if straight.min(by_return) >= direct {
+        if y < cy {
             return;
         }
-        self.bytes.truncate(start);
-        if straight <= by_return {
-            self.bytes.resize(start + down, DOWN);
-            match x.checked_sub(from.0) {
-                None => {
-                    let back = usize::from(from.0 - x);
-                    self.bytes.resize(start + down + back, BACK);
-                }
-                Some(right) => self.right(right),
-            }
-        } else {
+        let (down, back) = (usize::from(y - cy), usize::from(cx.saturating_sub(x)));
+        let across = match x {
+            0 => 0,
+            1..10 => 4,
+            _ => 5 + usize::from(x >= 100),
+        };
+        if down == 0 && back < direct && back <= 1 + across {
+            self.bytes.truncate(start);
+            self.bytes.resize(start + back, b'\x08');
+        } else if 1 + down + across < direct {
+            self.bytes.truncate(start);
             self.bytes.push(b'\r');
-            self.bytes.resize(start + 1 + down, DOWN);
-            self.right(x);
-        }
-    }
-
-    /// So many columns to the right.
-    fn right(&mut self, columns: u16) {
-        match columns {
-            0 => {}
-            // Without a figure it goes one column.
-            1 => self.bytes.extend_from_slice(b"\x1b[C"),
-            _ => queue(&mut self.bytes, MoveRight(columns)),
+            self.bytes.resize(start + 1 + down, b'\n');
+            if x > 0 {
+                queue(&mut self.bytes, MoveRight(x));
+            }
         }
     }
 
@@ -203,17 +183,5 @@ impl CellPen {
     fn suits(&self, look: CellStyle, cell: &Cell) -> bool {
         let sgr = look.sgr_of(cell);
         sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
-    }
-}
-
-/// The bytes that lead so many columns to the right.
-fn length_of_right(columns: u16) -> usize {
-    match columns {
-        0 => 0,
-        1 => 3,
-        2..10 => 4,
-        10..100 => 5,
-        100..1000 => 6,
-        _ => 8,
     }
 }

@@ -23,7 +23,7 @@ pub(crate) struct MotorStudy {
 struct Studied {
     /// Which scene, in which form.
     of: Edition,
-    found: Found,
+    found: FoundMotor,
     page: Page,
     /// `None` where nothing acts.
     plot: Option<Plot>,
@@ -31,7 +31,7 @@ struct Studied {
 
 /// All that was found.
 #[derive(Debug)]
-enum Found {
+enum FoundMotor {
     Cycle(Box<MotorReport>),
     Period(Box<Period>),
     /// In words, why there is nothing over a period.
@@ -48,26 +48,26 @@ struct Period {
 /// The size of an SVG in its own units.
 const PAPER: Vec2 = Vec2 { x: 800.0, y: 400.0 };
 
-impl Found {
-    fn of(scene: &Scene, solver: &Solver) -> Found {
+impl FoundMotor {
+    fn of(scene: &Scene, solver: &Solver) -> FoundMotor {
         if let Some(clock) = Clock::of(scene).filter(|_| scene.motion.is_some()) {
             return match Period::new(scene, solver, &clock) {
-                Ok(period) => Found::Period(Box::new(period)),
-                Err(why) => Found::Nothing(TimedMotorReport::nothing(scene, &why)),
+                Ok(period) => FoundMotor::Period(Box::new(period)),
+                Err(why) => FoundMotor::Nothing(TimedMotorReport::nothing(scene, &why)),
             };
         }
         let wishes = MotorWishes {
             motor: scene.motor.unwrap_or_default(),
             ..MotorWishes::default()
         };
-        Found::Cycle(Box::new(MotorReport::new(scene, solver, wishes)))
+        FoundMotor::Cycle(Box::new(MotorReport::new(scene, solver, wishes)))
     }
 
     fn page(&self) -> Page {
         match self {
-            Found::Cycle(report) => report.page(),
-            Found::Period(period) => period.report.page(),
-            Found::Nothing(why) => {
+            FoundMotor::Cycle(report) => report.page(),
+            FoundMotor::Period(period) => period.report.page(),
+            FoundMotor::Nothing(why) => {
                 let mut page = Page::default();
                 page.text_below(why.clone());
                 page
@@ -77,15 +77,15 @@ impl Found {
 
     fn plot(&self, scene: &Scene) -> Option<Plot> {
         match self {
-            Found::Cycle(report) => {
+            FoundMotor::Cycle(report) => {
                 let catalogue = Catalogue::new(scene);
                 let coordinate = catalogue.driver();
                 let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
                 let duty = report.duty.as_ref().ok()?;
                 Some(effort(duty, names, report.effort_name()))
             }
-            Found::Period(period) => Some(Plot::of(&period.curves)),
-            Found::Nothing(_) => None,
+            FoundMotor::Period(period) => Some(Plot::of(&period.curves)),
+            FoundMotor::Nothing(_) => None,
         }
     }
 }
@@ -115,7 +115,7 @@ impl MotorStudy {
             return;
         }
         let scene = open_scene.scene();
-        let found = Found::of(scene, open_scene.solver());
+        let found = FoundMotor::of(scene, open_scene.solver());
         self.studied = Some(Studied {
             of: open_scene.edition().clone(),
             page: found.page(),
@@ -132,12 +132,12 @@ impl MotorStudy {
     /// Why there is neither curve nor figures.
     pub(crate) fn nothing(&self) -> String {
         match self.studied.as_ref().map(|studied| &studied.found) {
-            Some(Found::Cycle(report)) => {
+            Some(FoundMotor::Cycle(report)) => {
                 let why = report.duty.as_ref().err();
                 why.map(|why| report.nothing(why)).unwrap_or_default()
             }
-            Some(Found::Nothing(why)) => why.clone(),
-            Some(Found::Period(_)) | None => String::new(),
+            Some(FoundMotor::Nothing(why)) => why.clone(),
+            Some(FoundMotor::Period(_)) | None => String::new(),
         }
     }
 
@@ -149,15 +149,15 @@ impl MotorStudy {
     /// Where the driver is in the cycle or the period, and what it must do there.
     pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
         let report = match &self.studied.as_ref()?.found {
-            Found::Cycle(report) => report,
-            Found::Period(period) => {
+            FoundMotor::Cycle(report) => report,
+            FoundMotor::Period(period) => {
                 let time = open_scene.time()?;
                 let mut state = open_scene.solver().state();
                 let stand = open_scene.stand();
                 let _ = stand.solve(open_scene.solver(), Order::Force, &mut state);
                 return Some(period.curves.here_at(time, &state));
             }
-            Found::Nothing(_) => return None,
+            FoundMotor::Nothing(_) => return None,
         };
         let duty = report.duty.as_ref().ok()?;
         let (course, at) = (&duty.cycle.course, open_scene.at());
@@ -185,9 +185,9 @@ impl MotorStudy {
     /// The cycle step by step as comma separated values.
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
         let report = match &self.studied.as_ref()?.found {
-            Found::Cycle(report) => report,
-            Found::Period(period) => return curves_csv(&period.curves, dialect).ok(),
-            Found::Nothing(_) => return None,
+            FoundMotor::Cycle(report) => report,
+            FoundMotor::Period(period) => return curves_csv(&period.curves, dialect).ok(),
+            FoundMotor::Nothing(_) => return None,
         };
         report.duty.as_ref().ok()?;
         let mut text = Vec::new();
@@ -198,9 +198,9 @@ impl MotorStudy {
     /// All that was found as text.
     pub(crate) fn text(&self, ascii: bool) -> Option<String> {
         Some(match &self.studied.as_ref()?.found {
-            Found::Cycle(report) => report.to_text(ascii),
-            Found::Period(period) => period.report.to_text(ascii),
-            Found::Nothing(why) => why.clone(),
+            FoundMotor::Cycle(report) => report.to_text(ascii),
+            FoundMotor::Period(period) => period.report.to_text(ascii),
+            FoundMotor::Nothing(why) => why.clone(),
         })
     }
 }

@@ -22,6 +22,8 @@ pub(crate) enum Purpose {
 pub(crate) enum PickerTarget {
     /// The open scene, as it was when it was opened.
     Original,
+    /// The linkages for the task that was looked at last.
+    Candidates,
     /// A folder to look into.
     Folder(PathBuf),
     /// A file.
@@ -41,7 +43,7 @@ impl PickerTarget {
                 let folder = whole(path.parent()?);
                 Some(PickerTarget::File(folder.join(path.file_name()?)))
             }
-            Origin::Stdin => None,
+            Origin::New(_) | Origin::Stdin => None,
         }
     }
 }
@@ -75,8 +77,8 @@ pub(crate) enum PickerRow<'p> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Picker {
     purpose: Purpose,
-    /// Whether the open scene was edited, so that there is an original to go beside it.
-    original: bool,
+    /// What stands before folders and files.
+    first: Option<PickerItem>,
     /// The open scene, which is not compared with itself.
     here: Option<PickerTarget>,
     folder: PathBuf,
@@ -123,10 +125,14 @@ impl Default for FolderReading {
 
 impl Picker {
     /// The presets; a folder is listed once it was read.
-    pub(crate) fn new(purpose: Purpose, original: bool, here: Option<PickerTarget>) -> Picker {
+    pub(crate) fn new(
+        purpose: Purpose,
+        first: Option<PickerItem>,
+        here: Option<PickerTarget>,
+    ) -> Picker {
         let mut picker = Picker {
             purpose,
-            original,
+            first,
             here: here.filter(|_| purpose == Purpose::Compare),
             folder: PathBuf::new(),
             note: None,
@@ -163,13 +169,7 @@ impl Picker {
         self.folder = read.folder;
         self.search.clear();
         self.items.clear();
-        if self.original {
-            self.items.push(PickerItem::new(
-                PickerTarget::Original,
-                words().as_opened(),
-                "",
-            ));
-        }
+        self.items.extend(self.first.clone());
         let above = self.folder.parent().map(Path::to_owned);
         let above = above.map(|above| PickerItem::new(PickerTarget::Folder(above), ABOVE, ""));
         self.items.extend(above);
@@ -256,7 +256,7 @@ impl Picker {
         let note = self.note.as_deref().filter(|_| self.search.is_empty());
         for (under_cursor, item) in items {
             match item.place {
-                PickerTarget::Original => {}
+                PickerTarget::Original | PickerTarget::Candidates => {}
                 PickerTarget::Folder(_) | PickerTarget::File(_) => {
                     if !in_folder {
                         rows.push(PickerRow::Folder(&self.folder));
@@ -310,7 +310,7 @@ impl Picker {
 }
 
 impl PickerItem {
-    fn new(place: PickerTarget, name: &str, title: &str) -> PickerItem {
+    pub(crate) fn new(place: PickerTarget, name: &str, title: &str) -> PickerItem {
         let plain = sanitized(title, true);
         PickerItem {
             place,

@@ -26,13 +26,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Where the parts of the screen are.
-struct PickerAreas {
-    list: Rect,
+pub(super) struct PickerAreas {
+    pub(super) list: Rect,
     /// One column, and what is right of it; none on small screens.
-    preview: Option<(Rect, Rect)>,
+    pub(super) preview: Option<(Rect, Rect)>,
 }
 
-fn arrange(area: Rect) -> PickerAreas {
+/// A list, of so many columns on usual and on wide screens, and what stands beside it.
+pub(super) fn arrange(area: Rect, [usual, wide]: [u16; 2]) -> PickerAreas {
     if area.width < NARROWEST || area.height < LOWEST {
         let list = inset(area);
         return PickerAreas {
@@ -41,9 +42,9 @@ fn arrange(area: Rect) -> PickerAreas {
         };
     }
     let width = if area.width < ROOM_FOR_TITLES {
-        LIST
+        usual
     } else {
-        LIST_WITH_TITLES
+        wide
     };
     let part = |x: u16, width: u16| Rect {
         x: area.x + x,
@@ -60,7 +61,7 @@ fn arrange(area: Rect) -> PickerAreas {
 }
 
 pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) {
-    let arrangement = arrange(middle(screen));
+    let arrangement = arrange(middle(screen), LISTS);
     search(app, picker, row(screen, 0), buffer);
     list(app, picker, arrangement.list, buffer);
     if let Some((rule, area)) = arrangement.preview {
@@ -71,7 +72,7 @@ pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buff
 
 /// Lines of the list, and how many are seen.
 pub(super) fn extent(picker: &Picker, area: Rect) -> (usize, usize) {
-    (picker.rows().len(), arrange(area).list.height.into())
+    (picker.rows().len(), arrange(area, LISTS).list.height.into())
 }
 
 /// The first line: what is typed, and how much is left by it.
@@ -114,13 +115,10 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         paragraph(app, words().nothing_matches(), area, style, buffer);
         return;
     }
-    // The cursor is seen, with as much above it as below.
-    let height = usize::from(area.height).max(1);
     let cursor = rows
         .iter()
         .position(|row| matches!(row, PickerRow::Item(_, true)));
-    let most = rows.len().saturating_sub(height);
-    let first = cursor.unwrap_or(0).saturating_sub(height / 2).min(most);
+    let (first, most) = first_and_most(cursor.unwrap_or(0), rows.len(), area);
     mark_more(area, first > 0, first < most, buffer);
     for (y, row) in (area.top()..area.bottom()).zip(&rows[first..]) {
         let line = Rect {
@@ -154,7 +152,15 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn heading(text: &str, area: Rect, buffer: &mut Buffer) {
+/// The first line of a list that is seen, and the last that could be the first: the cursor is seen, with as much above
+/// it as below.
+pub(super) fn first_and_most(cursor: usize, lines: usize, area: Rect) -> (usize, usize) {
+    let height = usize::from(area.height).max(1);
+    let most = lines.saturating_sub(height);
+    (cursor.saturating_sub(height / 2).min(most), most)
+}
+
+pub(super) fn heading(text: &str, area: Rect, buffer: &mut Buffer) {
     let style = theme::part(ScreenPart::Quiet);
     print(buffer, area.x, area.y, area.width, text, style);
 }
@@ -343,7 +349,7 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
 }
 
 /// Writes text into as many lines as it takes; what is left of the area.
-fn paragraph(
+pub(super) fn paragraph(
     app: &App,
     text: &str,
     area: Rect,
@@ -359,7 +365,7 @@ fn paragraph(
 }
 
 /// The first lines of an area, and the others.
-fn split(area: Rect, height: u16) -> (Rect, Rect) {
+pub(super) fn split(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);
     let below = Rect {
         y: area.y + height,
@@ -383,10 +389,9 @@ fn ending(text: &str, most: usize) -> String {
 /// Below this, the list stands alone.
 const NARROWEST: u16 = 70;
 const LOWEST: u16 = 14;
-/// Columns of the list, its margins included.
-const LIST: u16 = 30;
-const LIST_WITH_TITLES: u16 = 56;
-/// On wider screens titles stand behind the names.
+/// Columns of the list, its margins included; on wider screens titles stand behind the names.
+const LISTS: [u16; 2] = [30, 56];
+/// From here on screens are wide.
 const ROOM_FOR_TITLES: u16 = 110;
 /// In front of a name, for the mark of the cursor.
 const INDENT: u16 = 2;

@@ -2,9 +2,10 @@
 
 use crate::Input;
 use crate::drawing::Reach;
+use crate::report::wanted;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene, presets};
 use crate::solver::{Order, Range, Solver, State};
-use crate::tui::document::opening::{self, Unopened};
+use crate::tui::document::opening::{self, OpenedFile, Unopened};
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::tui::views::picker::list::PickerTarget;
@@ -104,6 +105,7 @@ impl Preview {
             PickerTarget::Folder(path) => of_folder(path),
             PickerTarget::File(path) => of_file(path),
             PickerTarget::Original => of_text(original, ""),
+            PickerTarget::Candidates => Preview::Unseen(words().found_before().into()),
             PickerTarget::Preset(name) => {
                 let text = presets::find(name).map_or("", |preset| preset.text);
                 of_text(text, name)
@@ -126,8 +128,11 @@ fn of_file(path: &Path) -> Preview {
         let size = size.div_ceil(1 << 10);
         return Preview::Unseen(words().too_large_for_preview(size));
     }
-    match opening::scene_of(path) {
-        Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
+    match opening::file(path) {
+        Ok(OpenedFile::Scene(opened)) => Preview::Scene(Box::new(Sample::of(*opened))),
+        Ok(OpenedFile::Task(order)) => {
+            Preview::Unseen(words().task_in_preview(&wanted(&order.file.task)))
+        }
         Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Unopenable::first_of(&diagnostics)),
         Err(unread @ Unopened::Unread(_)) => Preview::Fault(Unopenable {
             what: unread.first_words(),

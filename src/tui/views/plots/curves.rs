@@ -355,7 +355,7 @@ fn usual(scene: &Scene) -> Vec<String> {
     let on_ground = |&link: &crate::LinkId| {
         let members = &mechanism.link(link).members;
         let grounded = |m: &crate::Member| mechanism.point(m.point).ground.is_some();
-        !mechanism.is_turned(link) && members.iter().any(grounded)
+        !mechanism.is_directed(link) && members.iter().any(grounded)
     };
     let rocker = mechanism.link_ids().filter(on_ground).last();
     let rocker = rocker.and_then(|link| named(scene.link_name(link), ["omega", "alpha"]));

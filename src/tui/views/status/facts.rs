@@ -35,6 +35,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
             Purpose::Open => words().open(),
             Purpose::Compare => words().compare(),
         },
+        Mode::Candidates => words().linkages(),
         Mode::Search(_) => words().search(),
         Mode::Copy => words().copy(),
         Mode::Unsaved(asked) => match asked {
@@ -50,7 +51,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
 
 pub(super) fn scene(app: &App) -> String {
     let name = match app.open_scene().origin() {
-        Origin::Preset(name) => name.clone(),
+        Origin::Preset(name) | Origin::New(name) => name.clone(),
         Origin::File(path) => {
             let name = path.file_name().unwrap_or(path.as_os_str());
             name.to_string_lossy().into_owned()

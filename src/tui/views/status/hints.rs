@@ -85,7 +85,7 @@ fn offered(app: &App) -> &'static [Action] {
         ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
-        Mode::Pick(_) => &[Action::Back],
+        Mode::Pick(_) | Mode::Candidates => &[Action::Back],
         _ => app.view().pane().hints(app),
     }
 }

@@ -5,6 +5,7 @@ use super::{ROOM_FOR_GAPS, Writer};
 use crate::scene::Value;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
+use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::player::open_scene::shown;
@@ -24,6 +25,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         // What is asked stands in the middle of the screen.
         Mode::Unsaved(_) | Mode::Confirm(_) => line.gap(1),
         Mode::Pick(picker) => picking(app, picker, line),
+        Mode::Candidates => candidate(app, line),
         Mode::Search(search) => sought(app, &search.name, line),
         Mode::Value(_) => value(app, line),
         Mode::Copy => how_much(line),
@@ -121,7 +123,7 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     line.gap(1);
     let enter = match picker.chosen().map(|item| &item.place) {
         None => None,
-        Some(PickerTarget::Folder(_)) => Some(words().look_inside()),
+        Some(PickerTarget::Folder(_) | PickerTarget::Candidates) => Some(words().look_inside()),
         Some(PickerTarget::Original | PickerTarget::File(_) | PickerTarget::Preset(_)) => {
             Some(mode(app))
         }
@@ -156,6 +158,44 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     for (key, name) in keys.iter().flatten() {
         line.hint(key, name);
     }
+}
+
+/// What can be done with the candidate under the cursor; on a small screen first what its drawing would tell.
+fn candidate(app: &App, line: &mut Writer<'_>) {
+    line.gap(1);
+    let Some(list) = app.candidates() else {
+        return;
+    };
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    let key = |action| app.keymap().told(action);
+    let back = (key(Action::Back), words().back());
+    let Some((candidate, row)) = list.chosen() else {
+        line.hint(&back.0, back.1);
+        return;
+    };
+    if app.size().width < ROOM_FOR_GAPS {
+        let words = match row.reasons.is_empty() {
+            true => &row.lacks,
+            false => &row.reasons,
+        };
+        let words = cut(&shown(words, app.glyphs()), line.room().into());
+        line.say(&words, ScreenPart::Warning);
+        line.gap(if words.is_empty() { 0 } else { 2 });
+    }
+    if candidate.does_it() {
+        line.hint(&Key::Enter.to_string(), words().take());
+    }
+    let play = match list.is_playing() {
+        true => words().pause(),
+        false => words().play(),
+    };
+    line.hint(&back.0, back.1);
+    line.hint(&key(Action::Play), play);
+    let points = [TablesAction::Left, TablesAction::Right].map(|side| key(Action::Tables(side)));
+    line.hint(&points.join(" "), words().point_by_point());
 }
 
 /// How much of the tables is copied.

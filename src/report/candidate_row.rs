@@ -1,0 +1,49 @@
+//! What a list of candidates says of each, in figures and words.
+
+use super::number::significant;
+use super::synthesis::{FEW, SynthesisReport, lacking, lengths, turns};
+use crate::synthesis::Candidate;
+
+/// Digits of lengths in a line.
+const DIGITS: usize = 4;
+
+/// A candidate in a list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct CandidateRow {
+    /// By how much it misses at worst, without its unit.
+    pub(crate) miss: String,
+    /// The least transmission angle on the way, in degrees.
+    pub(crate) transmission: String,
+    /// Whether the crank turns fully, in a word.
+    pub(crate) turns: &'static str,
+    /// `r2 104.1, r3 302, r4 251.5, r1 400 mm`.
+    pub(crate) lengths: String,
+    /// The wishes that it misses, as the task file names them; empty where it keeps all.
+    pub(crate) lacks: String,
+    /// Why it does not do the task; empty where it does.
+    pub(crate) reasons: String,
+}
+
+impl SynthesisReport<'_> {
+    /// What a list says of a candidate.
+    pub(crate) fn row(&self, candidate: &Candidate) -> CandidateRow {
+        let figures = &candidate.figures;
+        let named = ["r2", "r3", "r4", "r1"].into_iter().zip(lengths(candidate));
+        let named = named.filter_map(|(name, length)| {
+            let length = significant(length?, DIGITS);
+            Some(format!("{name} {length}"))
+        });
+        let named: Vec<String> = named.collect();
+        CandidateRow {
+            miss: significant(figures.miss, FEW),
+            transmission: significant(figures.transmission, FEW),
+            turns: turns(candidate),
+            lengths: format!("{} {}", named.join(", "), self.file.unit.symbol()),
+            lacks: match candidate.missed.is_empty() {
+                true => String::new(),
+                false => lacking(&candidate.missed),
+            },
+            reasons: self.reasons(candidate),
+        }
+    }
+}

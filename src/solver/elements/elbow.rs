@@ -1,0 +1,88 @@
+//! A link that an input turns against another one: its motor sits on that.
+
+use super::{Backwards, Element, StepOutcome};
+use crate::solver::demand::PlacedPart;
+use crate::solver::following::{Following, InputMotion};
+use crate::solver::forces::{ForceState, Site};
+use crate::solver::state::{LinkState, State};
+use crate::{LinkId, Number, Vec2};
+
+/// One of two links between which an input's coordinate is the angle, from the other one.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct Elbow {
+    pub link: LinkId,
+    pub from: LinkId,
+    /// Whether it is the motor's seat that is sought, and the turned link that is known.
+    pub is_seat: bool,
+    /// How the input follows the driver; none where it is the driver.
+    pub following: Option<Following>,
+}
+
+impl Element for Elbow {
+    type Back = ElbowBack;
+
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Link(self.from));
+    }
+
+    /// theta = theta_from + p, so that w = w_from + p' and a = a_from + p''; with -p for the seat.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> StepOutcome {
+        let InputMotion { p, w, a } = InputMotion::of(self.following.as_ref(), q);
+        let from = state.links[self.from.index()];
+        let by = T::unit(p);
+        state.links[self.link.index()] = if self.is_seat {
+            LinkState {
+                d: from.d.turned(by.conj()),
+                w: from.w - w,
+                a: from.a - a,
+            }
+        } else {
+            LinkState {
+                d: from.d.turned(by),
+                w: from.w + w,
+                a: from.a + a,
+            }
+        };
+        StepOutcome::Done
+    }
+
+    fn back(&self, _site: &Site<'_>) -> Option<ElbowBack> {
+        Some(ElbowBack { step: self.clone() })
+    }
+}
+
+/// The motor holds against the couple on the link, and hands it on to the other one.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct ElbowBack {
+    step: Elbow,
+}
+
+impl Backwards for ElbowBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
+        let Elbow {
+            link,
+            from,
+            is_seat,
+            following,
+        } = &self.step;
+        let couple = forces.links[link.index()];
+        forces.links[from.index()] += couple;
+        let effort = if *is_seat {
+            T::default() - couple
+        } else {
+            couple
+        };
+        forces.drive_by(following.as_ref(), effort, state);
+    }
+}

@@ -1,0 +1,111 @@
+//! Linkages for a task: looked for, gone through, and one of them taken.
+
+use super::{App, Effect, Mode};
+use crate::tui::commands::action::{Action, TablesAction};
+use crate::tui::commands::key::Key;
+use crate::tui::document::opening;
+use crate::tui::views::candidates::list::CandidateList;
+use crate::tui::{Origin, TaskOrder};
+use std::sync::Arc;
+use std::time::Duration;
+
+impl App {
+    /// Looks for linkages that do a task, and lists them.
+    pub(crate) fn synthesize(&mut self, order: TaskOrder) {
+        let list = CandidateList::new(order.clone());
+        let search = Arc::clone(list.search());
+        self.drop_search();
+        self.candidates = Some(list);
+        self.shell.mode = Mode::Candidates;
+        self.clerk.give(move || {
+            let found = search.run(&order);
+            Box::new(move |app, _| {
+                // Another task may be looked at meanwhile.
+                let own = |list: &&mut CandidateList| Arc::ptr_eq(list.search(), &search);
+                if let Some(list) = app.candidates.as_mut().filter(own) {
+                    list.take(found);
+                }
+            })
+        });
+        self.take_in(self.now);
+    }
+
+    /// The candidates of the task that was looked at last.
+    pub(crate) fn candidates(&self) -> Option<&CandidateList> {
+        self.candidates.as_ref()
+    }
+
+    /// Lists them again.
+    pub(super) fn list_candidates(&mut self) {
+        if self.candidates.is_some() {
+            self.shell.mode = Mode::Candidates;
+        }
+    }
+
+    /// Back to the open scene, which goes on from where it was. What was found is kept.
+    fn leave_candidates(&mut self, now: Duration) {
+        self.shell.mode = Mode::Normal;
+        self.drop_search();
+        self.player.resume(now);
+    }
+
+    /// A search that has not come to its end ends.
+    fn drop_search(&mut self) {
+        let searching = |list: &mut CandidateList| list.percent().is_some();
+        if let Some(left) = self.candidates.take_if(searching) {
+            left.leave();
+        }
+    }
+
+    /// Keys of the list of candidates; `None` for those that mean the same everywhere.
+    pub(super) fn candidates_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        self.shell.message = None;
+        if key == Key::Enter {
+            self.take_candidate(now);
+            return Some(Effect::Show);
+        }
+        let page = self.page();
+        let action = self.shell.keymap.action_in_list(key)?;
+        let list = self.candidates.as_mut()?;
+        match action {
+            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw => return None,
+            Action::Back | Action::Open => self.leave_candidates(now),
+            Action::LineUp => list.move_by(-1),
+            Action::LineDown => list.move_by(1),
+            Action::PageUp => list.move_by(-page),
+            Action::PageDown => list.move_by(page),
+            Action::HalfUp => list.move_by(-(page / 2).max(1)),
+            Action::HalfDown => list.move_by((page / 2).max(1)),
+            Action::Top => list.move_by(isize::MIN),
+            Action::End => list.move_by(isize::MAX),
+            Action::StepBack | Action::Tables(TablesAction::Left) => list.step(false),
+            Action::StepForward | Action::Tables(TablesAction::Right) => list.step(true),
+            Action::Play => list.toggle(now),
+            _ => {}
+        }
+        Some(Effect::Show)
+    }
+
+    /// Opens the candidate under the cursor as a new scene, which no file holds yet. One that does not do the task is
+    /// not taken, and says why.
+    fn take_candidate(&mut self, now: Duration) {
+        let Some(list) = &self.candidates else {
+            return;
+        };
+        let Some((_, row)) = list.chosen() else {
+            return;
+        };
+        let Some((text, name)) = list.scene() else {
+            self.shell.say(row.reasons.clone());
+            return;
+        };
+        match opening::text(&text, Origin::New(name)) {
+            Ok(opened) => {
+                self.leave_candidates(now);
+                self.show(opened);
+            }
+            // It was opened before, to be driven through the task.
+            Err(faults) => self.shell.say(faults.first_words()),
+        }
+    }
+}

@@ -1,0 +1,316 @@
+//! The linkages that were found for a task in a list, and beside it the one under the cursor, on its way.
+//!
+//! ```text
+//! Linkages for wiper                         6, 2 defective
+//!      miss mm transm. crank  | wiper-1
+//! > 1 1.2e-13    62.9  swings |        T2
+//!   2 3.4e-14    58.1  turns  |    ___o---o
+//!   defective                 | T1 o/      \
+//!   3 branch: a dead point .. | point 1 of 3, crank at 43.2 deg
+//! wiper-1      Enter take  space play  Left Right points
+//! ```
+
+pub(crate) mod list;
+mod shown;
+
+use super::picker::{PickerAreas, arrange, first_and_most, heading, paragraph, split};
+use super::{columns, cut, mark_more, middle, print, print_right, row};
+use crate::drawing::{self, Layers, Shape};
+use crate::page::wrapped;
+use crate::report::CandidateRow;
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::player::open_scene::shown as shown_text;
+use crate::wording::words;
+use list::CandidateList;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use shown::ShownCandidate;
+
+/// CandidateColumns of the list, its margins included: with the figures, and with the wishes that are missed behind them.
+const LIST: [u16; 2] = [34, 52];
+/// CandidateColumns of a mark, of figures, and between two columns.
+const INDENT: u16 = 2;
+const MISS: u16 = 8;
+const GAP: u16 = 1;
+/// The drawing keeps so many lines.
+const LOWEST_DRAWING: u16 = 6;
+/// Lines of what is said of all candidates together.
+const MOST_VERDICT: usize = 2;
+
+pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut Buffer) {
+    let arrangement = arrange(middle(screen), LIST);
+    title(app, list, row(screen, 0), buffer);
+    let PickerAreas {
+        list: area,
+        preview,
+    } = arrangement;
+    rows(app, list, area, buffer);
+    if let Some((rule, area)) = preview {
+        super::motion::rule(app.glyphs(), rule, buffer);
+        candidate(app, list, area, buffer);
+    }
+}
+
+/// Lines of the list, and how many are seen.
+pub(super) fn extent(list: &CandidateList, area: Rect) -> (usize, usize) {
+    let height = arrange(area, LIST).list.height;
+    (lines(list).len(), height.saturating_sub(1).into())
+}
+
+/// The first line: the task, and how many were found.
+fn title(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
+    let right = area.right().saturating_sub(1);
+    let name = words().linkages_for(&list.order().name);
+    let (good, defective) = list.count();
+    let count = match list.percent() {
+        Some(_) => String::new(),
+        None => words().good_and_defective(good, defective),
+    };
+    let room = usize::from(right.saturating_sub(area.x + 1));
+    let room = room.saturating_sub(usize::from(columns(&count)) + 1);
+    let name = cut(&shown_text(&name, app.glyphs()), room);
+    let style = theme::part(ScreenPart::Title);
+    print(buffer, area.x + 1, area.y, area.width, &name, style);
+    print_right(
+        buffer,
+        right,
+        area.y,
+        &count,
+        theme::part(ScreenPart::Quiet),
+    );
+}
+
+/// A line of the list.
+#[derive(Clone, Copy)]
+enum ListLine<'a> {
+    /// Those follow that do not do the task.
+    Defective,
+    /// A candidate, by its number from 0, and whether it does the task.
+    Candidate(usize, &'a CandidateRow, bool),
+}
+
+fn lines(list: &CandidateList) -> Vec<ListLine<'_>> {
+    let (good, defective) = list.count();
+    let line = |(number, row)| ListLine::Candidate(number, row, number < good);
+    let mut lines: Vec<ListLine<'_>> = list.rows().iter().enumerate().map(line).collect();
+    if defective > 0 {
+        lines.insert(good, ListLine::Defective);
+    }
+    lines
+}
+
+fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
+    let style = theme::part(ScreenPart::Text);
+    if let Some(percent) = list.percent() {
+        paragraph(
+            app,
+            &words().looking_for_linkages(percent),
+            area,
+            style,
+            buffer,
+        );
+        return;
+    }
+    let lines = lines(list);
+    if lines.is_empty() {
+        paragraph(app, words().nothing_does_the_task(), area, style, buffer);
+        return;
+    }
+    let places = CandidateColumns::of(list.rows().len());
+    let (head, area) = split(area, 1);
+    heads(app, list, &places, head, buffer);
+    let cursor = lines.iter().position(
+        |line| matches!(line, ListLine::Candidate(number, ..) if *number == list.cursor()),
+    );
+    let (first, most) = first_and_most(cursor.unwrap_or(0), lines.len(), area);
+    mark_more(area, first > 0, first < most, buffer);
+    for (y, line) in (area.top()..area.bottom()).zip(&lines[first..]) {
+        let at = Rect {
+            y,
+            height: 1,
+            ..area
+        };
+        match *line {
+            ListLine::Defective => heading(words().defective_ones(), at, buffer),
+            ListLine::Candidate(number, row, is_good) => {
+                let under_cursor = number == list.cursor();
+                entry(
+                    app,
+                    &places,
+                    (number, row, is_good),
+                    under_cursor,
+                    at,
+                    buffer,
+                );
+            }
+        }
+    }
+}
+
+/// Where the columns of the list end, from its left side; the words begin behind the last.
+struct CandidateColumns {
+    number: u16,
+    miss: u16,
+    transmission: u16,
+    words: u16,
+}
+
+impl CandidateColumns {
+    fn of(count: usize) -> CandidateColumns {
+        let number = INDENT + columns(&count.to_string());
+        let miss = number + GAP + MISS;
+        let transmission = miss + GAP + columns(words().head_transmission());
+        CandidateColumns {
+            number,
+            miss,
+            transmission,
+            words: transmission + GAP + GAP,
+        }
+    }
+
+    /// CandidateColumns of the words about the crank, and what stands behind them.
+    fn lacks(&self) -> u16 {
+        let turns = [words().turns_fully_shortly(), words().swings_shortly()];
+        let widest = turns.map(columns).into_iter().max().unwrap_or(0);
+        self.words + widest.max(columns(words().head_turns())) + GAP + GAP
+    }
+}
+
+/// Prints texts so that they end at these columns of a line; the last one begins there.
+fn put(area: Rect, buffer: &mut Buffer, column: u16, text: &str, part: ScreenPart, right: bool) {
+    let style = theme::part(part);
+    if right {
+        print_right(buffer, area.x + column, area.y, text, style);
+    } else {
+        let x = area.x + column;
+        let room = area.right().saturating_sub(x);
+        print(buffer, x, area.y, room, &cut(text, room.into()), style);
+    }
+}
+
+fn heads(
+    app: &App,
+    list: &CandidateList,
+    places: &CandidateColumns,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut head = |column, text: &str, right| {
+        let text = shown_text(text, app.glyphs());
+        put(area, buffer, column, &text, ScreenPart::Quiet, right);
+    };
+    let miss = format!("{} {}", words().head_miss(), list.miss_unit());
+    head(places.miss, &miss, true);
+    head(places.transmission, words().head_transmission(), true);
+    head(places.words, words().head_turns(), false);
+    let lacks = list.rows().iter().any(|row| !row.lacks.is_empty());
+    if lacks && area.width > places.lacks() + columns(words().head_lacks()) {
+        head(places.lacks(), words().head_lacks(), false);
+    }
+}
+
+fn entry(
+    app: &App,
+    places: &CandidateColumns,
+    (number, row, is_good): (usize, &CandidateRow, bool),
+    under_cursor: bool,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut cell = |column, text: &str, part, right| {
+        let part = if under_cursor { ScreenPart::Key } else { part };
+        let text = shown_text(text, app.glyphs());
+        put(area, buffer, column, &text, part, right);
+    };
+    if under_cursor {
+        cell(0, ">", ScreenPart::Key, false);
+    }
+    cell(
+        places.number,
+        &(number + 1).to_string(),
+        ScreenPart::Name,
+        true,
+    );
+    if !is_good {
+        cell(places.number + GAP, &row.reasons, ScreenPart::Quiet, false);
+        return;
+    }
+    cell(places.miss, &row.miss, ScreenPart::Text, true);
+    cell(
+        places.transmission,
+        &row.transmission,
+        ScreenPart::Text,
+        true,
+    );
+    cell(places.words, row.turns, ScreenPart::Text, false);
+    if area.width > places.lacks() {
+        cell(places.lacks(), &row.lacks, ScreenPart::Warning, false);
+    }
+}
+
+/// The candidate under the cursor: its drawing on its way, and what is to be said of it.
+fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
+    let facts = facts(app, list, area.width.into());
+    let most = area.height.saturating_sub(LOWEST_DRAWING);
+    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
+    let (picture, text) = split(area, area.height - lines);
+    if let Some(shown) = list.shown() {
+        drawing(app, list, shown, picture, buffer);
+    }
+    for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
+        print(buffer, text.x, y, text.width, &fact, theme::part(part));
+    }
+}
+
+fn drawing(
+    app: &App,
+    list: &CandidateList,
+    shown: &ShownCandidate,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut figure = drawing::linkage(
+        shown.scene(),
+        shown.reach(),
+        shown.state(),
+        Layers::default(),
+    );
+    for course in list.curves().chain([shown.way()]) {
+        let course = course.clone();
+        figure.add(Shape::Trace { course });
+    }
+    let view = drawing::WorldView::fit(shown.reach(), area.width, area.height, app.aspect());
+    let raster = drawing::render(&figure, &view, app.glyphs());
+    super::show(&raster, area, buffer);
+}
+
+/// What is to be said of the candidate, and of all of them, in lines.
+fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPart)> {
+    let Some((_, row)) = list.chosen() else {
+        return Vec::new();
+    };
+    let stand = list.stand().map(|(point, points, at)| {
+        let at = format!("{at:.1}");
+        words().at_point_of_task(point, points, &at)
+    });
+    let lacks = match row.lacks.is_empty() {
+        true => String::new(),
+        false => format!("{}: {}", words().head_lacks(), row.lacks),
+    };
+    let said = [
+        (stand.unwrap_or_default(), ScreenPart::Text, usize::MAX),
+        (row.lengths.clone(), ScreenPart::Text, usize::MAX),
+        (lacks, ScreenPart::Warning, usize::MAX),
+        (row.reasons.clone(), ScreenPart::Warning, usize::MAX),
+        (list.verdict().to_owned(), ScreenPart::Quiet, MOST_VERDICT),
+    ];
+    let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
+    let lines = said.flat_map(|(text, part, most)| {
+        let text = shown_text(&text, app.glyphs()).into_owned();
+        let mut lines = wrapped(&text, width);
+        lines.truncate(most);
+        lines.into_iter().map(move |line| (line, part))
+    });
+    lines.collect()
+}

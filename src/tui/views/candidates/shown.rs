@@ -1,0 +1,91 @@
+//! A candidate that is drawn and moved over its task.
+
+use crate::Vec2;
+use crate::drawing::Reach;
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Solver, Workspace};
+use crate::tui::Origin;
+use crate::tui::document::opening;
+use std::sync::Arc;
+
+/// Places that a way is followed in.
+const SAMPLES: u16 = 180;
+
+/// A candidate as a scene that moves.
+#[derive(Debug)]
+pub(crate) struct ShownCandidate {
+    number: usize,
+    scene: Scene,
+    solver: Solver,
+    reach: Reach,
+    state: Workspace,
+    /// The crank's angle of the state, in degrees; `None` before the first.
+    at: Option<f64>,
+    /// Where the led point comes by from the first point of the task to the last; a gap where it cannot be.
+    way: Arc<[Vec2]>,
+}
+
+impl ShownCandidate {
+    /// Opens the scene of a candidate whose crank is at these angles at the points of its task.
+    pub(super) fn of(number: usize, text: &str, at: &[f64]) -> Option<ShownCandidate> {
+        let opened = opening::text(text, Origin::Stdin).ok()?;
+        let (scene, solver) = (opened.scene, opened.solver);
+        let mut state = solver.state();
+        let way = way(&scene, &solver, &mut state, at);
+        Some(ShownCandidate {
+            number,
+            reach: Reach::of(&scene, &solver),
+            state,
+            at: None,
+            way,
+            scene,
+            solver,
+        })
+    }
+
+    pub(super) fn number(&self) -> usize {
+        self.number
+    }
+
+    pub(super) fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    pub(super) fn reach(&self) -> &Reach {
+        &self.reach
+    }
+
+    pub(super) fn state(&self) -> &Workspace {
+        &self.state
+    }
+
+    pub(super) fn way(&self) -> &Arc<[Vec2]> {
+        &self.way
+    }
+
+    /// Turns the crank to an angle, in degrees.
+    pub(super) fn turn_to(&mut self, at: f64) {
+        if self.at != Some(at) {
+            let _ = self.solver.solve(at, Order::Position, &mut self.state);
+            self.at = Some(at);
+        }
+    }
+}
+
+/// The way of P; of a function, which leads no point, none.
+fn way(scene: &Scene, solver: &Solver, state: &mut Workspace, at: &[f64]) -> Arc<[Vec2]> {
+    let mut points = scene.mechanism.point_ids();
+    let led = points.find(|id| scene.point_name(*id) == Some("P"));
+    let (Some(led), Some(first), Some(last)) = (led, at.first(), at.last()) else {
+        return Arc::default();
+    };
+    let nowhere = Vec2::new(f64::NAN, f64::NAN);
+    let samples = (0..=SAMPLES).map(|k| {
+        let at = first + (last - first) * f64::from(k) / f64::from(SAMPLES);
+        match solver.solve(at, Order::Position, state) {
+            Condition::NoAssembly => nowhere,
+            _ => state.position(led).unwrap_or(nowhere),
+        }
+    });
+    samples.collect()
+}

@@ -1,0 +1,382 @@
+//! `krank synthesize`: what it tells, what it writes, and whether that does its task by a loop closure of the test's own.
+
+use super::language::spoken;
+use super::{Run, command, done, folder, json, krank, refused, rows, run};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A folder that is not there yet.
+fn new_folder(name: &str) -> PathBuf {
+    let path = folder("synthesize").join(name);
+    if path.exists() {
+        fs::remove_dir_all(&path).unwrap();
+    }
+    path
+}
+
+/// The task in a file of its own.
+fn task(name: &str, text: &str) -> String {
+    let path = folder("synthesize").join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+fn pair(value: &Value) -> [f64; 2] {
+    [number(&value[0]), number(&value[1])]
+}
+
+fn away([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
+    (ax - bx).hypot(ay - by)
+}
+
+/// A written scene's numbers.
+struct WrittenFourBar {
+    a: [f64; 2],
+    d: [f64; 2],
+    crank: f64,
+    coupler: f64,
+    rocker: f64,
+    /// P and, of poses, X on the coupler from B along B-C and across.
+    led: Vec<[f64; 2]>,
+    /// Where it opens.
+    c: [f64; 2],
+    angle: f64,
+    /// T1, T2 ..., and X1, X2 ....
+    marks: [Vec<[f64; 2]>; 2],
+}
+
+impl WrittenFourBar {
+    fn read(path: &Path) -> WrittenFourBar {
+        let text = fs::read_to_string(path).unwrap();
+        let scene: toml::Table = text.parse().unwrap();
+        let scene = serde_json::to_value(scene).unwrap();
+        let parameter = |name: &str| number(&scene["parameters"][name]);
+        let marks = |letter: &str| {
+            let at = |k: usize| scene["marks"].get(format!("{letter}{k}"));
+            (1..).map_while(at).map(pair).collect()
+        };
+        let led = ["P", "X"].map(|name| scene["links"]["r3"]["points"].get(name));
+        WrittenFourBar {
+            a: pair(&scene["ground"]["A"]),
+            d: pair(&scene["ground"]["D"]),
+            crank: parameter("crank"),
+            coupler: parameter("coupler"),
+            rocker: parameter("rocker"),
+            led: led.into_iter().flatten().map(pair).collect(),
+            c: pair(&scene["start"]["C"]),
+            angle: number(&scene["driver"]["angle"]),
+            marks: [marks("T"), marks("X")],
+        }
+    }
+
+    /// B and C where the crank stands at an angle in degrees, on a side of B-D.
+    fn pins(&self, angle: f64, side: f64) -> Option<[[f64; 2]; 2]> {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        let b = [
+            self.a[0] + self.crank * cosine,
+            self.a[1] + self.crank * sine,
+        ];
+        let (gx, gy) = (self.d[0] - b[0], self.d[1] - b[1]);
+        let l = gx.hypot(gy);
+        let x = (l * l + self.coupler * self.coupler - self.rocker * self.rocker) / (2.0 * l);
+        let y = side * (self.coupler * self.coupler - x * x).sqrt();
+        let c = [b[0] + (x * gx - y * gy) / l, b[1] + (x * gy + y * gx) / l];
+        c[0].is_finite().then_some([b, c])
+    }
+
+    /// The side on which it opens.
+    fn side(&self) -> f64 {
+        let by = |side: f64| {
+            let [_, c] = self.pins(self.angle, side).unwrap();
+            away(c, self.c)
+        };
+        if by(1.0) < by(-1.0) { 1.0 } else { -1.0 }
+    }
+
+    /// Where P and X are at an angle of the crank.
+    fn led(&self, angle: f64) -> Vec<[f64; 2]> {
+        let [b, c] = self.pins(angle, self.side()).unwrap();
+        let (ux, uy) = ((c[0] - b[0]) / self.coupler, (c[1] - b[1]) / self.coupler);
+        let place = |[x, y]: &[f64; 2]| [b[0] + x * ux - y * uy, b[1] + x * uy + y * ux];
+        self.led.iter().map(place).collect()
+    }
+}
+
+/// Each written scene comes to the task's points within what the table tells, by the crank angles of the JSON.
+fn scenes_do_their_task(example: &str, slack: f64) {
+    let out = new_folder(example);
+    let at = out.to_str().unwrap();
+    let told =
+        run(command(&["synthesize", example, "--format", "json"]).args(["--top", "3", "-o", at]));
+    assert_eq!(told.code, 0, "{}", told.err);
+    let told = json(&told.out);
+    let candidates = told["candidates"].as_array().unwrap();
+    assert!(!candidates.is_empty());
+    for (number_of, candidate) in (1..).zip(candidates) {
+        let path = out.join(format!("candidate-{number_of}.toml"));
+        let checked = krank(&["check", path.to_str().unwrap()]);
+        assert_eq!(checked.code, 0, "{}{}", checked.out, checked.err);
+        let scene = WrittenFourBar::read(&path);
+        // The same doubles stand in both.
+        assert_eq!(scene.a, pair(&candidate["A"]));
+        assert_eq!(scene.d, pair(&candidate["partner"]["D"]));
+        let lengths = [scene.crank, scene.coupler, scene.rocker];
+        assert_eq!(lengths, ["r2", "r3", "r4"].map(|r| number(&candidate[r])));
+        let angles = candidate["driver"].as_array().unwrap();
+        assert_eq!(angles.len(), scene.marks[0].len());
+        let (mut worst, mut squares) = (0.0_f64, 0.0);
+        for (point, angle) in angles.iter().enumerate() {
+            let led = scene.led(number(angle));
+            let miss = away(led[0], scene.marks[0][point]);
+            worst = worst.max(miss);
+            squares += miss * miss;
+            if let Some(x) = led.get(1) {
+                assert!(away(*x, scene.marks[1][point]) < slack, "{point}");
+            }
+        }
+        let rms = (squares / angles.len() as f64).sqrt();
+        assert!(
+            (worst - number(&candidate["miss"])).abs() < slack,
+            "{worst} {candidate}"
+        );
+        assert!(
+            (rms - number(&candidate["rms"])).abs() < slack,
+            "{rms} {candidate}"
+        );
+    }
+}
+
+#[test]
+fn the_scenes_of_poses_come_to_their_poses() {
+    scenes_do_their_task("wiper", 1e-9);
+    scenes_do_their_task("hatch", 1e-6);
+}
+
+#[test]
+fn the_scenes_of_paths_come_to_their_points() {
+    scenes_do_their_task("straight-line", 1e-9);
+    scenes_do_their_task("stirrer", 1e-7);
+}
+
+/// Of y = log10 x over 60 and 60 degrees, by the law of cosines at 1000 places, against the told structural error.
+#[test]
+fn the_scenes_of_a_function_err_by_what_is_told() {
+    let out = new_folder("logarithm");
+    let told = run(command(&["synthesize", "logarithm", "--format", "json", "-o"]).arg(&out));
+    let told = json(&told.out);
+    let candidates = told["candidates"].as_array().unwrap();
+    assert!(!candidates.is_empty());
+    let misses: Vec<f64> = candidates.iter().map(|c| number(&c["rms"])).collect();
+    assert!(misses.is_sorted(), "the smallest first: {misses:?}");
+    for (k, candidate) in (1..).zip(candidates) {
+        let scene = WrittenFourBar::read(&out.join(format!("candidate-{k}.toml")));
+        let side = scene.side();
+        let angles: Vec<f64> = candidate["driver"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(number)
+            .collect();
+        // Chebyshev's first of five lies so far in; the crank turns 60 degrees over the range.
+        let inset = 0.5 - 0.5 * (std::f64::consts::PI / 10.0).cos();
+        let scale = 60.0 * (angles[4] - angles[0]).signum();
+        assert!((angles[4] - angles[0] - scale * (1.0 - 2.0 * inset)).abs() < 1e-9);
+        let output = |x: f64| {
+            let [_, c] = scene
+                .pins(angles[0] + scale * (x - 1.0 - inset), side)
+                .unwrap();
+            (c[1] - scene.d[1]).atan2(c[0] - scene.d[0]).to_degrees()
+        };
+        let wanted = |x: f64| 60.0 * x.log10() / 2.0_f64.log10();
+        let begin = 1.0 + inset;
+        let error = |x: f64| {
+            let off = output(x) - output(begin) - wanted(x) + wanted(begin);
+            (off + 180.0).rem_euclid(360.0) - 180.0
+        };
+        let worst = (0..=1000).map(|k| error(1.0 + f64::from(k) / 1000.0).abs());
+        let worst = worst.fold(0.0, f64::max);
+        let miss = number(&candidate["miss"]);
+        assert!((worst - miss).abs() < 0.01 * miss + 1e-9, "{worst} {miss}");
+    }
+}
+
+#[test]
+fn the_examples_are_told_shortly() {
+    for example in ["wiper", "hatch", "logarithm"] {
+        insta::assert_snapshot!(
+            format!("synthesize_{example}"),
+            done(&["synthesize", example, "--top", "3"])
+        );
+    }
+}
+
+#[test]
+fn csv_has_the_doubles_of_json() {
+    let of = |format: &str| done(&["synthesize", "hatch", "--format", format]);
+    let told = json(&of("json"));
+    let csv = of("csv");
+    let table = rows(&csv);
+    let heads: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| {
+        let of_name = |head: &&str| head.split(" [").next() == Some(name);
+        heads
+            .iter()
+            .position(of_name)
+            .unwrap_or_else(|| panic!("{name} of {heads:?}"))
+    };
+    let good = told["candidates"].as_array().unwrap();
+    let defective = told["defective"].as_array().unwrap();
+    assert_eq!(table.len(), good.len() + defective.len());
+    for (row, candidate) in table.iter().zip(good.iter().chain(defective)) {
+        for (name, value) in [
+            ("A.x", &candidate["A"][0]),
+            ("D.y", &candidate["partner"]["D"][1]),
+            ("B.x", &candidate["B"][0]),
+            ("C.y", &candidate["C"][1]),
+            ("P.x", &candidate["P"][0]),
+            ("r2", &candidate["r2"]),
+            ("r4", &candidate["r4"]),
+            ("transmission", &candidate["transmission"]),
+            ("ratio", &candidate["ratio"]),
+            ("miss", &candidate["miss"]),
+            ("rms", &candidate["rms"]),
+            ("angle_miss", &candidate["angle_miss"]),
+        ] {
+            let cell = &row[column(name)];
+            assert_eq!(cell.parse::<f64>().ok(), value.as_f64(), "{name}");
+        }
+    }
+    assert_eq!(table[0][0], "1");
+    assert_eq!(table[0][column("state")], "ok");
+    assert_eq!(table[good.len()][0], "", "what is defective has no number");
+}
+
+#[test]
+fn scenes_are_not_written_over() {
+    let out = new_folder("kept");
+    let args = [
+        "synthesize",
+        "hatch",
+        "--top",
+        "1",
+        "-o",
+        out.to_str().unwrap(),
+    ];
+    let first = krank(&args);
+    assert_eq!(first.code, 0, "{}", first.err);
+    assert!(first.err.contains("1 scene in "), "{}", first.err);
+    // The same again is no loss.
+    assert_eq!(krank(&args).code, 0);
+    let path = out.join("candidate-1.toml");
+    fs::write(&path, "mine").unwrap();
+    let again = krank(&args);
+    assert_eq!(again.code, 1);
+    assert!(again.err.contains("candidate-1.toml"), "{}", again.err);
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    // A file is no folder.
+    let args = [&args[..5], &[path.to_str().unwrap()]].concat();
+    let none = krank(&args);
+    assert_eq!(none.code, 1, "{}", none.err);
+    assert!(
+        !none.err.contains("candidate-1.toml/candidate-1"),
+        "{}",
+        none.err
+    );
+}
+
+#[test]
+fn what_nothing_does_ends_with_1() {
+    // Three positions in which any one four-bar on these pivots stands on two circuits.
+    let text = "kind = \"poses\"\nposes = [[0, 0, 0], [10, 0, 170], [0, 12, 20]]\n\
+                pivots = [[-40, -5], [300, 260]]\n";
+    let path = task("nothing.toml", text);
+    let out = new_folder("nothing");
+    let ended = krank(&["synthesize", &path, "-o", out.to_str().unwrap()]);
+    assert_eq!(ended.code, 1, "{}{}", ended.out, ended.err);
+    assert!(ended.out.contains("defective"), "{}", ended.out);
+    assert!(ended.err.contains("no linkage was found"), "{}", ended.err);
+    assert!(!out.exists(), "nothing is written of nothing");
+}
+
+#[test]
+fn what_cannot_be_read_ends_with_2() {
+    let message = refused(2, &["synthesize", "wipper"]);
+    assert!(message.contains("there is wiper"), "{message}");
+    let message = refused(2, &["synthesize", "zzzzzzzzzzz"]);
+    assert!(message.contains("wiper, hatch, logarithm"), "{message}");
+    refused(2, &["synthesize", "not-there.toml"]);
+    refused(2, &["synthesize", "hatch", "--tolerance", "-1"]);
+    let path = task("broken.toml", "kind = \"poses\"\nposes = [[0, 0, 0]]\n");
+    let message = refused(2, &["synthesize", &path]);
+    assert!(message.contains("broken.toml:2:9"), "{message}");
+}
+
+#[test]
+fn a_task_comes_by_standard_input() {
+    let text = "kind = \"poses\"\nposes = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]\n\
+                pivots = [[0, -100], [200, -100]]\n";
+    let mut piped = command(&["synthesize", "-", "--format", "json"]);
+    let Run { out, err, .. } = run(piped.write_stdin(text));
+    assert_eq!(json(&out)["task"], "stdin", "{err}");
+    let file = done(&["synthesize", &task("piped.toml", text), "--format", "json"]);
+    assert_eq!(json(&out)["candidates"], json(&file)["candidates"]);
+}
+
+#[test]
+fn a_tolerance_goes_into_the_scene() {
+    let out = new_folder("tolerance");
+    let args = ["synthesize", "hatch", "--top", "1", "--tolerance", "0.1"];
+    let ended = run(command(&args).arg("-o").arg(&out));
+    assert_eq!(ended.code, 0, "{}", ended.err);
+    let path = out.join("candidate-1.toml");
+    let path = path.to_str().unwrap();
+    let told = done(&[
+        "tolerance",
+        path,
+        "--columns",
+        "P.x",
+        "--at",
+        "0",
+        "--format",
+        "json",
+    ]);
+    let worst = &json(&told)["figures"]["P.x"]["worst"];
+    assert!(number(&worst["high"]) > number(&worst["low"]), "{worst}");
+}
+
+#[test]
+fn a_task_is_no_scene_and_a_scene_no_task() {
+    let text = "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 10], [2, 0, 20]]\n";
+    let path = task("own.toml", text);
+    for args in [&["check", path.as_str()][..], &[path.as_str()]] {
+        let message = refused(2, args);
+        assert!(message.contains("this is a task, not a scene"), "{message}");
+        assert!(message.contains("krank synthesize"), "{message}");
+    }
+    let message = refused(2, &["check", "hatch"]);
+    assert!(message.contains("krank synthesize hatch"), "{message}");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/four-bar.toml");
+    let scene = scene.to_str().unwrap().to_owned();
+    let message = refused(2, &["synthesize", &scene]);
+    assert!(message.contains("this is a scene, not a task"), "{message}");
+    let message = refused(2, &["synthesize", "four-bar"]);
+    assert!(message.contains("is a preset, not a task"), "{message}");
+}
+
+#[test]
+fn it_speaks_turkish() {
+    let here = folder("synthesize");
+    let Run { code, out, err } = spoken("tr", &here, &["synthesize", "hatch"]);
+    assert_eq!(code, 0, "{err}");
+    for word in ["linkage", "crank", "wanted", "defective", "circuit", "miss"] {
+        assert!(!out.contains(word), "{word}\n{out}");
+    }
+    let Run { code, err, .. } = spoken("tr", &here, &["synthesize", "wipper"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("wiper"), "{err}");
+}

@@ -1,0 +1,397 @@
+//! Links that are turned against other links, held against the same machines turned by their cranks: the angle
+//! between two links and its rates are read there, the machine is driven by that angle, and everything is where it was.
+
+use krank::scene::{Scene, presets};
+use krank::solver::{Condition, GroupKind, Order, Range, Solver, State};
+use krank::{Body, Input, LinkId, Vec2, angle};
+use std::fmt::Write;
+
+/// A scene without these sections.
+fn without(text: &str, sections: &[&str]) -> String {
+    let mut keeps = true;
+    let mut kept = String::new();
+    for line in text.lines() {
+        if let Some(head) = line.strip_prefix('[') {
+            let name = head.trim_start_matches('[').split([']', '.']).next();
+            keeps = !name.is_some_and(|name| sections.contains(&name));
+        }
+        if keeps {
+            writeln!(kept, "{line}").unwrap();
+        }
+    }
+    kept
+}
+
+/// The angle from one link to another in degrees, its speed and its acceleration.
+fn between(state: &State, link: LinkId, from: LinkId) -> [f64; 3] {
+    let [there, here] = [link, from].map(|l| state.direction(l).unwrap());
+    let apart = there.turned(here.conj());
+    let omega = state.omega(link).unwrap() - state.omega(from).unwrap();
+    let alpha = state.alpha(link).unwrap() - state.alpha(from).unwrap();
+    [angle::degrees(apart), omega, alpha]
+}
+
+/// A scene with the angle between two links for its driver, opened where a state of it is.
+fn driven_by_elbow(scene: &Scene, state: &State, [link, from]: [LinkId; 2]) -> String {
+    let left_out = ["driver", "start", "motor", "limits", "figures", "exercise"];
+    let mut text = without(scene.text(), &left_out);
+    let [at, speed, acceleration] = between(state, link, from);
+    let [link, from] = [link, from].map(|l| scene.link_name(l));
+    write!(
+        text,
+        "\n[driver]\nlink = \"{link}\"\nfrom = \"{from}\"\nangle = {at:?}\nspeed = \"{speed:?} rad/s\"\n\
+         acceleration = \"{acceleration:?} rad/s^2\"\n[start]\n"
+    )
+    .unwrap();
+    let moving = scene.mechanism.point_ids().filter(|&p| {
+        let point = scene.mechanism.point(p);
+        point.ground.is_none() && scene.point_name(p).is_some_and(|name| !name.contains('.'))
+    });
+    for point in moving {
+        let place = state.position(point).unwrap();
+        let name = scene.point_name(point).unwrap();
+        writeln!(text, "{name} = [{:?}, {:?}]", place.x, place.y).unwrap();
+    }
+    text
+}
+
+fn solved(solver: &Solver, at: f64) -> Option<State> {
+    let mut state = solver.state();
+    let condition = solver.solve(at, Order::Force, &mut state);
+    (condition == Condition::Ok).then(|| state.into_state())
+}
+
+/// By how much two numbers differ, in parts of a size.
+fn off(a: Vec2, b: Vec2, size: f64) -> f64 {
+    (a - b).norm() / size
+}
+
+/// How many pairs of links, and at how many places, one machine was driven by.
+#[derive(Default)]
+struct Tally {
+    pairs: usize,
+    places: usize,
+    coupled: usize,
+    forced: usize,
+}
+
+/// Pairs of links of a machine with a crank, driven by the angle between them.
+fn check(scene: &Scene, tally: &mut Tally) {
+    let mechanism = &scene.mechanism;
+    let crank = Solver::new(mechanism).unwrap();
+    let start = mechanism.driver().start;
+    let opened = solved(&crank, start).unwrap();
+    let reach = mechanism
+        .point_ids()
+        .filter_map(|p| Some(opened.position(p)?.norm()))
+        .fold(1e-9, f64::max);
+    for link in mechanism.link_ids() {
+        for from in mechanism.link_ids().filter(|&from| from != link) {
+            // Of machines with many links some pairs.
+            if mechanism.links().len() > 4 && (5 * link.index() + 3 * from.index()) % 7 > 1 {
+                continue;
+            }
+            let [_, omega, _] = between(&opened, link, from);
+            // It hardly changes: a dead point of this input.
+            if omega.abs() < 0.1 * opened.driver_speed().abs() {
+                continue;
+            }
+            let text = driven_by_elbow(scene, &opened, [link, from]);
+            let name = format!("{} from {}", scene.link_name(link), scene.link_name(from));
+            let elbow = Scene::parse(&text, &name).unwrap_or_else(|e| panic!("{e:?} in {text}"));
+            let driven = Solver::new(&elbow.mechanism)
+                .unwrap_or_else(|fault| panic!("{}, {name}: {fault:?}", scene.title()));
+            let is_coupled = |g: &krank::solver::Group| matches!(g.kind, GroupKind::Coupled { .. });
+            tally.coupled += usize::from(driven.plan().groups.iter().any(is_coupled));
+            tally.pairs += 1;
+            let places = places(&crank, start, [link, from]);
+            // In another order than they come along the motion.
+            let count = places.len();
+            for k in 0..count {
+                let at = places[(k * 7 + 3) % count];
+                let (q, turned) = at;
+                same(scene, (&crank, q), (&driven, turned), [link, from], reach);
+                tally.places += 1;
+            }
+            // A load that goes by the driver's coordinate is another one here.
+            if !scene.text().lines().any(|line| line.starts_with("over ")) {
+                tally.forced += same_power(&opened, &driven, &scene.title());
+            }
+        }
+    }
+}
+
+/// Coordinates of the crank beside its start, and the angle between the links there, as far as that goes one way.
+fn places(crank: &Solver, start: f64, [link, from]: [LinkId; 2]) -> Vec<(f64, f64)> {
+    let mut places = Vec::new();
+    let opened = solved(crank, start).unwrap();
+    let [begin, forth, _] = between(&opened, link, from);
+    for way in [1.0, -1.0] {
+        let mut last = begin;
+        for k in 1..=12 {
+            let q = start + way * 4.5 * f64::from(k);
+            let Some(state) = solved(crank, q) else { break };
+            let [at, omega, _] = between(&state, link, from);
+            if omega / forth < 0.05 {
+                break;
+            }
+            let turned = at + 360.0 * ((last - at) / 360.0).round();
+            places.push((q, turned));
+            last = turned;
+        }
+    }
+    // How many there are has no divisor in common with the stride.
+    while places.len() > 1 && places.len().is_multiple_of(7) {
+        places.pop();
+    }
+    places
+}
+
+fn same(
+    scene: &Scene,
+    (crank, q): (&Solver, f64),
+    (driven, turned): (&Solver, f64),
+    [link, from]: [LinkId; 2],
+    reach: f64,
+) {
+    let mechanism = &scene.mechanism;
+    let what = || {
+        let names = [link, from].map(|l| scene.link_name(l));
+        format!("{}: {names:?} at {q} and {turned}", scene.title())
+    };
+    let by_crank = solved(crank, q).unwrap();
+    let mut by_elbow = driven.state();
+    let condition = driven.solve(turned, Order::Force, &mut by_elbow);
+    assert_eq!(condition, Condition::Ok, "{}", what());
+    let mut enclosure = driven.enclosure();
+    driven.enclose(&mut by_elbow, Order::Force, &mut enclosure);
+    let [_, omega, alpha] = between(&by_crank, link, from);
+    let (speed, acceleration) = (by_elbow.driver_speed(), by_elbow.driver_acceleration());
+    for point in mechanism.point_ids() {
+        let place = by_crank.position(point).unwrap();
+        // X' and X'' by the angle between the links.
+        let first = by_crank.velocity(point).unwrap() / omega;
+        let second = (by_crank.acceleration(point).unwrap() - first * alpha) / (omega * omega);
+        let found = by_elbow.position(point).unwrap();
+        let slack = 1e-12 * (reach + first.norm());
+        let apart = (found - place).norm();
+        assert!(apart < 1e3 * slack, "{}: {apart:e}", what());
+        let bound = enclosure.position(point).unwrap();
+        let bounds = [(bound.x, found.x, place.x), (bound.y, found.y, place.y)];
+        for (ball, found, place) in bounds {
+            let radius = ball.bound(found).expect("a bound");
+            assert!(radius < 1e-7 * reach, "{}: {radius:e}", what());
+            assert!((found - place).abs() <= radius + slack, "{}", what());
+        }
+        let velocity = first * speed;
+        let expected = second * (speed * speed) + first * acceleration;
+        let sizes = [
+            reach * speed.abs() + velocity.norm(),
+            reach * (speed * speed + acceleration.abs()) + expected.norm(),
+        ];
+        let misses = [
+            off(by_elbow.velocity(point).unwrap(), velocity, sizes[0]),
+            off(by_elbow.acceleration(point).unwrap(), expected, sizes[1]),
+        ];
+        assert!(
+            misses[0] < 1e-9 && misses[1] < 1e-7,
+            "{}: {misses:?}",
+            what()
+        );
+    }
+    if let Some(parts) = by_elbow.drive_parts() {
+        // What the joints hand back to the motor is what the virtual work of all that acts asks for.
+        let size: f64 = parts.iter().map(|part| part.abs()).sum();
+        let miss = by_elbow.residual().unwrap();
+        assert!(by_elbow.drive().is_some(), "{}: {miss:?}", what());
+        assert!(
+            miss.drive.abs() < 1e-9 * (1.0 + size),
+            "{}: {miss:?} {size}",
+            what()
+        );
+        assert!(
+            miss.moment.abs() < 1e-9 * (1.0 + size),
+            "{}: {miss:?} {size}",
+            what()
+        );
+    }
+}
+
+/// Where both have the same speed, they have the same power.
+fn same_power(opened: &State, driven: &Solver, title: &str) -> usize {
+    let state = solved(driven, driven.mechanism().driver().start).unwrap();
+    let (Some(by_crank), Some(by_elbow)) = (opened.power(), state.power()) else {
+        return 0;
+    };
+    let size = by_crank.abs()
+        + state
+            .drive_parts()
+            .unwrap()
+            .iter()
+            .map(|p| p.abs())
+            .sum::<f64>();
+    let apart = (by_crank - by_elbow).abs();
+    assert!(
+        apart < 1e-8 * (1.0 + size),
+        "{title}: {by_crank} {by_elbow}"
+    );
+    1
+}
+
+#[test]
+fn a_machine_driven_at_an_elbow_is_where_its_crank_has_it() {
+    let mut tally = Tally::default();
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let is_one_crank = matches!(scene.mechanism.driver().input, Input::Turn(_))
+            && scene.mechanism.timed().is_empty()
+            && scene.mechanism.links().len() < 9;
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        if is_one_crank && solver.plan().redundant.is_empty() {
+            check(&scene, &mut tally);
+        }
+    }
+    let Tally {
+        pairs,
+        places,
+        coupled,
+        forced,
+    } = tally;
+    assert!(
+        pairs > 150 && places > 3000 && coupled > 100 && forced > 30,
+        "{pairs} {places} {coupled} {forced}"
+    );
+}
+
+/// The driver's seat is told, and the ground's is that of a crank.
+#[test]
+fn the_seat_of_a_motor_is_told() {
+    let scene = Scene::parse(ARM, "arm").unwrap();
+    let m = &scene.mechanism;
+    let [upper, fore] = [0, 1].map(|i| m.link_ids().nth(i).unwrap());
+    assert_eq!(m.turned_from(fore), Body::Link(upper));
+    assert_eq!(m.turned_from(upper), Body::Ground);
+    assert!(m.is_directed(upper) && !m.is_directed(fore));
+    assert!(m.is_crank(upper));
+}
+
+/// An arm of two links, whose elbow turns three times as fast as its shoulder.
+const ARM: &str = r#"
+unit = "m"
+gravity = [0, -9.81]
+[ground]
+O = [0, 0]
+[driver]
+link = "upper"
+angle = 30
+speed = "2 rad/s"
+acceleration = "1 rad/s^2"
+[inputs]
+fore = { ratio = 3, phase = -20, from = "upper" }
+[links]
+upper = { from = "O", to = "E", length = 2, com = [1, 0], mass = 3 }
+fore = { from = "E", to = "T", length = 1.5, com = [1.5, 0], mass = 2 }
+"#;
+
+/// The point of the arm is at 2 (q) + 1.5 (q + 3 q - 20); the elbow carries the moment of the mass at the point, the
+/// shoulder that and what the whole weighs.
+#[test]
+fn an_arm_of_two_motors_is_where_the_sum_of_two_arms_has_it() {
+    let scene = Scene::parse(ARM, "arm").unwrap();
+    let m = &scene.mechanism;
+    let solver = Solver::new(m).unwrap();
+    let tip = m
+        .point_ids()
+        .find(|&p| scene.point_name(p) == Some("T"))
+        .unwrap();
+    let [upper, fore] = [0, 1].map(|i| m.link_ids().nth(i).unwrap());
+    for q in [30.0, -75.5, 190.25, 12.0] {
+        let state = solved(&solver, q).unwrap();
+        let (one, two) = (q.to_radians(), (4.0 * q - 20.0).to_radians());
+        let unit = |angle: f64| Vec2::new(angle.cos(), angle.sin());
+        let elbow = unit(one) * 2.0;
+        let place = elbow + unit(two) * 1.5;
+        assert!((state.position(tip).unwrap() - place).norm() < 1e-13);
+        let rates = [(one, 2.0, 2.0, 1.0), (two, 1.5, 8.0, 4.0)];
+        let mut acceleration = [Vec2::ZERO; 2];
+        for (number, (angle, length, omega, alpha)) in rates.into_iter().enumerate() {
+            let d = unit(angle) * length;
+            acceleration[number] = d.perp() * alpha - d * (omega * omega);
+        }
+        let of_tip = acceleration[0] + acceleration[1];
+        assert!((state.acceleration(tip).unwrap() - of_tip).norm() < 1e-11);
+        // Euler about the elbow, and about the shoulder.
+        let weight = Vec2::new(0.0, 9.81);
+        let at_tip = (of_tip + weight) * 2.0;
+        let at_middle = (acceleration[0] * 0.5 + weight) * 3.0;
+        let bent = (place - elbow).cross(at_tip);
+        let shoulder = place.cross(at_tip) + (elbow * 0.5).cross(at_middle);
+        let efforts = [
+            state.effort(Input::Turn(upper)),
+            state.effort(Input::Turn(fore)),
+        ];
+        let [lifted, bends] = efforts.map(Option::unwrap);
+        assert!((bends - bent).abs() < 1e-10, "{bends} {bent}");
+        assert!((lifted - shoulder).abs() < 1e-10, "{lifted} {shoulder}");
+        let drive = state.drive().unwrap();
+        assert!((drive - (shoulder + 3.0 * bent)).abs() < 1e-9, "{drive}");
+    }
+}
+
+/// A crank-rocker of 100, 300, 250 and 400, with a driver.
+fn four_bar(driver: &str) -> Scene {
+    let text = format!(
+        "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\n{driver}\n[links]\n\
+         r2 = {{ from = \"A\", to = \"B\", length = 100 }}\n\
+         r3 = {{ from = \"B\", to = \"C\", length = 300 }}\n\
+         r4 = {{ from = \"C\", to = \"D\", length = 250 }}\n\
+         [start]\nB = [50, 87]\nC = [310, 230]\n"
+    );
+    Scene::parse(&text, "four-bar").unwrap()
+}
+
+/// The crank turns fully about the coupler as well. The angle at C is the transmission angle: it is at its ends where
+/// the crank lies along the frame, where 300^2 + 250^2 - 2 300 250 cos = (400 -+ 100)^2.
+#[test]
+fn a_wrist_goes_as_far_as_the_transmission_angle_and_an_elbow_at_the_crank_all_round() {
+    let round = four_bar("link = \"r3\"\nfrom = \"r2\"\nangle = -45");
+    let solver = Solver::new(&round.mechanism).unwrap();
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    let mut states = [-45.0, 315.0, 675.0].map(|q| solved(&solver, q).unwrap());
+    states.sort_by(|a, b| a.at().total_cmp(&b.at()));
+    let points: Vec<_> = round.mechanism.point_ids().collect();
+    for point in points {
+        let places = states.each_ref().map(|s| s.position(point).unwrap());
+        assert!(places[1] == places[0] && places[2] == places[0]);
+    }
+
+    let wrist = four_bar("link = \"r4\"\nfrom = \"r3\"\nangle = 270");
+    let solver = Solver::new(&wrist.mechanism).unwrap();
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("{:?}", solver.motion().range);
+    };
+    let angle = |away: f64| {
+        let cosine = (300.0_f64 * 300.0 + 250.0 * 250.0 - away * away) / (2.0 * 300.0 * 250.0);
+        180.0 + cosine.acos().to_degrees()
+    };
+    let ends = [angle(300.0), angle(500.0)];
+    assert!((low - ends[0]).abs() < 1e-11, "{low} {ends:?}");
+    assert!((high - ends[1]).abs() < 1e-11, "{high} {ends:?}");
+    assert_eq!(solver.motion().dead_points.len(), 2);
+    let mut state = solver.state();
+    assert_eq!(
+        solver.solve(low - 1e-6, Order::Position, &mut state),
+        Condition::NoAssembly
+    );
+    assert_eq!(
+        solver.solve(low, Order::Acceleration, &mut state),
+        Condition::DeadPoint
+    );
+    let seen = state
+        .angle(wrist.mechanism.link_ids().next().unwrap())
+        .unwrap();
+    assert!(
+        (seen - 360.0 * (seen / 360.0).round()).abs() < 1e-5,
+        "{seen}"
+    );
+}
