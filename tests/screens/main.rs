@@ -55,6 +55,7 @@ mod tables;
 mod terminal;
 #[cfg(feature = "tui")]
 mod timed;
+#[cfg(feature = "tui")]
 mod tour;
 #[cfg(feature = "tui")]
 mod trust;
