@@ -91,19 +91,21 @@ pub(super) fn find(name: &Path) -> Result<SceneSource, Failure> {
 fn read(source: &SceneSource) -> Result<Scene, Failure> {
     let scene = match source {
         SceneSource::Preset(preset) => Scene::parse(preset.text, preset.name),
-        SceneSource::Stdin => {
-            let bytes = limited(stdin(), LARGEST_FILE);
-            let bytes = bytes.map_err(|e| unreadable(words().standard_input(), &e))?;
-            Scene::read(&bytes, "stdin")
-        }
-        SceneSource::File(path) => {
-            let shown = path.display().to_string();
-            let bytes = read_any(path, LARGEST_FILE);
-            let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
-            Scene::read(&bytes, &shown)
-        }
+        SceneSource::Stdin => Scene::read(&standard_input()?, "stdin"),
+        SceneSource::File(path) => Scene::read(&contents(path)?, &path.display().to_string()),
     };
     scene.map_err(Failure::Scene)
+}
+
+/// What stands in standard input, where a scene or a task is meant.
+pub(super) fn standard_input() -> Result<Vec<u8>, Failure> {
+    limited(stdin(), LARGEST_FILE).map_err(|e| unreadable(words().standard_input(), &e))
+}
+
+/// What stands in a file, where a scene or a task is meant.
+pub(super) fn contents(path: &Path) -> Result<Vec<u8>, Failure> {
+    let bytes = read_any(path, LARGEST_FILE);
+    bytes.map_err(|e| unreadable(&format!("`{}`", path.display()), &e))
 }
 
 /// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.

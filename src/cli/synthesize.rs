@@ -5,9 +5,10 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
+use super::source::{contents, standard_input};
 #[cfg(feature = "tui")]
 use super::workbench;
-use crate::files::{limited, read_any};
+use crate::files::read_any;
 use crate::nearest::nearest;
 use crate::report::SynthesisReport;
 use crate::scene::{LARGEST_FILE, presets};
@@ -82,13 +83,9 @@ fn called(name: &Path) -> String {
 
 /// The task that the command line names: an example, a file, or standard input.
 fn read(name: &Path) -> Result<TaskFile, Failure> {
-    let unreadable =
-        |what: &str, error: &std::io::Error| Failure::Usage(words().cannot_read(what, error));
     let text = name.to_str().unwrap_or("");
     let file = if text == "-" {
-        let bytes = limited(std::io::stdin(), LARGEST_FILE);
-        let bytes = bytes.map_err(|e| unreadable(words().standard_input(), &e))?;
-        TaskFile::read(&bytes, "stdin")
+        TaskFile::read(&standard_input()?, "stdin")
     } else if let Some(example) = ExampleTask::find(text) {
         TaskFile::parse(example.text, example.name)
     } else {
@@ -97,9 +94,7 @@ fn read(name: &Path) -> Result<TaskFile, Failure> {
         if !is_path && !text.is_empty() && !name.exists() {
             return Err(unknown(&shown));
         }
-        let bytes = read_any(name, LARGEST_FILE);
-        let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
-        TaskFile::read(&bytes, &shown)
+        TaskFile::read(&contents(name)?, &shown)
     };
     file.map_err(Failure::Scene)
 }
@@ -123,7 +118,7 @@ fn save(
 ) -> Result<(), Failure> {
     let mut files: Vec<(PathBuf, String)> = Vec::new();
     for (number, candidate) in (1..).zip(report.told()) {
-        let titles = report.titles(number, args.tolerance);
+        let titles = report.titles(number, candidate, args.tolerance);
         let Some(text) = candidate.scene(&report.file.task, &titles) else {
             continue;
         };

@@ -1,7 +1,7 @@
 //! What a list of candidates says of each, in figures and words.
 
 use super::number::significant;
-use super::synthesis::{FEW, SynthesisReport, lacking, lengths, turns};
+use super::synthesis::{FEW, SynthesisReport, lacking, turns};
 use crate::synthesis::Candidate;
 
 /// Digits of lengths in a line.
@@ -28,7 +28,9 @@ impl SynthesisReport<'_> {
     /// What a list says of a candidate.
     pub(crate) fn row(&self, candidate: &Candidate) -> CandidateRow {
         let figures = &candidate.figures;
-        let named = ["r2", "r3", "r4", "r1"].into_iter().zip(lengths(candidate));
+        let named = ["r2", "r3", "r4", "r1"]
+            .into_iter()
+            .zip(candidate.proposal.all_lengths());
         let named = named.filter_map(|(name, length)| {
             let length = significant(length?, DIGITS);
             Some(format!("{name} {length}"))

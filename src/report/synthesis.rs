@@ -37,8 +37,12 @@ impl SynthesisReport<'_> {
 
     /// What the scene of a candidate says of itself; candidates are counted from 1.
     #[must_use]
-    pub fn titles(&self, number: usize, tolerance: Option<f64>) -> SceneTitles {
-        let candidate = &self.found.good[number - 1];
+    pub fn titles(
+        &self,
+        number: usize,
+        candidate: &Candidate,
+        tolerance: Option<f64>,
+    ) -> SceneTitles {
         let unit = self.miss_unit();
         let note = words().note_of_candidate(
             &significant(candidate.figures.miss, FEW),
@@ -108,7 +112,11 @@ impl SynthesisReport<'_> {
         let length = self.file.unit.symbol();
         // A slide is no link, and no column is empty.
         let links = ["r2", "r3", "r4", "r1"].into_iter().enumerate();
-        let has = |link: usize| self.told().iter().any(|c| lengths(c)[link].is_some());
+        let has = |link: usize| {
+            self.told()
+                .iter()
+                .any(|c| c.proposal.all_lengths()[link].is_some())
+        };
         let links: Vec<(usize, &str)> = links.filter(|(link, _)| has(*link)).collect();
         let lacks = self.told().iter().any(|c| !c.missed.is_empty());
         let mut heads: Vec<Head> = links
@@ -124,7 +132,7 @@ impl SynthesisReport<'_> {
         let mut table = Table::new("", heads.iter().map(Head::whole));
         for (number, candidate) in (1..).zip(self.told()) {
             let figures = &candidate.figures;
-            let own = lengths(candidate);
+            let own = candidate.proposal.all_lengths();
             let length = |link: usize| match own[link] {
                 Some(length) => significant(length, DIGITS),
                 None => "-".to_owned(),
@@ -143,7 +151,7 @@ impl SynthesisReport<'_> {
 
     /// A candidate in a few figures.
     fn brief(&self, candidate: &Candidate) -> String {
-        let lengths = lengths(candidate).into_iter().flatten();
+        let lengths = candidate.proposal.all_lengths().into_iter().flatten();
         let lengths: Vec<String> = lengths.map(|length| significant(length, 4)).collect();
         lengths.join(", ")
     }
@@ -162,7 +170,7 @@ impl SynthesisReport<'_> {
                 Partner::Rocker(d) => json!({ "D": [d.x, d.y] }),
                 Partner::Slide(angle) => json!({ "guide": angle }),
             };
-            let [crank, coupler, rocker, _] = lengths(candidate);
+            let [crank, coupler, rocker, _] = candidate.proposal.all_lengths();
             let figures = &candidate.figures;
             // What was never opened has no figures.
             let told = |figure: f64| is_driven(candidate).then_some(figure);
@@ -177,7 +185,7 @@ impl SynthesisReport<'_> {
                 "r3": coupler,
                 "r4": rocker,
                 "driver": candidate.at,
-                "full_turn": figures.full_turn,
+                "full_turn": is_driven(candidate).then_some(figures.full_turn),
                 "transmission": told(figures.transmission),
                 "ratio": told(figures.ratio),
                 "miss": told(figures.miss),
@@ -190,6 +198,7 @@ impl SynthesisReport<'_> {
         json!({
             "task": self.file.name,
             "unit": self.file.unit.symbol(),
+            "miss_unit": self.miss_unit(),
             "complete": self.found.is_complete,
             "candidates": self.told().iter().map(candidate).collect::<Vec<_>>(),
             "defective": self.found.defective.iter().map(candidate).collect::<Vec<_>>(),
@@ -259,7 +268,7 @@ impl SynthesisReport<'_> {
                 proposal.tracer,
             ];
             let [a, d, b, c, p] = places.map(|at| [at.map(|at| at.x), at.map(|at| at.y)]);
-            let [crank, coupler, rocker, _] = lengths(candidate);
+            let [crank, coupler, rocker, _] = candidate.proposal.all_lengths();
             let figures = &candidate.figures;
             // What was never opened has no figures.
             let told = |figure: f64| is_driven(candidate).then_some(figure);
@@ -311,19 +320,6 @@ pub(crate) fn wanted(task: &Task) -> String {
 /// Whether the solver could open it at the first point.
 fn is_driven(candidate: &Candidate) -> bool {
     !candidate.defects.contains(&TaskDefect::Unopened)
-}
-
-/// Crank, coupler, rocker and the distance of the pivots.
-pub(super) fn lengths(candidate: &Candidate) -> [Option<f64>; 4] {
-    let proposal = &candidate.proposal;
-    let Some((crank, coupler, rocker)) = proposal.lengths() else {
-        return [None; 4];
-    };
-    let ground = match proposal.partner {
-        Partner::Rocker(d) => Some((d - proposal.pivot).norm()),
-        Partner::Slide(_) => None,
-    };
-    [Some(crank), Some(coupler), rocker, ground]
 }
 
 /// Whether the crank turns fully, in a word.

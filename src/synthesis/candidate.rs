@@ -9,7 +9,8 @@ use crate::angle::{TURN, beside, degrees, unit};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver};
 
-/// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage.
+/// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage, and a body beside a pose that
+/// is to be met: an angle in radians.
 const SAME: f64 = 1e-7;
 /// Linkages that differ by less than this part of their size are one.
 const ONE: f64 = 1e-6;
@@ -87,7 +88,10 @@ impl Candidate {
     }
 
     fn driven(task: &Task, proposal: Proposal) -> Candidate {
-        let opened = opened(task, &proposal);
+        let opened = match proposal.places.len() == task.points() {
+            true => opened(task, &proposal),
+            false => None,
+        };
         let Some((scene, solver)) = opened else {
             return Candidate {
                 at: Vec::new(),
@@ -107,7 +111,7 @@ impl Candidate {
         let mut figures = CandidateFigures {
             full_turn: matches!(range, Range::Full { .. }),
             transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
-            ratio: ratio(&proposal),
+            ratio: proposal.ratio(),
             ..CandidateFigures::default()
         };
         // What lies in another assembly was named.
@@ -170,7 +174,7 @@ impl Candidate {
     #[must_use]
     pub fn is_same(&self, other: &Candidate) -> bool {
         let same = |a: &Proposal, b: &Proposal| {
-            let slack = ONE * size(a).max(size(b));
+            let slack = ONE * a.longest().max(b.longest());
             let near = |a: Vec2, b: Vec2| (a - b).norm() <= slack;
             let held = match (a.partner, b.partner) {
                 (Partner::Rocker(a), Partner::Rocker(b)) => near(a, b),
@@ -217,16 +221,17 @@ impl TaskDrive<'_> {
     /// By how much it misses each point, by the solver's figures alone.
     ///
     /// # Errors
-    /// The point at which the solver does not find the linkage where it was proposed.
+    /// The point at which the solver does not find the linkage where it was proposed, or the body in its pose.
     fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<(), usize> {
         let mechanism = self.solver.mechanism();
         let named = |name: &str| {
             let mut points = mechanism.point_ids();
             points.find(|id| self.scene.point_name(*id) == Some(name))
         };
+        let [c, p] = ["C", "P"].map(named);
         let coupler = mechanism.link_ids().nth(1);
         let mut state = self.solver.state();
-        let size = size(self.proposal);
+        let size = self.proposal.longest();
         let mut turned_from = 0.0;
         let mut squares = 0.0;
         let mut weights = 0.0;
@@ -234,8 +239,8 @@ impl TaskDrive<'_> {
             if self.solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
                 return Err(point);
             }
-            let place = |name: &str| named(name).and_then(|id| state.position(id));
-            let c = place("C").ok_or(point)?;
+            let place = |id| state.position(id);
+            let c = c.and_then(place).ok_or(point)?;
             if !((c - self.proposal.places[point][1]).norm() <= SAME * size) {
                 return Err(point);
             }
@@ -247,13 +252,18 @@ impl TaskDrive<'_> {
                 TaskKind::Poses(PoseTask { poses, .. }) => {
                     let wanted = poses[point].angle - poses[0].angle;
                     let off = beside(0.0, angle - turned_from - wanted).abs();
-                    let p = place("P").ok_or(point)?;
-                    ((p - poses[point].at).norm(), off, 1.0)
+                    let p = p.and_then(place).ok_or(point)?;
+                    let miss = (p - poses[point].at).norm();
+                    let met = SAME * size.max(self.task.size());
+                    if !(miss <= met && off <= SAME.to_degrees()) {
+                        return Err(point);
+                    }
+                    (miss, off, 1.0)
                 }
                 TaskKind::Path(PathTask {
                     points, weights, ..
                 }) => {
-                    let p = place("P").ok_or(point)?;
+                    let p = p.and_then(place).ok_or(point)?;
                     let weight = weights.get(point).copied().unwrap_or(1.0);
                     ((p - points[point]).norm(), 0.0, weight)
                 }
@@ -280,32 +290,6 @@ fn opened(task: &Task, proposal: &Proposal) -> Option<(Scene, Solver)> {
     let scene = Scene::parse(&text, "").ok()?;
     let solver = Solver::new(&scene.mechanism).ok()?;
     Some((scene, solver))
-}
-
-/// The largest distance in a linkage.
-pub(super) fn size(proposal: &Proposal) -> f64 {
-    let all = lengths(proposal);
-    all.into_iter().fold(0.0, f64::max)
-}
-
-fn lengths(proposal: &Proposal) -> Vec<f64> {
-    let Some((crank, coupler, rocker)) = proposal.lengths() else {
-        return Vec::new();
-    };
-    let ground = match proposal.partner {
-        Partner::Rocker(d) => Some((d - proposal.pivot).norm()),
-        Partner::Slide(_) => None,
-    };
-    [Some(crank), Some(coupler), rocker, ground]
-        .into_iter()
-        .flatten()
-        .collect()
-}
-
-fn ratio(proposal: &Proposal) -> f64 {
-    let all = lengths(proposal);
-    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
-    all.iter().copied().fold(0.0, f64::max) / least
 }
 
 /// What the task says of the crank's way.

@@ -57,6 +57,39 @@ impl Proposal {
         Some(((b - self.pivot).norm(), (c - b).norm(), rocker))
     }
 
+    /// All of them, as far as they exist: crank, coupler, rocker, and the distance of the pivots.
+    #[must_use]
+    pub fn all_lengths(&self) -> [Option<f64>; 4] {
+        let Some((crank, coupler, rocker)) = self.lengths() else {
+            return [None; 4];
+        };
+        let ground = match self.partner {
+            Partner::Rocker(d) => Some((d - self.pivot).norm()),
+            Partner::Slide(_) => None,
+        };
+        [Some(crank), Some(coupler), rocker, ground]
+    }
+
+    /// The longest of all lengths; 0 where there is none.
+    #[must_use]
+    pub fn longest(&self) -> f64 {
+        let all = self.all_lengths().into_iter().flatten();
+        all.fold(0.0, f64::max)
+    }
+
+    /// The shortest of all lengths; infinite where there is none.
+    #[must_use]
+    pub fn shortest(&self) -> f64 {
+        let all = self.all_lengths().into_iter().flatten();
+        all.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The longest of all lengths by the shortest.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.longest() / self.shortest()
+    }
+
     /// The same linkage, driven at its other pivot; a slide drives nothing.
     #[must_use]
     pub fn swapped(&self) -> Option<Proposal> {

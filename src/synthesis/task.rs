@@ -16,6 +16,16 @@ pub struct Task {
 }
 
 impl Task {
+    /// How many points, poses or pairs are wanted.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        match &self.kind {
+            TaskKind::Poses(task) => task.poses.len(),
+            TaskKind::Path(task) => task.points.len(),
+            TaskKind::Function(task) => task.pairs.len(),
+        }
+    }
+
     /// A length by which misses are measured: how far the points are apart, or the size that is given.
     #[must_use]
     pub fn size(&self) -> f64 {

@@ -163,6 +163,26 @@ fn an_order_that_turns_back_is_named_if_it_is_wished() {
 }
 
 #[test]
+fn poses_that_are_not_met_are_missed() {
+    let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
+    let (task, proposal) = TURNING.poses(&stops).unwrap();
+    let judged = |change: fn(&mut Vec<Pose>)| {
+        let mut task = task.clone();
+        if let TaskKind::Poses(wanted) = &mut task.kind {
+            change(&mut wanted.poses);
+        }
+        Candidate::judge(&task, &proposal).defects
+    };
+    assert_eq!(judged(|_| ()), []);
+    let turned = judged(|poses| poses[1].angle += 0.01);
+    assert_eq!(turned, [TaskDefect::Missed { point: 1 }]);
+    let moved = judged(|poses| poses[2].at.x += 0.01);
+    assert_eq!(moved, [TaskDefect::Missed { point: 2 }]);
+    let fewer = judged(|poses| poses.truncate(2));
+    assert_eq!(fewer, [TaskDefect::Unopened]);
+}
+
+#[test]
 fn wishes_that_are_not_kept_are_told() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (mut task, proposal) = TURNING.poses(&stops).unwrap();

@@ -58,25 +58,17 @@ pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f6
 pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
     let ways =
         [Sense::CounterClockwise, Sense::Clockwise].map(|sense| (sense, one_way(angles, sense)));
-    let within = |way: &&(Sense, Vec<f64>)| {
-        let total = way
-            .1
-            .last()
-            .zip(way.1.first())
-            .map_or(0.0, |(l, f)| (l - f).abs());
-        total <= TURN
+    let length = |(_, at): &(Sense, Vec<f64>)| {
+        let ends = at.last().zip(at.first());
+        ends.map_or(0.0, |(last, first)| (last - first).abs())
     };
+    let within = |way: &&(Sense, Vec<f64>)| length(way) <= TURN;
     let wished = ways.iter().filter(within).find(|way| Some(way.0) == sense);
-    // The shorter of two; clockwise where both are as long, as nobody knows better.
-    let length = |way: &Vec<f64>| {
-        way.last()
-            .zip(way.first())
-            .map_or(0.0, |(l, f)| (l - f).abs())
-    };
+    // The shorter of two; counter-clockwise where both are as long, as nobody knows better.
     let any = ways
         .iter()
         .filter(within)
-        .min_by(|one, other| length(&one.1).total_cmp(&length(&other.1)));
+        .min_by(|one, other| length(one).total_cmp(&length(other)));
     match wished.or(any) {
         Some((_, at)) => Way {
             at: at.clone(),

@@ -109,7 +109,7 @@ struct ChosenOfKind {
 }
 
 fn are_alike(a: &Proposal, b: &Proposal) -> bool {
-    let apart = ALIKE * shortest(a).min(shortest(b));
+    let apart = ALIKE * a.shortest().min(b.shortest());
     let near = |p: Vec2, q: Vec2| (p - q).norm() < apart;
     let [Some(pins), Some(others)] = [a, b].map(|linkage| linkage.places.first()) else {
         return true;
@@ -140,7 +140,7 @@ pub(super) fn quality(linkage: &Proposal) -> f64 {
     }
     let transmission = least.abs().min(most.abs());
     let order = if is_ordered(linkage) { 1.0 } else { UNORDERED };
-    transmission * order / (ratio(linkage) / RATIO).max(1.0)
+    transmission * order / (linkage.ratio() / RATIO).max(1.0)
 }
 
 /// The sine of the angle from coupler to rocker, or the cosine of that from slide to coupler: its sign is that of the
@@ -164,24 +164,4 @@ fn is_ordered(linkage: &Proposal) -> bool {
     let forwards = whole(|turn| turn.rem_euclid(360.0));
     let backwards = whole(|turn| (-turn).rem_euclid(360.0));
     forwards.min(backwards) < 360.0
-}
-
-/// The longest by the shortest length.
-fn ratio(linkage: &Proposal) -> f64 {
-    lengths(linkage).fold(0.0, f64::max) / shortest(linkage)
-}
-
-fn shortest(linkage: &Proposal) -> f64 {
-    lengths(linkage).fold(f64::INFINITY, f64::min)
-}
-
-/// All lengths, pivot to pivot among them.
-fn lengths(linkage: &Proposal) -> impl Iterator<Item = f64> {
-    let links = linkage.lengths();
-    let base = match linkage.partner {
-        Partner::Rocker(d) => Some((d - linkage.pivot).norm()),
-        Partner::Slide(_) => None,
-    };
-    let links = links.map(|(crank, coupler, rocker)| [Some(crank), Some(coupler), rocker]);
-    links.into_iter().flatten().flatten().chain(base)
 }

@@ -215,7 +215,7 @@ impl CandidateList {
             top: found.good.len(),
         };
         let number = self.cursor + 1;
-        let titles = report.titles(number, self.order.tolerance);
+        let titles = report.titles(number, candidate, self.order.tolerance);
         let text = candidate.scene(&self.order.file.task, &titles)?;
         Some((text, format!("{}-{number}", self.order.name)))
     }
