@@ -100,6 +100,7 @@ mod mechanism;
 mod nearest;
 mod numeric;
 pub mod page;
+mod parallel;
 mod pixels;
 pub mod quantity;
 pub mod report;

@@ -6,13 +6,13 @@ use super::output::{write_scene, write_text};
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
+use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{BestReport, GoalReport, no_best};
 use crate::study::{
     BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
 };
 use crate::wording::words;
-use std::thread;
 
 pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
@@ -108,7 +108,7 @@ fn optimise(
         greatest: args.maximize.is_some(),
         generations: args.generations,
         seed: args.seed,
-        threads: thread::available_parallelism().map_or(1, usize::from),
+        threads: parallel::cores(),
     };
     let mut progress = Progress::new(
         u64::from(args.generations),

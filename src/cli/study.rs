@@ -7,6 +7,7 @@ use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::files::{GrowingFile, GrownFile};
+use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{DesignFormat, DesignSummary, DesignTable, MOST_ROWS};
 use crate::study::{
@@ -16,7 +17,6 @@ use crate::wording::words;
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
-use std::thread::available_parallelism;
 
 /// A study that has been understood: its plan, and what comes of it.
 pub(super) struct ReadyStudy {
@@ -116,7 +116,7 @@ fn ready(args: &StudyArgs, axes: &[PlanAxis], space: DesignSpace) -> Result<Read
         driver: catalogue.driver().unit.clone(),
         threads: match args.threads {
             Some(threads) => usize::from(threads),
-            None => available_parallelism().map_or(1, usize::from),
+            None => parallel::cores(),
         },
     })
 }

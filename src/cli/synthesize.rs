@@ -10,6 +10,7 @@ use super::source::{contents, standard_input};
 use super::workbench;
 use crate::files::read_any;
 use crate::nearest::nearest;
+use crate::parallel;
 use crate::report::SynthesisReport;
 use crate::scene::{LARGEST_FILE, presets};
 use crate::synthesis::{Synthesis, SynthesisOrder};
@@ -19,7 +20,6 @@ use crate::tui::TaskOrder;
 use crate::wording::words;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf, is_separator};
-use std::thread;
 
 /// What is done at the end of the search, in parts of a thousand.
 const WHOLE: u64 = 1000;
@@ -44,7 +44,7 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
     }
     let order = SynthesisOrder {
         seed: args.seed,
-        threads: thread::available_parallelism().map_or(1, usize::from),
+        threads: parallel::cores(),
     };
     let mut progress = Progress::new(WHOLE, words().parts(), screen, false);
     let found = Synthesis::run(&file.task, order, &mut |part| {

@@ -4,8 +4,8 @@ use super::candidate::Candidate;
 use super::{
     PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses,
 };
+use crate::parallel;
 use std::cmp::Ordering;
-use std::thread;
 
 /// How a synthesis is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,19 +109,8 @@ fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
 
 /// All of them, in their order, on several cores.
 fn judged(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Candidate> {
-    let share = proposals.len().div_ceil(threads.max(1)).max(1);
-    thread::scope(|scope| {
-        let parts: Vec<_> = proposals
-            .chunks(share)
-            .map(|part| {
-                scope.spawn(move || part.iter().map(|p| Candidate::judge(task, p)).collect())
-            })
-            .collect();
-        // A judge does not panic; who did would have judged nothing.
-        let part =
-            |part: thread::ScopedJoinHandle<'_, Vec<Candidate>>| part.join().unwrap_or_default();
-        parts.into_iter().flat_map(part).collect()
-    })
+    let judge = |(): &mut (), i: usize| Candidate::judge(task, &proposals[i]);
+    parallel::each(proposals.len(), threads, || (), judge, &mut |_| true)
 }
 
 /// Those without defects first, then those that keep more wishes; then the smaller miss, as far as it is more than rounding;

@@ -13,10 +13,11 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 27] = [
+const PLACES: [(&str, u8); 28] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
+    ("parallel", 0),
     ("arithmetic", 0),
     ("nearest", 1),
     ("pixels", 1),

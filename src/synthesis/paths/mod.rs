@@ -24,14 +24,11 @@ mod tests;
 mod wanted;
 
 use super::{Partner, PathTask, Proposal, Proposals};
-use crate::angle;
+use crate::{angle, parallel};
 use descent::Fit;
 use distinct::{Ranked, distinct};
 use evolution::{Evolution, Quarry};
 use shape::LinkageForm;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::channel;
-use std::thread;
 use wanted::{HeldPivots, WantedPath};
 
 /// Points that the evolution looks at; the descent looks at all.
@@ -82,18 +79,22 @@ impl PathSearch<'_> {
         }
         let rough = wanted.thinned(ROUGH_POINTS);
         let starts = usize::try_from(self.starts).unwrap_or(usize::MAX);
-        let found = self.each(
+        let found = parallel::each(
             starts,
-            &|i| {
+            self.threads,
+            || (),
+            |(), i| {
                 let quarry = quarries[i % quarries.len()];
                 start(&wanted, &rough, quarry, self.seed, i)
             },
             &mut |part| watch(STARTS_PART * part),
         );
         let rough = distinct(found.into_iter().flatten().collect(), &wanted, FOLLOWED);
-        let found = self.each(
+        let found = parallel::each(
             rough.len(),
-            &|i| {
+            self.threads,
+            || (),
+            |(), i| {
                 let mut fit = rough[i].fit.clone();
                 fit.descend(&wanted, STEPS);
                 fit.polish(&wanted, LAST_STEPS);
@@ -156,42 +157,6 @@ impl PathSearch<'_> {
             // A slider-crank has one pivot, and nothing has three.
             _ => Vec::new(),
         }
-    }
-
-    /// Several pieces of work in any order, their results in theirs. Stops when `watch` says so.
-    fn each<T: Send>(
-        &self,
-        count: usize,
-        work: &(dyn Fn(usize) -> T + Sync),
-        watch: &mut dyn FnMut(f64) -> bool,
-    ) -> Vec<T> {
-        let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let mut found: Vec<(usize, T)> = thread::scope(|scope| {
-            let (to, from) = channel();
-            for _ in 0..self.threads.clamp(1, count.max(1)) {
-                let to = to.clone();
-                let (next, stopped) = (&next, &stopped);
-                scope.spawn(move || {
-                    while !stopped.load(Ordering::Relaxed) {
-                        let i = next.fetch_add(1, Ordering::Relaxed);
-                        if i >= count || to.send((i, work(i))).is_err() {
-                            return;
-                        }
-                    }
-                });
-            }
-            drop(to);
-            let mut found = Vec::new();
-            while let Ok(one) = from.recv() {
-                found.push(one);
-                if !watch(found.len() as f64 / count as f64) {
-                    stopped.store(true, Ordering::Relaxed);
-                }
-            }
-            found
-        });
-        found.sort_by_key(|(i, _)| *i);
-        found.into_iter().map(|(_, one)| one).collect()
     }
 
     /// A linkage in the frame of the task; what was given is in it as it was given.

@@ -17,7 +17,7 @@ impl App {
         self.drop_search();
         self.candidates = Some(list);
         self.shell.mode = Mode::Candidates;
-        self.clerk.give(move || {
+        self.clerk.search(move || {
             let found = search.run(&order);
             Box::new(move |app, _| {
                 // Another task may be looked at meanwhile.

@@ -2,8 +2,9 @@
 //!
 //! A job is done by a thread, one after the other; what follows from it comes back as something to do to the
 //! workbench. Whoever gives a job waits a moment for it, so that on a disk as they are nothing is ever half
-//! done between two keys; on one that hangs everything else goes on. Without a thread, as tests have it, a
-//! job is done where it is given.
+//! done between two keys; on one that hangs everything else goes on. A search, which may take long and touches
+//! no file, has a thread of its own, so that nothing to be written waits behind it. Without threads, as tests
+//! have it, a job is done where it is given.
 
 use crate::wording::words;
 use rustix::io::{Errno, read, write};
@@ -13,6 +14,7 @@ use std::io::{self, Error};
 use std::os::fd::{AsFd, BorrowedFd};
 use std::os::unix::net::UnixStream;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -50,15 +52,50 @@ impl<T> Default for Clerk<T> {
     }
 }
 
+/// Which thread a job was given to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Apart {
+    /// The one that does what is done to files, in order.
+    Files,
+    /// One of its own.
+    Search,
+}
+
 /// Where jobs are done apart.
 struct Desk<T> {
     jobs: Sender<Job<T>>,
-    done: Receiver<Then<T>>,
+    out: OutTray<T>,
+    done: Receiver<(Apart, Then<T>)>,
     /// Rings when a job is done.
     bell: UnixStream,
-    /// Jobs that are not done yet, and until when they are waited for.
-    open: usize,
+    /// Jobs on files and searches that are not done yet, and until when they are waited for.
+    files: usize,
+    searches: usize,
     patience: Instant,
+}
+
+/// Where what follows from a job is laid, with the rope of the bell.
+struct OutTray<T> {
+    finished: Sender<(Apart, Then<T>)>,
+    rope: Arc<UnixStream>,
+}
+
+impl<T> Clone for OutTray<T> {
+    fn clone(&self) -> Self {
+        OutTray {
+            finished: self.finished.clone(),
+            rope: Arc::clone(&self.rope),
+        }
+    }
+}
+
+impl<T: Client + 'static> OutTray<T> {
+    /// Does a job and lays down what follows; whether anybody still wants to know.
+    fn serve(&self, apart: Apart, job: Job<T>) -> bool {
+        let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
+        // A bell that is full rings already; whoever has left wants to know of nothing more.
+        self.finished.send((apart, then)).is_ok() && rings(write(&*self.rope, &[1]))
+    }
 }
 
 impl<T: Client + 'static> Clerk<T> {
@@ -72,12 +109,14 @@ impl<T: Client + 'static> Clerk<T> {
         rope.set_nonblocking(true)?;
         let (jobs, given) = channel::<Job<T>>();
         let (finished, done) = channel();
+        let out = OutTray {
+            finished,
+            rope: Arc::new(rope),
+        };
+        let tray = out.clone();
         let work = move || {
             for job in given {
-                let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
-                // A bell that is full rings already; whoever has left wants to know of nothing more.
-                let rung = |then| finished.send(then).is_ok() && rings(write(&rope, &[1]));
-                if !rung(then) {
+                if !tray.serve(Apart::Files, job) {
                     return;
                 }
             }
@@ -86,28 +125,49 @@ impl<T: Client + 'static> Clerk<T> {
         Ok(Clerk {
             desk: Some(Desk {
                 jobs,
+                out,
                 done,
                 bell,
-                open: 0,
+                files: 0,
+                searches: 0,
                 patience: Instant::now(),
             }),
             done: VecDeque::new(),
         })
     }
 
-    /// Gives a job.
+    /// Gives a job on files.
     pub(crate) fn give(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
         };
         // One that hangs is not waited for again with every key.
-        if desk.open == 0 {
+        if desk.files == 0 {
             desk.patience = Instant::now() + GRACE;
         }
         match desk.jobs.send(Box::new(job)) {
-            Ok(()) => desk.open += 1,
+            Ok(()) => desk.files += 1,
             Err(unsent) => self.done.push_back((unsent.0)()),
+        }
+    }
+
+    /// Gives a search, which is not waited for when the program is left.
+    pub(crate) fn search(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
+        let Some(desk) = &mut self.desk else {
+            self.done.push_back(job());
+            return;
+        };
+        desk.patience = Instant::now() + GRACE;
+        let tray = desk.out.clone();
+        let work = move || {
+            tray.serve(Apart::Search, Box::new(job));
+        };
+        match thread::Builder::new().name("search".into()).spawn(work) {
+            Ok(_) => desk.searches += 1,
+            Err(error) => self
+                .done
+                .push_back(Box::new(move |client: &mut T, _| client.fail(&error))),
         }
     }
 
@@ -116,7 +176,8 @@ impl<T: Client + 'static> Clerk<T> {
         if let Some(then) = self.done.pop_front() {
             return Some(then);
         }
-        let desk = self.desk.as_mut().filter(|desk| desk.open > 0)?;
+        let desk = self.desk.as_mut();
+        let desk = desk.filter(|desk| desk.files + desk.searches > 0)?;
         let patience = desk.patience.saturating_duration_since(Instant::now());
         desk.take(patience)
     }
@@ -136,17 +197,20 @@ impl<T: Client + 'static> Clerk<T> {
 
 impl<T> Desk<T> {
     fn take(&mut self, patience: Duration) -> Option<Then<T>> {
-        let then = self.done.recv_timeout(patience).ok()?;
-        self.open -= 1;
+        let (apart, then) = self.done.recv_timeout(patience).ok()?;
+        match apart {
+            Apart::Files => self.files -= 1,
+            Apart::Search => self.searches -= 1,
+        }
         Some(then)
     }
 }
 
 impl<T> Drop for Clerk<T> {
-    /// What was asked for before leaving is done, if that is not for ever.
+    /// What was to be done to files before leaving is done, if that is not for ever.
     fn drop(&mut self) {
         let end = Instant::now() + FAREWELL;
-        while let Some(desk) = self.desk.as_mut().filter(|desk| desk.open > 0) {
+        while let Some(desk) = self.desk.as_mut().filter(|desk| desk.files > 0) {
             if desk
                 .take(end.saturating_duration_since(Instant::now()))
                 .is_none()
@@ -159,7 +223,7 @@ impl<T> Drop for Clerk<T> {
 
 impl<T> fmt::Debug for Clerk<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let open = self.desk.as_ref().map(|desk| desk.open);
+        let open = self.desk.as_ref().map(|desk| (desk.files, desk.searches));
         f.debug_struct("Clerk").field("open", &open).finish()
     }
 }
@@ -176,7 +240,6 @@ fn broken<T: Client>() -> Then<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     struct Nobody;
@@ -202,5 +265,26 @@ mod tests {
         }
         drop(clerk);
         assert_eq!(done.load(Ordering::Relaxed), JOBS);
+    }
+
+    /// A search used to stand in the same line as what is to be written: a file that was saved while a long one
+    /// went on was lost on leaving.
+    #[test]
+    fn a_search_holds_up_no_file() {
+        let mut clerk = Clerk::<Nobody>::apart().unwrap();
+        let (end, until) = channel::<()>();
+        clerk.search(move || {
+            let _ = until.recv();
+            Box::new(|_, _| {})
+        });
+        let is_written = Arc::new(AtomicUsize::new(0));
+        let file = Arc::clone(&is_written);
+        clerk.give(move || {
+            file.store(1, Ordering::Relaxed);
+            Box::new(|_, _| {})
+        });
+        drop(clerk);
+        assert_eq!(is_written.load(Ordering::Relaxed), 1);
+        drop(end);
     }
 }

@@ -4,10 +4,9 @@ use super::shown::ShownCandidate;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder};
 use crate::tui::TaskOrder;
-use crate::{Vec2, angle};
+use crate::{Vec2, angle, parallel};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::thread;
 use std::time::Duration;
 
 /// What is done at the end of a search, in parts of a thousand.
@@ -29,7 +28,7 @@ pub(crate) struct TaskSearch {
 impl TaskSearch {
     /// Looks for linkages, which may take long.
     pub(crate) fn run(&self, order: &TaskOrder) -> FoundCandidates {
-        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let threads = parallel::cores();
         let how = SynthesisOrder {
             seed: order.seed,
             threads,
