@@ -124,7 +124,7 @@ mod tests {
     /// Arrows in twelve directions, from a ring around the middle.
     fn rosette(glyphs: Glyphs, role: Role, cut: bool) -> String {
         let corners = [Vec2::new(-14.0, -14.0), Vec2::new(14.0, 14.0)];
-        let view = WorldView::fit(&Reach::by_hand(&corners, &[]), 44, 22, 2.0);
+        let view = WorldView::fit(&Reach::of_places(&corners, &[]), 44, 22, 2.0);
         let mut figure = Figure::new();
         for k in 0..12 {
             let direction = crate::angle::unit(f64::from(k) * 30.0);

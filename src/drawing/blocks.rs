@@ -235,7 +235,7 @@ mod tests {
                     role: role_of_plate,
                 });
                 let raster = |figure: &Figure| {
-                    let view = WorldView::fit(&Reach::by_hand(&square, &[]), 40, 20, 2.0);
+                    let view = WorldView::fit(&Reach::of_places(&square, &[]), 40, 20, 2.0);
                     render(figure, &view, Glyphs::Blocks(blocks))
                 };
                 let alone = raster(&figure);

@@ -173,7 +173,7 @@ impl VectorDiagram {
                 cut: false,
             });
         }
-        let reach = Reach::by_hand(&self.places(), &[]);
+        let reach = Reach::of_places(&self.places(), &[]);
         let (cols, most) = CHARACTERS;
         let of_rows = |rows| WorldView::fit(&reach, cols, rows, CELL_ASPECT);
         let drawn = render(&figure, &WorldView::snug(most, of_rows), Glyphs::Ascii);

@@ -87,7 +87,7 @@ pub fn free_body(
         text: name,
         role,
     });
-    let reach = Reach::by_hand(&places, &[]);
+    let reach = Reach::of_places(&places, &[]);
     Some((figure, reach))
 }
 

@@ -298,7 +298,7 @@ mod tests {
 
     fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(30.0, 10.0)];
-        WorldView::fit(&Reach::by_hand(&corners, &[]), 40, 12, 2.0)
+        WorldView::fit(&Reach::of_places(&corners, &[]), 40, 12, 2.0)
     }
 
     fn count(raster: &Raster, role: Role) -> usize {

@@ -277,8 +277,8 @@ fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
 }
 
 impl Reach {
-    /// A reach made by hand, of points that do not move and of one that comes by these over a turn.
-    pub(super) fn by_hand(moving: &[Vec2], ground: &[Vec2]) -> Reach {
+    /// Of points that do not move and of one that comes by these over a turn, without a linkage.
+    pub(crate) fn of_places(moving: &[Vec2], ground: &[Vec2]) -> Reach {
         let around = |points: &[Vec2]| {
             let mut bounds = Bounds::default();
             points.iter().for_each(|&p| bounds.include(p));

@@ -271,7 +271,7 @@ mod tests {
         ) {
             let mut figure = Figure::new();
             shapes.into_iter().for_each(|shape| figure.add(shape));
-            let reach = Reach::by_hand(&points, &points);
+            let reach = Reach::of_places(&points, &points);
             let whole = WorldView::fit(&reach, cols, rows, 2.0);
             let views = [
                 whole,
@@ -291,7 +291,7 @@ mod tests {
     /// A window of 20 x 10 cells on which one unit of length is one column.
     fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(12.0, 10.0)];
-        WorldView::fit(&Reach::by_hand(&corners, &[]), 20, 10, 2.0)
+        WorldView::fit(&Reach::of_places(&corners, &[]), 20, 10, 2.0)
     }
 
     fn line(from: Vec2, to: Vec2, role: Role) -> Shape {

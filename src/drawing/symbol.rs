@@ -334,7 +334,7 @@ mod tests {
     /// The rows of a role, counted from that of the way of a level guide with its block.
     fn rows(size: (u16, u16), glyphs: Glyphs, wanted: Role) -> BTreeSet<i32> {
         let (from, to) = (Vec2::ZERO, Vec2::new(30.0, 0.0));
-        let reach = Reach::by_hand(&[from, to, Vec2::new(0.0, 12.0)], &[from]);
+        let reach = Reach::of_places(&[from, to, Vec2::new(0.0, 12.0)], &[from]);
         let view = WorldView::fit(&reach, size.0, size.1, 2.0);
         let mut figure = Figure::new();
         let (at, along, role) = (to * 0.5, to, Role::Guide);

@@ -69,7 +69,7 @@ mod tests {
 
     fn picture(glyphs: Glyphs) -> String {
         let corners = [Vec2::new(-8.0, -8.0), Vec2::new(8.0, 8.0)];
-        let view = WorldView::fit(&Reach::by_hand(&corners, &[]), 26, 12, 2.0);
+        let view = WorldView::fit(&Reach::of_places(&corners, &[]), 26, 12, 2.0);
         let mut figure = Figure::new();
         figure.add(Shape::Trace { course: circle() });
         render(&figure, &view, glyphs).text()
@@ -93,7 +93,7 @@ mod tests {
         ];
         let course = course.map(|(x, y)| Vec2::new(x, y)).into();
         figure.add(Shape::Trace { course });
-        let view = WorldView::fit(&Reach::by_hand(&[Vec2::ZERO], &[]), 9, 4, 2.0);
+        let view = WorldView::fit(&Reach::of_places(&[Vec2::ZERO], &[]), 9, 4, 2.0);
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             assert_eq!(render(&figure, &view, glyphs).text().lines().count(), 4);
         }

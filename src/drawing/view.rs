@@ -274,7 +274,7 @@ mod tests {
 
     fn reach(points: &[(f64, f64)], ground: &[(f64, f64)]) -> Reach {
         let place = |p: &[(f64, f64)]| p.iter().map(|&(x, y)| Vec2::new(x, y)).collect::<Vec<_>>();
-        Reach::by_hand(&place(points), &place(ground))
+        Reach::of_places(&place(points), &place(ground))
     }
 
     proptest! {

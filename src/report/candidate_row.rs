@@ -2,7 +2,9 @@
 
 use super::number::significant;
 use super::synthesis::{FEW, SynthesisReport, lacking, turns};
-use crate::synthesis::Candidate;
+use crate::Vec2;
+use crate::synthesis::{Candidate, Partner, PosedDyad};
+use crate::wording::words;
 
 /// Digits of lengths in a line.
 const DIGITS: usize = 4;
@@ -46,6 +48,22 @@ impl SynthesisReport<'_> {
                 false => lacking(&candidate.missed),
             },
             reasons: self.reasons(candidate),
+        }
+    }
+
+    /// What is said of a pin and what holds it: where both are, and how long the link is.
+    pub(crate) fn dyad(&self, dyad: &PosedDyad) -> String {
+        let place = |at: Vec2| [at.x, at.y].map(|v| significant(v, DIGITS)).join(", ");
+        let unit = self.file.unit.symbol();
+        match dyad.held {
+            Partner::Rocker(pivot) => {
+                let link = significant((dyad.pin - pivot).norm(), DIGITS);
+                words().pin_on_pivot(&place(pivot), &place(dyad.pin), &link, unit)
+            }
+            Partner::Slide(angle) => {
+                let angle = significant(angle, DIGITS);
+                words().pin_on_slide(&angle, &place(dyad.pin), unit)
+            }
         }
     }
 }

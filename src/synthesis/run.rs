@@ -88,6 +88,26 @@ impl Synthesis {
             curves: proposals.curves,
         }
     }
+
+    /// Adds a candidate where it belongs, and answers with its place, the defective ones counted behind the others; one
+    /// that is there already is not added.
+    pub fn add(&mut self, task: &Task, candidate: Candidate) -> usize {
+        let all = self.good.iter().chain(&self.defective);
+        if let Some(place) = all.into_iter().position(|known| known.is_same(&candidate)) {
+            return place;
+        }
+        let (kind, before) = match candidate.does_it() {
+            true => (&mut self.good, 0),
+            false => {
+                let good = self.good.len();
+                (&mut self.defective, good)
+            }
+        };
+        let is_better = |known: &Candidate| better(task, known, &candidate).is_le();
+        let place = kind.partition_point(is_better);
+        kind.insert(place, candidate);
+        before + place
+    }
 }
 
 /// The same, and behind each linkage those that lead the same point along the same curve: where the crank's turns are given

@@ -191,6 +191,14 @@ impl Guidance {
         PinHeld { by, pin, places }
     }
 
+    /// A dyad that was found before; none where the pin stands still.
+    pub(super) fn known(&self, dyad: &PosedDyad) -> Option<PinHeld> {
+        let [at, turn] = *self.poses.first()?;
+        let pin = (dyad.pin.exactly() - at).turned(turn.conj()).nearest();
+        let places = self.places(pin)?;
+        Some(self.with(dyad.held, pin, &places))
+    }
+
     /// Whether two dyads differ by rounding alone.
     pub(super) fn is_same(&self, a: &PinHeld, b: &PinHeld) -> bool {
         let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;

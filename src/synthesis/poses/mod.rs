@@ -30,7 +30,7 @@ mod tests;
 mod three;
 mod trace;
 
-use super::{PoseTask, Proposals};
+use super::{PoseTask, PosedDyad, Proposal, Proposals};
 use crate::Vec2;
 use choice::DyadPairing;
 use dyad::{Guidance, PinHeld};
@@ -72,6 +72,22 @@ pub(crate) fn propose(
         found,
         is_complete,
         curves: free.curves,
+    }
+}
+
+impl PoseTask {
+    /// Two dyads of its curves as a linkage, driven at the pivot that promises more; none where they share a pin or a
+    /// pivot, or are two slides.
+    #[must_use]
+    pub fn linkage(&self, dyads: [&PosedDyad; 2]) -> Option<Proposal> {
+        let guidance = Guidance::new(self)?;
+        let pairing = DyadPairing {
+            guidance: &guidance,
+            four_bars: true,
+            slider_cranks: true,
+        };
+        let [one, other] = dyads.map(|dyad| guidance.known(dyad));
+        pairing.linkage(&one?, &other?)
     }
 }
 

@@ -8,9 +8,18 @@ impl App {
     /// Shows the help, or takes it away.
     pub(super) fn toggle_help(&mut self) {
         self.shell.mode = match self.shell.mode {
-            Mode::Help(_) => Mode::Normal,
+            Mode::Help(_) => self.below(),
+            Mode::Candidates => Mode::Help(Help::over_candidates()),
             _ => Mode::Help(Help::default()),
         };
+    }
+
+    /// What is seen again when what lies over it is left.
+    pub(super) fn below(&self) -> Mode {
+        match &self.shell.mode {
+            Mode::Help(help) if help.over_candidates => Mode::Candidates,
+            _ => Mode::Normal,
+        }
     }
 
     /// The topic that is shown has the width of the screen.

@@ -4,8 +4,11 @@ use super::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
 use crate::tui::document::opening;
-use crate::tui::views::candidates::list::CandidateList;
+use crate::tui::views::candidates;
+use crate::tui::views::candidates::list::{CandidateList, CandidatesPage};
+use crate::tui::views::candidates::walk::WalkStep;
 use crate::tui::{Origin, TaskOrder};
+use crate::wording::words;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -60,16 +63,30 @@ impl App {
     /// Keys of the list of candidates; `None` for those that mean the same everywhere.
     pub(super) fn candidates_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         self.shell.message = None;
+        let walks = |list: &CandidateList| matches!(list.page(), CandidatesPage::Curves(_));
+        let is_walking = self.candidates.as_ref().is_some_and(walks);
         if key == Key::Enter {
-            self.take_candidate(now);
+            match is_walking {
+                true => self.pick_dyad(),
+                false => self.take_candidate(now),
+            }
             return Some(Effect::Show);
         }
         let page = self.page();
         let action = self.shell.keymap.action_in_list(key)?;
+        let sees_both = candidates::sees_both(self.shell.size);
         let list = self.candidates.as_mut()?;
+        if let (true, Some((step, forward))) = (is_walking, walk_step(action)) {
+            list.walk(step, forward);
+            return Some(Effect::Show);
+        }
         match action {
-            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw => return None,
+            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw | Action::Help => {
+                return None;
+            }
+            Action::Back if list.step_out() => {}
             Action::Back | Action::Open => self.leave_candidates(now),
+            Action::NextView | Action::PreviousView => list.turn_page(sees_both),
             Action::LineUp => list.move_by(-1),
             Action::LineDown => list.move_by(1),
             Action::PageUp => list.move_by(-page),
@@ -84,6 +101,14 @@ impl App {
             _ => {}
         }
         Some(Effect::Show)
+    }
+
+    /// Picks the pivot and pin under the cursor; two of them are listed as a linkage.
+    fn pick_dyad(&mut self) {
+        let picks = self.candidates.as_mut().map(CandidateList::pick);
+        if picks == Some(false) {
+            self.shell.say(words().dyads_make_nothing().to_owned());
+        }
     }
 
     /// Opens the candidate under the cursor as a new scene, which no file holds yet. One that does not do the task is
@@ -108,4 +133,18 @@ impl App {
             Err(faults) => self.shell.say(faults.first_words()),
         }
     }
+}
+
+/// What a key of a list means on a curve, and whether it goes on.
+fn walk_step(action: Action) -> Option<(WalkStep, bool)> {
+    let step = match action {
+        Action::StepForward | Action::Tables(TablesAction::Right) => (WalkStep::Next, true),
+        Action::StepBack | Action::Tables(TablesAction::Left) => (WalkStep::Next, false),
+        Action::LineDown | Action::HalfDown => (WalkStep::Long, true),
+        Action::LineUp | Action::HalfUp => (WalkStep::Long, false),
+        Action::PageDown | Action::End => (WalkStep::Curve, true),
+        Action::PageUp | Action::Top => (WalkStep::Curve, false),
+        _ => return None,
+    };
+    Some(step)
 }

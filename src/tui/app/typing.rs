@@ -149,7 +149,7 @@ impl App {
             return;
         }
         if self.shell.mode != Mode::Normal {
-            self.shell.mode = Mode::Normal;
+            self.shell.mode = self.below();
         } else if self.drop_gathered() {
         } else if self.is_watching() {
             self.watch_method(None);

@@ -118,6 +118,23 @@ catalogue! {
         at_point_of_task(point: usize, points: usize, crank: &str) =
             "point {point} of {points}, crank at {crank} deg";
         point_by_point = "from point to point";
+        dyads_walked(dyad: usize, dyads: usize, curve: usize, curves: usize) =
+            "Pivot and pin {dyad} of {dyads} on curve {curve} of {curves}";
+        pin_on_pivot(pivot: &str, pin: &str, link: &str, unit: &str) =
+            "pivot at {pivot}, pin at {pin}, link {link} {unit}";
+        pin_on_slide(angle: &str, pin: &str, unit: &str) = "slide at {angle} deg, pin at {pin} {unit}";
+        dyad_picked(dyad: &str) = "with the {dyad}";
+        pick_the_second = "Enter picks it; with a second one it makes a linkage.";
+        dyads_make_nothing = "The two make no linkage.";
+        transmission_on_the_way(angle: &str) = "transmission {angle} deg";
+        dotted_curves = "Dotted: where pivots may stand, and their pins in the first pose.";
+        walk = "walk";
+        next_curve = "next curve";
+        curves_of_dyads = "curves";
+        linkage_alone = "drawing";
+        all_linkages = "list";
+        pick = "pick";
+        put_into_list = "put into the list";
         task_in_preview(wanted: &str) = "a task: {wanted}; Enter looks for linkages that do it";
         found_before = "found before: Enter lists them";
         task_is_no_scene = "this is a task, and no scene";

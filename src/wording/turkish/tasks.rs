@@ -114,6 +114,23 @@ catalogue! {
         at_point_of_task(point: usize, points: usize, crank: &str) =
             "nokta {point} / {points}, krank {crank} derecede";
         point_by_point = "noktadan noktaya";
+        dyads_walked(dyad: usize, dyads: usize, curve: usize, curves: usize) =
+            "Mesnet ve pim {dyad} / {dyads}, eğri {curve} / {curves}";
+        pin_on_pivot(pivot: &str, pin: &str, link: &str, unit: &str) =
+            "mesnet {pivot}, pim {pin}, uzuv {link} {unit}";
+        pin_on_slide(angle: &str, pin: &str, unit: &str) = "kızak {angle} derecede, pim {pin} {unit}";
+        dyad_picked(dyad: &str) = "öbürü: {dyad}";
+        pick_the_second = "Enter seçer; ikincisiyle bir mekanizma olur.";
+        dyads_make_nothing = "İkisi bir mekanizma olmuyor.";
+        transmission_on_the_way(angle: &str) = "bağlama açısı {angle} derece";
+        dotted_curves = "Noktalı: mesnetlerin ve ilk konumda pimlerinin bulunabileceği yerler.";
+        walk = "gez";
+        next_curve = "sonraki eğri";
+        curves_of_dyads = "eğriler";
+        linkage_alone = "çizim";
+        all_linkages = "liste";
+        pick = "seç";
+        put_into_list = "listeye koy";
         task_in_preview(wanted: &str) = "bir görev: {wanted}; Enter onu yapan mekanizmaları arar";
         found_before = "önceden bulundu: Enter listeler";
         task_is_no_scene = "bu bir görev, sahne değil";

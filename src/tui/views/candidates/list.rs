@@ -1,6 +1,7 @@
 //! The candidates of a task: being looked for, then in a list, the one under the cursor on its way.
 
 use super::shown::ShownCandidate;
+use super::walk::CurveWalk;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder};
 use crate::tui::TaskOrder;
@@ -42,10 +43,22 @@ impl TaskSearch {
     }
 }
 
+/// What is looked at of the candidates.
+#[derive(Debug, Default)]
+pub(crate) enum CandidatesPage {
+    /// All of them.
+    #[default]
+    List,
+    /// The one under the cursor alone, where there is no room for both.
+    Alone,
+    /// Of four poses the curves of pivots and their pins.
+    Curves(CurveWalk),
+}
+
 /// What a search has found, as it is listed.
 #[derive(Debug)]
 pub(crate) struct FoundCandidates {
-    synthesis: Synthesis,
+    pub(super) synthesis: Synthesis,
     rows: Vec<CandidateRow>,
     verdict: String,
     /// The unit of what is missed.
@@ -80,28 +93,39 @@ impl FoundCandidates {
     }
 
     /// Says what it is in the language that is spoken.
-    fn say(&mut self, order: &TaskOrder) {
+    pub(super) fn say(&mut self, order: &TaskOrder) {
         let found = &self.synthesis;
-        let report = SynthesisReport {
-            file: &order.file,
-            found,
-            top: found.good.len(),
-        };
+        let report = report_of(found, order);
         let all = found.good.iter().chain(&found.defective);
         self.rows = all.map(|candidate| report.row(candidate)).collect();
         (self.verdict, self.miss_unit) = (report.verdict(), report.miss_unit());
+    }
+
+    /// All that does the task is told.
+    pub(super) fn report<'a>(&'a self, order: &'a TaskOrder) -> SynthesisReport<'a> {
+        report_of(&self.synthesis, order)
+    }
+}
+
+fn report_of<'a>(found: &'a Synthesis, order: &'a TaskOrder) -> SynthesisReport<'a> {
+    SynthesisReport {
+        file: &order.file,
+        found,
+        top: found.good.len(),
     }
 }
 
 /// The candidates of a task.
 #[derive(Debug)]
 pub(crate) struct CandidateList {
-    order: TaskOrder,
+    pub(super) order: TaskOrder,
     search: Arc<TaskSearch>,
-    found: Option<FoundCandidates>,
+    pub(super) found: Option<FoundCandidates>,
     /// Which candidate it is on, the defective ones behind the others.
-    cursor: usize,
+    pub(super) cursor: usize,
+    pub(super) page: CandidatesPage,
     way: WayPlayed,
+    /// What is drawn; `None` where that is still to be built.
     shown: Option<ShownCandidate>,
 }
 
@@ -113,6 +137,7 @@ impl CandidateList {
             search: Arc::default(),
             found: None,
             cursor: 0,
+            page: CandidatesPage::default(),
             way: WayPlayed::default(),
             shown: None,
         }
@@ -190,12 +215,26 @@ impl CandidateList {
         let cursor = self.cursor.saturating_add_signed(rows).min(most);
         if cursor != self.cursor {
             self.cursor = cursor;
-            self.way.rewind();
+            self.change_drawing();
         }
     }
 
-    /// The candidate under the cursor, and its row.
+    /// Another linkage is drawn, from its first point on.
+    pub(super) fn change_drawing(&mut self) {
+        self.shown = None;
+        self.way.rewind();
+    }
+
+    /// What is looked at.
+    pub(crate) fn page(&self) -> &CandidatesPage {
+        &self.page
+    }
+
+    /// The candidate under the cursor, or the one that is being made on the curves, and its row.
     pub(crate) fn chosen(&self) -> Option<(&Candidate, &CandidateRow)> {
+        if let CandidatesPage::Curves(walk) = &self.page {
+            return walk.linkage();
+        }
         let found = self.found.as_ref()?;
         let Synthesis {
             good, defective, ..
@@ -206,13 +245,9 @@ impl CandidateList {
 
     /// The one under the cursor as a scene, and what it is called; `None` where it does not do the task.
     pub(crate) fn scene(&self) -> Option<(String, String)> {
-        let found = &self.found.as_ref()?.synthesis;
-        let candidate = found.good.get(self.cursor)?;
-        let report = SynthesisReport {
-            file: &self.order.file,
-            found,
-            top: found.good.len(),
-        };
+        let found = self.found.as_ref()?;
+        let candidate = found.synthesis.good.get(self.cursor)?;
+        let report = found.report(&self.order);
         let number = self.cursor + 1;
         let titles = report.titles(number, candidate, self.order.tolerance);
         let text = candidate.scene(&self.order.file.task, &titles)?;
@@ -223,8 +258,7 @@ impl CandidateList {
 
     /// As far as it can be shown.
     pub(crate) fn shown(&self) -> Option<&ShownCandidate> {
-        let shown = self.shown.as_ref();
-        shown.filter(|shown| shown.number() == self.cursor)
+        self.shown.as_ref().filter(|_| self.chosen().is_some())
     }
 
     /// The point of the task that it is at or nearest to, from 1, of how many; and the crank's angle there in degrees.
@@ -276,7 +310,7 @@ impl CandidateList {
                 ..SceneTitles::default()
             };
             let text = candidate.scene(&self.order.file.task, &titles);
-            let shown = text.and_then(|text| ShownCandidate::of(self.cursor, &text, &candidate.at));
+            let shown = text.and_then(|text| ShownCandidate::of(&text, &candidate.at));
             self.shown = shown;
         }
         if let (Some(shown), Some(at)) = (&mut self.shown, at) {

@@ -10,8 +10,10 @@
 //! wiper-1      Enter take  space play  Left Right points
 //! ```
 
+mod curves;
 pub(crate) mod list;
 mod shown;
+pub(crate) mod walk;
 
 use super::picker::{PickerAreas, arrange, first_and_most, heading, paragraph, split};
 use super::{columns, cut, mark_more, middle, print, print_right, row};
@@ -22,9 +24,9 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown as shown_text;
 use crate::wording::words;
-use list::CandidateList;
+use list::{CandidateList, CandidatesPage};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect, Size};
 use shown::ShownCandidate;
 
 /// CandidateColumns of the list, its margins included: with the figures, and with the wishes that are missed behind them.
@@ -36,11 +38,18 @@ const GAP: u16 = 1;
 /// The drawing keeps so many lines.
 const LOWEST_DRAWING: u16 = 6;
 /// Lines of what is said of all candidates together.
-const MOST_VERDICT: usize = 2;
+const MOST_VERDICT: usize = 4;
 
 pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut Buffer) {
-    let arrangement = arrange(middle(screen), LIST);
     title(app, list, row(screen, 0), buffer);
+    match list.page() {
+        CandidatesPage::List => {}
+        CandidatesPage::Alone => return candidate(app, list, middle(screen), buffer),
+        CandidatesPage::Curves(walk) => {
+            return curves::render(app, list, walk, middle(screen), buffer);
+        }
+    }
+    let arrangement = arrange(middle(screen), LIST);
     let PickerAreas {
         list: area,
         preview,
@@ -50,6 +59,12 @@ pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut
         super::motion::rule(app.glyphs(), rule, buffer);
         candidate(app, list, area, buffer);
     }
+}
+
+/// Whether both the list and the candidate under its cursor are seen.
+pub(crate) fn sees_both(size: Size) -> bool {
+    let screen = Rect::from((Position::ORIGIN, size));
+    arrange(middle(screen), LIST).preview.is_some()
 }
 
 /// Lines of the list, and how many are seen.
@@ -232,6 +247,10 @@ fn entry(
         ScreenPart::Name,
         true,
     );
+    // The words behind the figures may have no room.
+    if !row.lacks.is_empty() {
+        cell(1, "!", ScreenPart::Warning, false);
+    }
     if !is_good {
         cell(places.number + GAP, &row.reasons, ScreenPart::Quiet, false);
         return;
@@ -252,15 +271,21 @@ fn entry(
 /// The candidate under the cursor: its drawing on its way, and what is to be said of it.
 fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let facts = facts(app, list, area.width.into());
-    let most = area.height.saturating_sub(LOWEST_DRAWING);
-    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
-    let (picture, text) = split(area, area.height - lines);
+    let picture = beside(&facts, area, buffer);
     if let Some(shown) = list.shown() {
         drawing(app, list, shown, picture, buffer);
     }
+}
+
+/// Prints what is said at the bottom of an area; what is left above it is for a drawing.
+fn beside(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Rect {
+    let most = area.height.saturating_sub(LOWEST_DRAWING);
+    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
+    let (picture, text) = split(area, area.height - lines);
     for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
-        print(buffer, text.x, y, text.width, &fact, theme::part(part));
+        print(buffer, text.x, y, text.width, fact, theme::part(*part));
     }
+    picture
 }
 
 fn drawing(
@@ -298,13 +323,27 @@ fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPa
         true => String::new(),
         false => format!("{}: {}", words().head_lacks(), row.lacks),
     };
+    let legend = match list.has_curves() {
+        true => words().dotted_curves(),
+        false => "",
+    };
     let said = [
         (stand.unwrap_or_default(), ScreenPart::Text, usize::MAX),
         (row.lengths.clone(), ScreenPart::Text, usize::MAX),
         (lacks, ScreenPart::Warning, usize::MAX),
         (row.reasons.clone(), ScreenPart::Warning, usize::MAX),
         (list.verdict().to_owned(), ScreenPart::Quiet, MOST_VERDICT),
+        (legend.to_owned(), ScreenPart::Quiet, usize::MAX),
     ];
+    in_lines(app, said, width)
+}
+
+/// What is said in lines, each sentence in so many at most; what says nothing takes none.
+fn in_lines(
+    app: &App,
+    said: impl IntoIterator<Item = (String, ScreenPart, usize)>,
+    width: usize,
+) -> Vec<(String, ScreenPart)> {
     let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
     let lines = said.flat_map(|(text, part, most)| {
         let text = shown_text(&text, app.glyphs()).into_owned();

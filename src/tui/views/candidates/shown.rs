@@ -14,7 +14,6 @@ const SAMPLES: u16 = 180;
 /// A candidate as a scene that moves.
 #[derive(Debug)]
 pub(crate) struct ShownCandidate {
-    number: usize,
     scene: Scene,
     solver: Solver,
     reach: Reach,
@@ -27,13 +26,12 @@ pub(crate) struct ShownCandidate {
 
 impl ShownCandidate {
     /// Opens the scene of a candidate whose crank is at these angles at the points of its task.
-    pub(super) fn of(number: usize, text: &str, at: &[f64]) -> Option<ShownCandidate> {
+    pub(super) fn of(text: &str, at: &[f64]) -> Option<ShownCandidate> {
         let opened = opening::text(text, Origin::Stdin).ok()?;
         let (scene, solver) = (opened.scene, opened.solver);
         let mut state = solver.state();
         let way = way(&scene, &solver, &mut state, at);
         Some(ShownCandidate {
-            number,
             reach: Reach::of(&scene, &solver),
             state,
             at: None,
@@ -41,10 +39,6 @@ impl ShownCandidate {
             scene,
             solver,
         })
-    }
-
-    pub(super) fn number(&self) -> usize {
-        self.number
     }
 
     pub(super) fn scene(&self) -> &Scene {

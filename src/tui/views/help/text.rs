@@ -16,6 +16,8 @@ use crate::wording::{Language, words};
 pub(crate) struct Help {
     /// Lines that it is scrolled by.
     pub(crate) scroll: usize,
+    /// Whether it lies over the list of candidates, and leads back there.
+    pub(crate) over_candidates: bool,
     /// 0 for the keys; else a topic, by its place in the manual from 1 on.
     page: usize,
     search: Option<TextSearch>,
@@ -51,6 +53,14 @@ pub(crate) enum HelpLine {
 }
 
 impl Help {
+    /// Over the list of candidates.
+    pub(crate) fn over_candidates() -> Help {
+        Help {
+            over_candidates: true,
+            ..Help::default()
+        }
+    }
+
     /// The place of the topic in the manual from 1 on; 0 for the keys.
     pub(crate) fn page(&self) -> usize {
         self.page

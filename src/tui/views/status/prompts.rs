@@ -9,6 +9,8 @@ use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::player::open_scene::shown;
+use crate::tui::views::candidates::list::CandidatesPage;
+use crate::tui::views::candidates::sees_both;
 use crate::tui::views::picker::list::{Picker, PickerTarget};
 use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
@@ -172,6 +174,18 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     }
     let key = |action| app.keymap().told(action);
     let back = (key(Action::Back), words().back());
+    let sides = [TablesAction::Left, TablesAction::Right].map(|side| key(Action::Tables(side)));
+    if let CandidatesPage::Curves(walk) = list.page() {
+        let does = match walk.picked() {
+            Some(_) => words().put_into_list(),
+            None => words().pick(),
+        };
+        line.hint(&Key::Enter.to_string(), does);
+        line.hint(&sides.join(" "), words().walk());
+        line.hint(&key(Action::PageDown), words().next_curve());
+        line.hint(&back.0, back.1);
+        return;
+    }
     let Some((candidate, row)) = list.chosen() else {
         line.hint(&back.0, back.1);
         return;
@@ -193,9 +207,20 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
         false => words().play(),
     };
     line.hint(&back.0, back.1);
+    // Where Tab leads from here.
+    let is_listed = matches!(list.page(), CandidatesPage::List);
+    let next = match (is_listed && !sees_both(app.size()), list.has_curves()) {
+        (true, _) => Some(words().linkage_alone()),
+        (false, true) => Some(words().curves_of_dyads()),
+        (false, false) if !is_listed => Some(words().all_linkages()),
+        (false, false) => None,
+    };
+    if let Some(next) = next {
+        line.hint(&key(Action::NextView), next);
+    }
     line.hint(&key(Action::Play), play);
-    let points = [TablesAction::Left, TablesAction::Right].map(|side| key(Action::Tables(side)));
-    line.hint(&points.join(" "), words().point_by_point());
+    line.hint(&sides.join(" "), words().point_by_point());
+    line.hint(&key(Action::Help), words().help());
 }
 
 /// How much of the tables is copied.

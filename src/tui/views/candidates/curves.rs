@@ -1,0 +1,184 @@
+//! The curves of four poses while a cursor goes along them: pivots and their pins, and the linkage that two of them make.
+
+use super::list::CandidateList;
+use super::walk::CurveWalk;
+use super::{beside, in_lines};
+use crate::Vec2;
+use crate::drawing::{self, Figure, Layers, Reach, Role, Shape};
+use crate::synthesis::{Partner, PosedDyad};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::ScreenPart;
+use crate::wording::words;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// The window holds what lies within so many sizes of the poses: curves go on without end.
+const NEAR: f64 = 1.5;
+/// The half of a slide's guide, in sizes.
+const GUIDE: f64 = 0.5;
+
+pub(super) fn render(
+    app: &App,
+    list: &CandidateList,
+    walk: &CurveWalk,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let area = Rect {
+        x: area.x + 1,
+        width: area.width.saturating_sub(2),
+        ..area
+    };
+    let facts = facts(app, list, walk, area.width.into());
+    let picture = beside(&facts, area, buffer);
+    let reach = reach(list, walk);
+    let view = drawing::WorldView::fit(&reach, picture.width, picture.height, app.aspect());
+    let figure = figure(list, walk);
+    let raster = drawing::render(&figure, &view, app.glyphs());
+    super::super::show(&raster, picture, buffer);
+}
+
+/// The poses with some room around them, and what is picked.
+fn reach(list: &CandidateList, walk: &CurveWalk) -> Reach {
+    let (middle, size) = list.middle_and_size();
+    let corner = Vec2::new(1.0, 1.0).scaled(NEAR * size);
+    let dyads = list.walked().into_iter().chain(walk.picked());
+    let mut places = vec![middle - corner, middle + corner];
+    places.extend(dyads.flat_map(ends));
+    Reach::of_places(&places, &[])
+}
+
+/// The pin, and the pivot where there is one.
+fn ends(dyad: &PosedDyad) -> impl Iterator<Item = Vec2> {
+    let pivot = match dyad.held {
+        Partner::Rocker(pivot) => Some(pivot),
+        Partner::Slide(_) => None,
+    };
+    std::iter::once(dyad.pin).chain(pivot)
+}
+
+/// The linkage of the two where there is one, else what is picked; and the curves around it.
+fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
+    let mut figure = match list.shown() {
+        Some(shown) => drawing::linkage(
+            shown.scene(),
+            shown.reach(),
+            shown.state(),
+            Layers::default(),
+        ),
+        None => {
+            let (_, size) = list.middle_and_size();
+            let mut figure = Figure::new();
+            for (at, number) in list.posed_origins().into_iter().zip(1..) {
+                let text = format!("T{number}");
+                figure.add(Shape::Mark {
+                    at,
+                    role: Role::Rider,
+                });
+                figure.add(Shape::Label {
+                    at,
+                    text,
+                    role: Role::Label,
+                });
+            }
+            if let Some(picked) = walk.picked() {
+                add_dyad(&mut figure, picked, Role::Link(0), size);
+            }
+            if let Some(walked) = list.walked() {
+                add_dyad(&mut figure, walked, Role::Lit, size);
+            }
+            figure
+        }
+    };
+    for course in list.curves() {
+        let course = course.clone();
+        figure.add(Shape::Trace { course });
+    }
+    figure
+}
+
+fn add_dyad(figure: &mut Figure, dyad: &PosedDyad, role: Role, size: f64) {
+    match dyad.held {
+        Partner::Rocker(pivot) => {
+            let (from, to) = (pivot, dyad.pin);
+            figure.add(Shape::Line { from, to, role });
+            figure.add(Shape::Support { at: pivot });
+            figure.add(Shape::Mark {
+                at: pivot,
+                role: Role::GroundPin,
+            });
+        }
+        Partner::Slide(angle) => {
+            let along = crate::angle::unit(angle);
+            let half = along.scaled(GUIDE * size);
+            let (from, to) = (dyad.pin - half, dyad.pin + half);
+            figure.add(Shape::Guide {
+                from,
+                to,
+                role: Role::Guide,
+            });
+            figure.add(Shape::Block {
+                at: dyad.pin,
+                along,
+            });
+        }
+    }
+    figure.add(Shape::Mark {
+        at: dyad.pin,
+        role: Role::Joint,
+    });
+}
+
+fn facts(
+    app: &App,
+    list: &CandidateList,
+    walk: &CurveWalk,
+    width: usize,
+) -> Vec<(String, ScreenPart)> {
+    let whole = usize::MAX;
+    let stand = list
+        .walked_place()
+        .map(|[(dyad, dyads), (curve, curves)]| words().dyads_walked(dyad, dyads, curve, curves));
+    let told = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.told_dyad(dyad));
+    let mut said = vec![
+        (stand.unwrap_or_default(), ScreenPart::Quiet, whole),
+        (
+            told(list.walked()).unwrap_or_default(),
+            ScreenPart::Text,
+            whole,
+        ),
+    ];
+    match told(walk.picked()) {
+        Some(picked) => said.push((words().dyad_picked(&picked), ScreenPart::Text, whole)),
+        None => said.push((
+            words().pick_the_second().to_owned(),
+            ScreenPart::Quiet,
+            whole,
+        )),
+    }
+    match list.chosen() {
+        Some((_, row)) => {
+            let transmission = words().transmission_on_the_way(&row.transmission);
+            let is_good = row.reasons.is_empty();
+            let figures = match is_good {
+                true => format!("{}; {transmission}; {}", row.lengths, row.turns),
+                false => row.lengths.clone(),
+            };
+            said.push((figures, ScreenPart::Text, whole));
+            said.push((row.reasons.clone(), ScreenPart::Warning, whole));
+            if !row.lacks.is_empty() {
+                let lacks = format!("{}: {}", words().head_lacks(), row.lacks);
+                said.push((lacks, ScreenPart::Warning, whole));
+            }
+        }
+        None if walk.picked().is_some() => {
+            said.push((
+                words().dyads_make_nothing().to_owned(),
+                ScreenPart::Warning,
+                whole,
+            ));
+        }
+        None => said.push((words().dotted_curves().to_owned(), ScreenPart::Quiet, whole)),
+    }
+    in_lines(app, said, width)
+}
