@@ -314,19 +314,21 @@ fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> Giv
 
 /// The crank's least and greatest angle on the way.
 fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) -> (f64, f64) {
-    let beyond: Vec<f64> = match (&task.kind, run, range) {
+    let way: Vec<f64> = match (&task.kind, run, range) {
+        // By the run's own count alone: `at` may count from another turn.
         (TaskKind::Function(task), Some(run), _) => {
-            task.between.iter().map(|[x, _]| run.crank(*x)).collect()
+            let pairs = task.pairs.iter().chain(&task.between);
+            pairs.map(|[x, _]| run.crank(*x)).collect()
         }
         (TaskKind::Path(PathTask { closed: true, .. }), _, Range::Full { .. }) => {
-            at.first().map(|first| first + TURN).into_iter().collect()
+            let again = at.first().map(|first| first + TURN);
+            at.iter().copied().chain(again).collect()
         }
-        _ => Vec::new(),
+        _ => at.to_vec(),
     };
-    let all = at.iter().chain(&beyond).copied();
-    all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), angle| {
-        (low.min(angle), high.max(angle))
-    })
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    way.into_iter()
+        .fold(ends, |(low, high), angle| (low.min(angle), high.max(angle)))
 }
 
 /// The least angle between coupler and rocker, or between coupler and the normal of the guide, over the crank's way: it

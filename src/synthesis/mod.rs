@@ -21,6 +21,8 @@
 mod candidate;
 mod cognates;
 mod defects;
+#[cfg(test)]
+mod driven_functions;
 pub mod functions;
 mod machine;
 mod paths;

@@ -1,0 +1,117 @@
+//! What is told of planted linkages when they are driven, against figures of the test's own formulas.
+
+use super::{Candidate, FunctionTask, Given, Output, Task, TaskKind, Wishes, functions::propose};
+
+/// A planted function with its crank at x degrees, and the output at y.
+struct PlantedRange {
+    output: Output,
+    lengths: [f64; 3],
+    side: f64,
+    ends: [f64; 2],
+}
+
+impl PlantedRange {
+    fn at(&self, angle: f64) -> f64 {
+        let [a, b, c] = self.lengths;
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let (x, y) = (a * cos, a * sin);
+        match self.output {
+            Output::Angle => {
+                // From D to B, and by the law of cosines on to C.
+                let (dx, dy) = (x - 1.0, y);
+                let square = dx * dx + dy * dy;
+                let cosine = (square + c * c - b * b) / (2.0 * c * square.sqrt());
+                let angle = dy.atan2(dx) + self.side * cosine.acos();
+                // From 0 to a turn, where it does not jump.
+                angle.to_degrees().rem_euclid(360.0)
+            }
+            Output::Slide => x + self.side * (b * b - (c - y) * (c - y)).sqrt(),
+        }
+    }
+
+    fn pairs(&self, count: u32) -> Vec<[f64; 2]> {
+        let [from, to] = self.ends;
+        let places = (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count));
+        places.map(|x| [x, self.at(x)]).collect()
+    }
+
+    /// Three pairs, and 180 parts between.
+    fn task(&self) -> Task {
+        let one = Given::Value(1.0);
+        Task {
+            kind: TaskKind::Function(FunctionTask {
+                pairs: self.pairs(2),
+                between: self.pairs(180),
+                output: self.output,
+                crank_datum: Given::Value(0.0),
+                crank_scale: one,
+                output_datum: Given::Value(0.0),
+                output_scale: one,
+                size: 1.0,
+            }),
+            four_bars: self.output == Output::Angle,
+            slider_cranks: self.output == Output::Slide,
+            wishes: Wishes::default(),
+        }
+    }
+
+    /// The angle between coupler and rocker, or the guide's normal, at an angle of the crank.
+    fn transmission(&self, angle: f64) -> f64 {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let [a, b, c] = self.lengths;
+        let cosine = match self.output {
+            Output::Angle => {
+                let across = (a * cos - 1.0).powi(2) + (a * sin).powi(2);
+                (b * b + c * c - across) / (2.0 * b * c)
+            }
+            Output::Slide => (c - a * sin) / b,
+        };
+        cosine.abs().acos().to_degrees()
+    }
+
+    fn least_transmission(&self) -> f64 {
+        let [from, to] = self.ends;
+        let looks = (0..=20_000).map(|k| from + (to - from) * f64::from(k) / 20_000.0);
+        looks.map(|at| self.transmission(at)).fold(90.0, f64::min)
+    }
+}
+
+/// The solver counts the crank of a linkage that swings from another turn than the task does.
+#[test]
+fn the_least_transmission_is_that_of_the_way() {
+    let swings = |ends| PlantedRange {
+        output: Output::Angle,
+        lengths: [1.2, 0.9, 0.8],
+        side: 1.0,
+        ends,
+    };
+    let slides = |ends| PlantedRange {
+        output: Output::Slide,
+        lengths: [1.0, 0.7, 0.3],
+        side: 1.0,
+        ends,
+    };
+    for planted in [
+        swings([310.0, 335.0]),
+        swings([-50.0, -25.0]),
+        swings([385.0, 410.0]),
+        swings([320.0, 400.0]),
+        slides([370.0, 395.0]),
+        slides([-20.0, 40.0]),
+    ] {
+        let task = planted.task();
+        let TaskKind::Function(function) = &task.kind else {
+            unreachable!("it is a function")
+        };
+        let found = propose(function).found;
+        let judged = found.iter().map(|one| Candidate::judge(&task, one));
+        let good: Vec<Candidate> = judged.filter(|one| one.figures.miss < 1e-9).collect();
+        let [one] = &good[..] else { panic!("{good:?}") };
+        assert!(one.does_it() && !one.figures.full_turn, "{one:?}");
+        let least = planted.least_transmission();
+        assert!(
+            (one.figures.transmission - least).abs() < 1e-3 && least > 10.0,
+            "{least} {one:?}"
+        );
+    }
+}
