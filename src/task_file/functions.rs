@@ -54,14 +54,20 @@ pub(super) fn function(
             return None;
         }
     };
-    let spans = [0, 1].map(|k| span(course.pairs.iter().chain(&course.between), k));
+    let all = || course.between.iter().chain(&course.pairs);
+    // Of a formula the first in between is where its range begins; of pairs the first is the least.
+    let [x, y] = *all().next()?;
+    let courses = [(0, x), (1, y)].map(|(part, first)| SideCourse {
+        first,
+        span: span(all(), part),
+    });
     let travel = match slides {
         true => Dimension::LENGTH,
         false => Dimension::DEGREES,
     };
     let angle = Dimension::DEGREES;
-    let crank = side(reader, "crank", file.crank.as_ref(), spans[0], angle)?;
-    let output = side(reader, "output", file.output.as_ref(), spans[1], travel)?;
+    let crank = side(reader, "crank", file.crank.as_ref(), &courses[0], angle)?;
+    let output = side(reader, "output", file.output.as_ref(), &courses[1], travel)?;
     let size = match &file.size {
         None => 100.0,
         Some(value) => {
@@ -169,11 +175,21 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     })
 }
 
-/// From where to where the x, or the y, of a course go.
-fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> (f64, f64) {
-    points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
+/// The x, or the y, of a course.
+struct SideCourse {
+    /// Its value at the least x.
+    first: f64,
+    /// From its least value to its greatest.
+    span: f64,
+}
+
+/// How far the x, or the y, of a course goes.
+fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> f64 {
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = points.fold(ends, |(low, high), point| {
         (low.min(point[part]), high.max(point[part]))
-    })
+    });
+    high - low
 }
 
 /// Datum and scale of one side. What is not said of the scale is 1; of the start, that it may be anything.
@@ -181,7 +197,7 @@ fn side(
     reader: &mut Reader<'_>,
     key: &str,
     value: Option<&Lenient<WrittenSide>>,
-    (low, high): (f64, f64),
+    course: &SideCourse,
     measure: Dimension,
 ) -> Option<(Given, Given)> {
     let Some(value) = value else {
@@ -199,7 +215,7 @@ fn side(
     };
     let measure = Some(measure);
     let scale = match (&table.swing, &table.scale) {
-        (Some(swing), _) => Given::Value(number("swing", swing, measure)? / (high - low)),
+        (Some(swing), _) => Given::Value(number("swing", swing, measure)? / course.span),
         (None, Some(scale)) => match &scale.read {
             Err(Misplaced::Text(text)) if text == "free" => Given::Free,
             _ => Given::Value(number("scale", scale, None)?),
@@ -215,7 +231,10 @@ fn side(
         (_, Given::Value(scale)) if scale == 0.0 || !scale.is_finite() => words().scale_is_nought(),
         (None, scale) => return Some((Given::Free, scale)),
         (Some(start), Given::Value(scale)) => {
-            return Some((Given::Value(start - scale * low), Given::Value(scale)));
+            return Some((
+                Given::Value(start - scale * course.first),
+                Given::Value(scale),
+            ));
         }
     };
     reader.report(Diagnostic::new(rule).at(value.span.clone(), ""));

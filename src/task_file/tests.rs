@@ -62,6 +62,31 @@ fn a_function_is_pairs_or_a_formula_over_a_range() {
     assert!((scale - 60.0 / 2.0_f64.log10()).abs() < 1e-12);
 }
 
+/// `start` is told of the least x, where y is greatest if it falls.
+#[test]
+fn a_falling_function_starts_at_its_least_x() {
+    for function in [
+        "function = { y = \"1 / x\", from = 1, to = 2 }",
+        "pairs = [[1, 1], [1.5, 0.7], [2, 0.5]]",
+    ] {
+        let file = read(&format!(
+            "kind = \"function\"\n{function}\ncrank = {{ swing = 60, start = 45 }}\n\
+             output = {{ swing = 60, start = 90 }}\n"
+        ));
+        let TaskKind::Function(task) = file.task.kind else {
+            panic!()
+        };
+        let at = |datum: Given, scale: Given, value: f64| match (datum, scale) {
+            (Given::Value(datum), Given::Value(scale)) => datum + scale * value,
+            _ => panic!("both are given"),
+        };
+        for (x, y, crank, output) in [(1.0, 1.0, 45.0, 90.0), (2.0, 0.5, 105.0, 30.0)] {
+            assert!((at(task.crank_datum, task.crank_scale, x) - crank).abs() < 1e-12);
+            assert!((at(task.output_datum, task.output_scale, y) - output).abs() < 1e-12);
+        }
+    }
+}
+
 #[test]
 fn a_path_has_points_turns_and_weights() {
     let file = read(
