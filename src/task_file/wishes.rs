@@ -4,7 +4,7 @@ use super::{Reader, RowList, WrittenTask, measured, named, points};
 use crate::Vec2;
 use crate::document::{ByteSpan, Diagnostic, Lenient};
 use crate::expression::Dimension;
-use crate::synthesis::{Sense, Task, TaskKind, Wishes};
+use crate::synthesis::{FunctionTask, Given, Output, Sense, Task, TaskKind, Wishes};
 use crate::wording::words;
 use serde::Deserialize;
 
@@ -30,8 +30,9 @@ const SENSES: [(&str, Sense); 2] = [
 pub(super) struct ReadWishes {
     wishes: Wishes,
     ordered: Option<bool>,
-    /// Where the direction is told.
+    /// Where the direction and the box are told.
     direction: Option<ByteSpan>,
+    inside: Option<ByteSpan>,
 }
 
 pub(super) fn wishes(
@@ -42,6 +43,7 @@ pub(super) fn wishes(
         wishes: Wishes::default(),
         ordered: None,
         direction: None,
+        inside: None,
     };
     let Some(value) = value else { return read };
     let Some(table) = reader.table("[wishes]", WISHES, value) else {
@@ -79,6 +81,7 @@ pub(super) fn wishes(
         .inside
         .as_ref()
         .and_then(|value| inside(reader, value));
+    read.inside = table.inside.as_ref().map(|value| value.span.clone());
     read.wishes.sense = table
         .direction
         .as_ref()
@@ -165,24 +168,69 @@ impl ReadWishes {
                 }
             }
         }
-        let TaskKind::Path(path) = &task.kind else {
+        match &task.kind {
+            TaskKind::Poses(_) => {}
+            TaskKind::Path(path) => {
+                let last = path.turns.as_ref().and_then(|turns| turns.last());
+                let place = file.turns.as_ref().map(|turns| turns.span.clone());
+                let rule = words().turns_against_direction();
+                self.agrees_with_turning(reader, last.copied(), place, rule);
+            }
+            TaskKind::Function(function) => {
+                let turns = match function.crank_scale {
+                    Given::Value(scale) => Some(scale),
+                    Given::Free => None,
+                };
+                let place = file.crank.as_ref().map(|crank| crank.span.clone());
+                let rule = words().crank_against_direction();
+                self.agrees_with_turning(reader, turns, place, rule);
+                self.holds_pivots(reader, function);
+            }
+        }
+    }
+
+    /// Reports a direction against which the crank turns by what is given; where that is told at no place, at the direction.
+    fn agrees_with_turning(
+        &self,
+        reader: &mut Reader<'_>,
+        turns: Option<f64>,
+        place: Option<ByteSpan>,
+        rule: &str,
+    ) {
+        let (Some(turns), Some(sense)) = (turns, self.wishes.sense) else {
             return;
         };
-        let last = path.turns.as_ref().and_then(|turns| turns.last());
-        if let (Some(last), Some(sense)) = (last, self.wishes.sense) {
-            let turns = match *last > 0.0 {
-                true => Sense::CounterClockwise,
-                false => Sense::Clockwise,
-            };
-            if turns != sense {
-                let place = file.turns.as_ref().map(|turns| turns.span.clone());
-                let fault = Diagnostic::new(words().turns_against_direction());
-                let fault = fault.at(place.unwrap_or_default(), "");
-                reader.report(match &self.direction {
-                    Some(direction) => fault.and(direction.clone(), ""),
-                    None => fault,
-                });
-            }
+        let given = match turns > 0.0 {
+            true => Sense::CounterClockwise,
+            false => Sense::Clockwise,
+        };
+        if given == sense {
+            return;
+        }
+        let fault = Diagnostic::new(rule);
+        reader.report(match (place, self.direction.clone()) {
+            (Some(place), Some(direction)) => fault.at(place, "").and(direction, ""),
+            (place, direction) => fault.at(place.or(direction).unwrap_or_default(), ""),
+        });
+    }
+
+    /// Reports a box in which the pivots of a function do not lie.
+    fn holds_pivots(&self, reader: &mut Reader<'_>, function: &FunctionTask) {
+        let (Some(corners), Some(place)) = (self.wishes.inside, self.inside.clone()) else {
+            return;
+        };
+        let far = match function.output {
+            Output::Angle => Some(Vec2::new(function.size, 0.0)),
+            Output::Slide => None,
+        };
+        let mut pivots = std::iter::once(Vec2::ZERO).chain(far);
+        if let Some(at) = pivots.find(|at| !crate::synthesis::is_inside(corners, *at)) {
+            let told = format!("[{}, {}]", at.x, at.y);
+            reader.report(
+                Diagnostic::new(words().pivot_of_function_outside(&told))
+                    .at(place, "")
+                    .help(words().widen_for_function()),
+            );
         }
     }
 }

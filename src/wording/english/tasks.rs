@@ -48,6 +48,9 @@ catalogue! {
         outside_the_box = "outside of `inside`";
         widen_the_box = "widen `inside`, or leave one of both out";
         turns_against_direction = "`turns` go one way round and `direction` the other: change the sign of `turns`, or the wish";
+        crank_against_direction = "the crank's `swing` or `scale` goes one way round and `direction` the other: where nothing is said it is counter-clockwise; change the sign, or the wish";
+        pivot_of_function_outside(place: &str) = "a function's pivot at {place} lies outside of the box in which pivots are to lie";
+        widen_for_function = "the crank's pivot is at [0, 0], the other one of a four-bar at [size, 0]: widen `inside`, or leave it out";
         pairs_and_function = "pairs are given twice: by `pairs` and by `function`";
         positive_number = "a positive number";
         count_of_pairs(count: usize, most: usize) = "a function has 3 to {most} pairs, not {count}";

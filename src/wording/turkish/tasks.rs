@@ -48,6 +48,9 @@ catalogue! {
         outside_the_box = "`inside` dışında";
         widen_the_box = "`inside` kutusunu genişletin ya da ikisinden birini çıkarın";
         turns_against_direction = "`turns` bir yöne, `direction` öteki yöne dönüyor: `turns` işaretini ya da dileği değiştirin";
+        crank_against_direction = "krankın `swing` ya da `scale` değeri bir yöne, `direction` öteki yöne dönüyor: bir şey denmezse yön saat yönünün tersidir; işareti ya da dileği değiştirin";
+        pivot_of_function_outside(place: &str) = "işlevin {place} noktasındaki mesnedi, mesnetlerin bulunması istenen kutunun dışında";
+        widen_for_function = "krankın mesnedi [0, 0] noktasında, dört çubukta öteki mesnet [size, 0] noktasındadır: `inside` kutusunu genişletin ya da çıkarın";
         pairs_and_function = "çiftler iki kez verilmiş: `pairs` ile ve `function` ile";
         positive_number = "pozitif bir sayı";
         count_of_pairs(count: usize, most: usize) = "bir işlevde 3 ile {most} arası çift olur, {count} değil";
