@@ -338,6 +338,7 @@ fn reason(defect: &TaskDefect) -> String {
         TaskDefect::Circuit { from, to } => words().circuit_between(from + 1, to + 1),
         TaskDefect::Order { from, to } => words().order_between(from + 1, to + 1),
         TaskDefect::Short => words().short_of_range().into(),
+        TaskDefect::StructuralError => words().misses_its_function().into(),
         TaskDefect::Missed { point } => words().point_missed(point + 1),
     }
 }

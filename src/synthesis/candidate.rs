@@ -1,7 +1,7 @@
 //! A proposal that was driven through its task.
 
 use super::defects::{GivenWay, TaskDefect, crank_way};
-use super::functions::FunctionRun;
+use super::functions::{self, FunctionRun};
 use super::machine::{SceneTitles, scene_text};
 use super::{FunctionTask, Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
 use crate::Vec2;
@@ -128,7 +128,13 @@ impl Candidate {
         }
         if let TaskKind::Function(function) = &task.kind {
             match run.and_then(|run| output_misses(function, &run)) {
-                Some((miss, rms)) => (figures.miss, figures.rms) = (miss, rms),
+                Some(misses) => {
+                    (figures.miss, figures.rms) = (misses.worst, misses.rms);
+                    // On another branch it misses for that reason.
+                    if defects.is_empty() && !misses.follows() {
+                        defects.push(TaskDefect::StructuralError);
+                    }
+                }
                 None if defects.is_empty() => defects.push(TaskDefect::Short),
                 None => {}
             }
@@ -204,7 +210,7 @@ impl TaskDefect {
                 (from < to).then_some(*to)
             }
             TaskDefect::Missed { point } => Some(*point),
-            TaskDefect::Order { .. } | TaskDefect::Short => None,
+            TaskDefect::Order { .. } | TaskDefect::Short | TaskDefect::StructuralError => None,
         }
     }
 }
@@ -401,9 +407,23 @@ fn missed(
     missed
 }
 
-/// By how much the output misses what is wanted, at worst and by root mean square: over the range where that is known,
-/// else at the pairs. `None` where it does not close.
-fn output_misses(task: &FunctionTask, run: &FunctionRun) -> Option<(f64, f64)> {
+/// By how much an output misses what is wanted of it.
+struct OutputMisses {
+    worst: f64,
+    rms: f64,
+    /// How far it is to go.
+    swing: f64,
+}
+
+impl OutputMisses {
+    /// Whether it still follows its function.
+    fn follows(&self) -> bool {
+        self.rms <= functions::USELESS * self.swing
+    }
+}
+
+/// Over the range where that is known, else at the pairs. `None` where it does not close.
+fn output_misses(task: &FunctionTask, run: &FunctionRun) -> Option<OutputMisses> {
     let mut worst = 0.0_f64;
     for [x, y] in &task.pairs {
         worst = worst.max(run.error(*x, *y)?.abs());
@@ -418,7 +438,11 @@ fn output_misses(task: &FunctionTask, run: &FunctionRun) -> Option<(f64, f64)> {
         worst = worst.max(error.abs());
         squares += error * error;
     }
-    Some((worst, (squares / range.len() as f64).sqrt()))
+    Some(OutputMisses {
+        worst,
+        rms: (squares / range.len() as f64).sqrt(),
+        swing: run.swing(task.pairs.iter().chain(&task.between)),
+    })
 }
 
 /// Whether a place lies in the box of two opposite corners.

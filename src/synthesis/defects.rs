@@ -37,6 +37,9 @@ pub enum TaskDefect {
     },
     /// It comes to every pair, but does not close over the whole range of its function.
     Short,
+    /// It closes over the whole range of its function, but misses it by more than a tenth of the output's swing, in the root
+    /// of the mean square: it comes to the pairs, if at all, on other ways than the function's.
+    StructuralError,
     /// It does not come to this point, by the solver's figure: a proposal that was none.
     Missed {
         /// The point.

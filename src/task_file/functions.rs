@@ -39,6 +39,15 @@ struct FunctionCourse {
     between: Vec<[f64; 2]>,
 }
 
+impl FunctionCourse {
+    /// The y that it has everywhere, where that is one.
+    fn stands_at(&self) -> Option<f64> {
+        let mut all = self.between.iter().chain(&self.pairs).map(|[_, y]| *y);
+        let first = all.next()?;
+        all.all(|y| y == first).then_some(first)
+    }
+}
+
 pub(super) fn function(
     reader: &mut Reader<'_>,
     file: &WrittenTask,
@@ -54,6 +63,16 @@ pub(super) fn function(
             return None;
         }
     };
+    if let Some(y) = course.stands_at() {
+        let place = file.pairs.as_ref().map(|pairs| pairs.span.clone());
+        let place = place.or_else(|| file.function.as_ref().map(|formula| formula.span.clone()));
+        reader.report(
+            Diagnostic::new(words().output_stands_still(&y.to_string()))
+                .at(place.unwrap_or_default(), "")
+                .help(words().let_y_change()),
+        );
+        return None;
+    }
     let all = || course.between.iter().chain(&course.pairs);
     // Of a formula the first in between is where its range begins; of pairs the first is the least.
     let [x, y] = *all().next()?;

@@ -178,17 +178,17 @@ fn kind(
         reader.report(
             Diagnostic::new(words().task_without_kind())
                 .help(words().for_example("kind = \"poses\""))
-                .help(words().kinds_of_tasks(&names.join("`, `"))),
+                .help(words().these_are_known(&names.join("`, `"))),
         );
         return None;
     };
     let written = reader.string("`kind`", written)?;
     let Some(&(kind, own)) = KINDS.iter().find(|(name, _)| *name == written.text) else {
         let near = did_you_mean(written.text, names);
-        let help = near.unwrap_or_else(|| words().kinds_of_tasks(&names.join("`, `")));
+        let help = near.unwrap_or_else(|| words().these_are_known(&names.join("`, `")));
         reader.report(
             Diagnostic::new(words().no_kind_of_task(&written.to_string()))
-                .at(written.span, words().unknown_key_here())
+                .at(written.span, words().not_known_here())
                 .help(help),
         );
         return None;
@@ -225,8 +225,8 @@ fn linkages(
             Some(form) => found[form] = true,
             None => reader.report(
                 Diagnostic::new(words().no_form_of_linkage(&name.to_string()))
-                    .at(name.span.clone(), words().unknown_key_here())
-                    .help(words().known_keys(&format!("`{}`", FORMS.join("`, `")))),
+                    .at(name.span.clone(), words().not_known_here())
+                    .help(words().these_are_known(&FORMS.join("`, `"))),
             ),
         }
     }

@@ -138,8 +138,8 @@ fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> 
         let known = SENSES.map(|(sense, _)| sense).join("`, `");
         reader.report(
             Diagnostic::new(words().no_turning_direction(&named(name.text, &name.span)))
-                .at(name.span.clone(), words().unknown_key_here())
-                .help(words().known_keys(&format!("`{known}`"))),
+                .at(name.span.clone(), words().not_known_here())
+                .help(words().these_are_known(&known)),
         );
     }
     found.map(|(_, sense)| *sense)

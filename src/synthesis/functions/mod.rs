@@ -50,6 +50,8 @@ const SAME: f64 = 1e-7;
 const FIXED: [usize; 4] = [24, 10, 5, 3];
 /// And so many linkages are proposed at the most; algebra finds no more than six.
 const MOST: usize = 240;
+/// What misses by more than this part of the output's swing, in the root of the mean square, follows its function no more.
+pub(super) const USELESS: f64 = 0.1;
 /// Fewer pairs say too little.
 const FEWEST: usize = 3;
 

@@ -111,6 +111,19 @@ impl FunctionRun {
         })
     }
 
+    /// How far the output is to go over pairs, from its least to its greatest, as errors are told.
+    #[must_use]
+    pub fn swing<'p>(&self, pairs: impl IntoIterator<Item = &'p [f64; 2]>) -> f64 {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let ys = pairs.into_iter().map(|[_, y]| *y);
+        let (low, high) = ys.fold(ends, |(low, high), y| (low.min(y), high.max(y)));
+        let swing = self.law.output[1].abs() * (high - low);
+        match self.linkage.output {
+            Output::Angle => swing.to_degrees(),
+            Output::Slide => swing * self.size,
+        }
+    }
+
     /// Where the error against a function is greatest between two ends; `None` where the linkage does not close all the
     /// way, or the function has no value.
     #[must_use]

@@ -5,7 +5,7 @@
 
 use super::refine::FunctionDesign;
 use super::wanted::WantedFunction;
-use super::{ExactDesigns, exact};
+use super::{ExactDesigns, USELESS, exact};
 use crate::synthesis::Output;
 use std::f64::consts::{PI, TAU};
 
@@ -26,8 +26,6 @@ const ROUGH_STEPS: usize = 100;
 const FOLLOWED: usize = 48;
 const STEPS: usize = 3000;
 const KEPT: usize = 24;
-/// A minimum that misses by more than this part of the output's swing, in the root of the mean square, is none to offer.
-const USELESS: f64 = 0.1;
 /// Subsets of the pairs through which starts go.
 const SUBSETS: usize = 8;
 /// Minima are one where their numbers differ by less than this part.

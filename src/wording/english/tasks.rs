@@ -11,7 +11,8 @@ catalogue! {
         scene_for_a_task = "this is a scene, not a task";
         synthesize_reads_tasks = "a task says what motion is wanted (krank help synthesis); `krank check` and `krank FILE` open scenes";
         task_without_kind = "the task has no `kind`";
-        kinds_of_tasks(kinds: &str) = "there are `{kinds}`";
+        these_are_known(words: &str) = "there are `{words}`";
+        not_known_here = "not known";
         no_kind_of_task(kind: &str) = "{kind} is no kind of task";
         key_of_another_kind(key: &str, kind: &str) = "`{key}` does not belong to a task of the kind `{kind}`";
         belongs_to_another_kind = "of another kind of task";
@@ -27,7 +28,10 @@ catalogue! {
         take_out_one_point = "take one of them out, or write `closed = true` where the path comes back to its first point";
         count_of_poses(count: usize) = "a task of poses has three to five of them, not {count}";
         poses_that_methods_take = "three leave much open, four leave curves, five leave a few linkages";
-        too_much_given(poses: usize, given: usize) = "with {poses} poses there is no room for {given} given pivots and pins";
+        too_much_given(poses: usize, given: usize) = {
+            let given = counted(given, "given pivot or pin", "given pivots and pins");
+            format!("with {poses} poses there is no room for {given}")
+        };
         one_too_many = "one too many";
         what_poses_leave_free = "with three poses two of pivots and pins may be given, with more none";
         count_of_points(count: usize, most: usize) = "a path has 2 to {most} points, not {count}";
@@ -61,6 +65,8 @@ catalogue! {
         swing_and_scale = "`swing` and `scale` say the same: give one of both";
         start_wants_scale = "`start` is where x is least: it needs a `scale` or a `swing` that is given";
         scale_is_nought = "what does not move follows no function: its scale must be a number other than 0";
+        output_stands_still(y: &str) = "y is {y} at every x: an output that stands still follows no function";
+        let_y_change = "write a function, or pairs, in which y changes; a dwell is only a part of a function";
 
         // What came of a task.
         wanted_motion = "wanted";
@@ -102,6 +108,7 @@ catalogue! {
             "circuit: points {from} and {to} lie on different ones, it would have to be taken apart";
         order_between(from: usize, to: usize) = "order: the crank turns back from point {from} to {to}";
         short_of_range = "it comes to every pair, but does not close over the whole range";
+        misses_its_function = "structural error: it misses the function by more than a tenth of the output's swing (rms)";
         point_missed(point: usize) = "it does not come to point {point}";
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
         candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";

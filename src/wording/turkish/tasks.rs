@@ -11,7 +11,8 @@ catalogue! {
         scene_for_a_task = "bu bir sahne, görev değil";
         synthesize_reads_tasks = "görev istenen hareketi söyler (krank help synthesis); sahneleri `krank check` ve `krank DOSYA` açar";
         task_without_kind = "görevin `kind` anahtarı yok";
-        kinds_of_tasks(kinds: &str) = "türler: `{kinds}`";
+        these_are_known(words: &str) = "bilinenler: `{words}`";
+        not_known_here = "bilinmiyor";
         no_kind_of_task(kind: &str) = "{kind} bir görev türü değil";
         key_of_another_kind(key: &str, kind: &str) = "`{key}` `{kind}` türünden bir göreve ait değil";
         belongs_to_another_kind = "başka bir görev türüne ait";
@@ -27,7 +28,7 @@ catalogue! {
         take_out_one_point = "birini çıkarın; yol ilk noktasına dönüyorsa `closed = true` yazın";
         count_of_poses(count: usize) = "konum görevinde üç ile beş arası konum olur, {count} değil";
         poses_that_methods_take = "üç konum çok şeyi açık bırakır, dördü eğriler, beşi birkaç mekanizma bırakır";
-        too_much_given(poses: usize, given: usize) = "{poses} konumla verilmiş {given} mesnet ve mafsala yer yok";
+        too_much_given(poses: usize, given: usize) = "{poses} konumla verilmiş {given} mesnet ya da mafsala yer yok";
         one_too_many = "bir fazla";
         what_poses_leave_free = "üç konumla mesnet ve mafsallardan ikisi verilebilir, daha çok konumla hiçbiri";
         count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
@@ -61,6 +62,8 @@ catalogue! {
         swing_and_scale = "`swing` ile `scale` aynı şeyi söyler: birini verin";
         start_wants_scale = "`start` x değerinin en küçük olduğu yerdir: verilmiş bir `scale` ya da `swing` gerektirir";
         scale_is_nought = "hareket etmeyen bir şey hiçbir işlevi izlemez: ölçeği 0 dışında bir sayı olmalı";
+        output_stands_still(y: &str) = "y her x değerinde {y}: duran bir çıkış hiçbir işlevi izlemez";
+        let_y_change = "y değerinin değiştiği bir işlev ya da çiftler yazın; bekleme işlevin ancak bir parçası olabilir";
 
         // What came of a task.
         wanted_motion = "istenen";
@@ -98,6 +101,7 @@ catalogue! {
             "devre: {from} ve {to} noktaları ayrı devrelerde, mekanizmanın sökülmesi gerekir";
         order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
         short_of_range = "her çifte gelir, ama aralığın tümünde kapanmaz";
+        misses_its_function = "yapısal hata: işlevden, çıkışın salınımının onda birinden çok sapıyor (rms)";
         point_missed(point: usize) = "{point} noktasına gelmiyor";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
