@@ -375,6 +375,10 @@ mod tests {
             ("1e15 + 0.1 - 1e15", 0.1),
             ("-0.7 ^ 2", -0.49),
             ("0.2 ^ -2", 25.0),
+            ("0.09 ^ 1.5", 0.027),
+            ("0 ^ 2.5", 0.0),
+            ("4 ^ -0.5", 0.5),
+            ("1024 ^ 0.3", 8.0),
             ("254 mm", 10.0),
             ("1 cm * 2.54", 1.0),
             ("sin(30)", 0.5),
@@ -408,6 +412,8 @@ mod tests {
     fn what_is_no_decimal_is_the_nearest_double() {
         for (text, nearest) in [
             ("sqrt(2)", std::f64::consts::SQRT_2),
+            ("2 ^ 1.5", 2.828_427_124_746_190_3),
+            ("3 ^ -1.2", 0.267_580_520_586_743_6),
             ("sin(10)", 0.173_648_177_666_930_36),
             ("tan(89.9)", 572.957_213_354_287_8),
             ("acos(0.3)", 72.542_396_876_277_9),
@@ -430,6 +436,7 @@ mod tests {
             ("2 / 0", "`0` is 0, and nothing is divided by that"),
             ("0 ^ -1", "`0` is 0, and nothing is divided by that"),
             ("1 + sqrt(-1)", "`sqrt(-1)` is no number"),
+            ("(0 - 2) ^ 1.2", "`(0 - 2)` is no number"),
             ("asin(1.01)", "`asin(1.01)` is no number"),
             ("atan2(0, 0)", "`atan2(0, 0)` is no number"),
             ("tan(90)", "`tan(90)` is no number"),

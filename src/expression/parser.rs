@@ -4,7 +4,7 @@
 //! sum     = product { ("+" | "-") product }
 //! product = signed { ("*" | "/") signed }
 //! signed  = "-" signed | power
-//! power   = atom [ "^" [ "-" ] digit ]
+//! power   = atom [ "^" [ "-" ] number ]
 //! atom    = number [ unit ] | name | name "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
 
@@ -146,20 +146,16 @@ impl Parser<'_> {
             sign = -1;
             (lexeme, span) = self.lexer.next(true)?;
         }
-        let whole = match lexeme {
-            Lexeme::Number(value) => {
-                (1..=LARGEST_EXPONENT as i8).find(|&whole| f64::from(whole) == value)
-            }
+        let span = base.span.start..span.end;
+        let node = match lexeme {
+            Lexeme::Number(exponent) => power_of(base, sign, exponent),
             _ => None,
         };
-        let Some(whole) = whole else {
-            let fault = Malformed::new(from..span.end, words().exponent_must_be_whole());
+        let Some(node) = node else {
+            let fault = Malformed::new(from..span.end, words().exponent_must_be_number());
             return Err(fault.help(words().exponents_go_to(LARGEST_EXPONENT.into())));
         };
-        Ok(ExpressionTree {
-            span: base.span.start..span.end,
-            node: Node::Power(Box::new(base), sign * whole),
-        })
+        Ok(ExpressionTree { span, node })
     }
 
     fn atom(&mut self) -> Result<ExpressionTree, Malformed> {
@@ -253,6 +249,34 @@ impl Parser<'_> {
         }
         Ok(Some(unit))
     }
+}
+
+/// A power: of a whole exponent as it is, of a half of one as a power of the root, which exists at 0, too; of any other by
+/// exponential and logarithm. `None` where the exponent is none that is taken.
+fn power_of(base: ExpressionTree, sign: i8, exponent: f64) -> Option<Node> {
+    let whole = |exponent: f64, most: u8| {
+        let mut all = 1..=most as i8;
+        all.find(|&whole| f64::from(whole) == exponent)
+    };
+    if let Some(whole) = whole(exponent, LARGEST_EXPONENT) {
+        return Some(Node::Power(Box::new(base), sign * whole));
+    }
+    if !(exponent > 0.0 && exponent < f64::from(LARGEST_EXPONENT)) {
+        return None;
+    }
+    let span = base.span.clone();
+    let node = |node: Node| ExpressionTree {
+        span: span.clone(),
+        node,
+    };
+    if let Some(halves) = whole(2.0 * exponent, 2 * LARGEST_EXPONENT) {
+        let root = node(Node::Call(MathFunction::Sqrt, vec![base]));
+        return Some(Node::Power(Box::new(root), sign * halves));
+    }
+    let exponent = node(Node::Number(f64::from(sign) * exponent, None));
+    let logarithm = node(Node::Call(MathFunction::Ln, vec![base]));
+    let product = Node::Pair(Operation::Multiply, Box::new([exponent, logarithm]));
+    Some(Node::Call(MathFunction::Exp, vec![node(product)]))
 }
 
 fn pair(operation: Operation, left: ExpressionTree, right: ExpressionTree) -> ExpressionTree {

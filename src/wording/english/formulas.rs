@@ -16,8 +16,8 @@ catalogue! {
         operator_or_end = "`+`, `-`, `*`, `/`, `^` or the end";
         number_or_name = "a number, a name or a bracket";
         closing_bracket = "`)`";
-        exponent_must_be_whole = "an exponent must be a whole number and not 0";
-        exponents_go_to(most: usize) = "`^` takes 1 to {most} and -1 to -{most}; sqrt() takes roots";
+        exponent_must_be_number = "an exponent must be a number and not 0";
+        exponents_go_to(most: usize) = "`^` takes numbers up to {most} and down to -{most}; of others write exp() and ln()";
         of_plain_numbers_only(name: &str) =
             "`{name}` takes plain numbers only, as in [parameters]: of what moves it has no rate";
         no_function(name: &str) = "there is no function `{name}`";

@@ -16,8 +16,8 @@ catalogue! {
         operator_or_end = "`+`, `-`, `*`, `/`, `^` ya da formülün sonu";
         number_or_name = "bir sayı, bir ad ya da bir parantez";
         closing_bracket = "`)`";
-        exponent_must_be_whole = "üs bir tam sayı olmalı ve 0 olmamalı";
-        exponents_go_to(most: usize) = "`^` 1 ile {most} ve -1 ile -{most} arasını alır; kökü sqrt() alır";
+        exponent_must_be_number = "üs bir sayı olmalı ve 0 olmamalı";
+        exponents_go_to(most: usize) = "`^` {most} değerine kadar ve -{most} değerine dek sayıları alır; ötekiler için exp() ve ln() yazın";
         of_plain_numbers_only(name: &str) =
             "`{name}` yalnızca düz sayıları alır ([parameters] içinde olduğu gibi): hareket edenin bununla hızı yoktur";
         no_function(name: &str) = "`{name}` diye bir fonksiyon yok";
