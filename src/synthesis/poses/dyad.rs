@@ -14,6 +14,7 @@
 
 use super::form::{self, Form};
 use super::space::{self, Triple};
+use crate::arithmetic::U;
 use crate::synthesis::{Partner, PoseTask, PosedDyad};
 use crate::{Double, Vec2, angle};
 
@@ -26,8 +27,13 @@ const ONE: f64 = 1e-7;
 const FAR: f64 = 1e6;
 /// A direction nearer to the x axis than these degrees is its own.
 const LEVEL: f64 = 1e-14;
-/// A part of the number of poses that keeps the quietest point of a body that hardly turns from being far away.
-const RIDGE: f64 = 1e-4;
+/// A part of the number of poses that keeps the quietest point of a body that turns by rounding alone from being far
+/// away.
+const RIDGE: f64 = 1e-20;
+/// The share of what the equations say that is of turns, where turns and moves count alike: two of seven coordinates.
+const BALANCED: f64 = 2.0 / 7.0;
+/// Doublings of the unit: turns that are smaller are rounding.
+const MOST_DOUBLINGS: u8 = 50;
 
 /// A pin of the body and what can hold it in all poses.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,11 +61,13 @@ pub(super) struct Guidance {
     /// A length: how far apart the poses are.
     pub size: f64,
     /// A power of two near the size.
-    unit: f64,
+    pub unit: f64,
     middle: Vec2,
     quietest: Vec2,
     /// The equations that say something, each of length one and orthogonal to the others; with five poses at most four.
     pub forms: Vec<Form>,
+    /// What the rounding of the poses to doubles may make of them.
+    pub error: f64,
 }
 
 impl Guidance {
@@ -80,9 +88,42 @@ impl Guidance {
             middle,
             quietest,
             forms: Vec::new(),
+            error: 0.0,
         };
-        guidance.forms = guidance.equations()?;
+        guidance.balance(task)?;
         Some(guidance)
+    }
+
+    /// Sets up the equations in the unit in which turns and moves count alike: of poses that nearly repeat, the pins are
+    /// as many sizes away as the turns are small. Where moves in that unit are rounding, it stays the size.
+    fn balance(&mut self, task: &PoseTask) -> Option<()> {
+        let first = self.unit;
+        let (forms, error) = self.equations(task)?;
+        let mut in_unit = (forms.clone(), error);
+        for _ in 0..MOST_DOUBLINGS {
+            if in_unit.0.len() < forms.len() {
+                break;
+            }
+            if form::turning(&in_unit.0) >= BALANCED * forms.len() as f64 {
+                (self.forms, self.error) = in_unit;
+                return Some(());
+            }
+            self.unit *= 2.0;
+            in_unit = self.equations(task)?;
+        }
+        (self.unit, self.forms, self.error) = (first, forms, error);
+        Some(())
+    }
+
+    /// Whether a solution of the equations is none of a linkage: the pin is at infinity, stands still, or is its pivot.
+    pub(super) fn is_nothing(&self, pin: Triple, pivot: Triple) -> bool {
+        let Some(places) = self.pin(pin).and_then(|pin| self.places(pin)) else {
+            return true;
+        };
+        let pivot = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
+        let pivot = pivot.scaled(self.unit) + self.middle.exactly();
+        let is_short = |at: &Vec2<Double>| (*at - pivot).norm().hi < ONE * self.size;
+        places.first().is_some_and(is_short)
     }
 
     /// The body's origin at the first pose.
@@ -102,7 +143,8 @@ impl Guidance {
             .map(|offset: Vec2<Double>| offset.scaled(1.0 / self.unit))
     }
 
-    fn equations(&self) -> Option<Vec<Form>> {
+    /// With what the rounding of the poses may make of each.
+    fn equations(&self, task: &PoseTask) -> Option<(Vec<Form>, f64)> {
         let forms: Vec<Form> = self
             .poses
             .iter()
@@ -118,7 +160,20 @@ impl Guidance {
         differences
             .iter()
             .all(is_finite)
-            .then(|| form::independent(differences))
+            .then(|| form::independent(differences, self.rounding(task)))
+    }
+
+    /// What the rounding of the poses to doubles may make of the difference of two equations, before they are made
+    /// independent.
+    fn rounding(&self, task: &PoseTask) -> f64 {
+        let (mut turn, mut place) = (0.0_f64, 0.0_f64);
+        for pose in &task.poses {
+            turn = turn.max(pose.angle.to_radians().abs());
+            place = place.max(pose.at.norm());
+        }
+        // The pin's places hang on both.
+        let place = (place + turn * self.quietest.norm()) / self.unit;
+        4.0 * U * (turn + place)
     }
 
     /// The pin that a pivot of the ground can hold; the only one, where there are three poses or more that say different
@@ -219,7 +274,7 @@ impl Guidance {
     /// A slide, where the pivot is far and the places are on a line.
     fn slide(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
         let [x, y, w] = pivot;
-        let is_far = w.hi.abs() * FAR <= x.hi.hypot(y.hi);
+        let is_far = w.hi.abs() * FAR * (self.size / self.unit) <= x.hi.hypot(y.hi);
         // Seen from the first place: a pivot that is not at infinity sees its circle's tangent there.
         let first = (*places.first()? - self.middle.exactly()).scaled(1.0 / self.unit);
         let normal = Vec2::new(x, y) - first * w;

@@ -19,52 +19,124 @@ use crate::{Double, Vec2};
 const DIRECTIONS: [f64; 3] = [17.0, 71.0, 139.0];
 /// How far a pin is looked for, in units of the equations.
 const FAR: f64 = 4e6;
-/// A quartic with less than this, where its cubics were of size one, is nought but for rounding: there are dyads in any
-/// number.
-const NOUGHT: f64 = 1e-13;
+/// A quartic with less than this, where its cubics were of size one, is what is left of nought in twice the digits.
+const ROUNDING: f64 = 1e-28;
 /// Newton's steps; from the quartic's roots two or three are enough, unless two dyads are about to be one.
 const MOST_STEPS: usize = 40;
 
-/// All dyads through five poses; none where there are any number.
-pub(super) fn dyads(guidance: &Guidance) -> Option<Vec<PinHeld>> {
-    let forms: &[Form; 4] = guidance.forms.as_slice().try_into().ok()?;
-    let mut found: Vec<PinHeld> = Vec::new();
-    for direction in DIRECTIONS.map(Double::unit) {
-        let forms = (*forms).map(|form| form::turned(&form, direction));
-        for (pin, pivot) in solutions(&forms)? {
-            let dyad = guidance.dyad(form::turned_back(pin, direction), pivot);
-            let is_new = |new: &PinHeld| !found.iter().any(|other| guidance.is_same(new, other));
-            found.extend(dyad.filter(is_new));
-        }
-    }
-    Some(found)
+/// The dyads of five poses.
+pub(super) struct FoundDyads {
+    pub found: Vec<PinHeld>,
+    /// Whether the quartic is more than what the rounding of the poses may make of nought, and every root of it is
+    /// accounted for: there are no others.
+    pub are_all: bool,
 }
 
-/// Pins and pivots that may solve four equations.
-fn solutions(forms: &[Form; 4]) -> Option<Vec<(Triple, Triple)>> {
-    let columns = forms.map(|form| form::columns(&form));
-    let without = |k: usize| {
-        let [a, b, c] = [0, 1, 2].map(|row| &columns[(k + 1 + row) % 4]);
-        polynomial::determinant([a, b, c])
+/// All dyads through five poses; none where their equations are not four.
+pub(super) fn dyads(guidance: &Guidance) -> Option<FoundDyads> {
+    let forms: &[Form; 4] = guidance.forms.as_slice().try_into().ok()?;
+    let mut all = FoundDyads {
+        found: Vec::new(),
+        are_all: true,
     };
-    let cubics = [without(0), without(1), without(2), without(3)].map(|c| of_size_one(&c));
-    let resultant = resultant(&cubics);
-    if !(polynomial::largest(&resultant) > NOUGHT) {
-        return None;
+    for direction in DIRECTIONS.map(Double::unit) {
+        let forms = (*forms).map(|form| form::turned(&form, direction));
+        let Some(quartic) = Quartic::new(&forms) else {
+            all.are_all = false;
+            continue;
+        };
+        all.are_all &= quartic.is_more_than(guidance.error);
+        for root in quartic.roots(guidance.error) {
+            let solution = quartic.pin(root.y).and_then(|pin| refined(&forms, pin));
+            let solution = solution.map(|(pin, pivot)| (form::turned_back(pin, direction), pivot));
+            let dyad = solution.and_then(|(pin, pivot)| guidance.dyad(pin, pivot));
+            let is_nothing =
+                || solution.is_some_and(|(pin, pivot)| guidance.is_nothing(pin, pivot));
+            all.are_all &= !root.is_one || dyad.is_some() || is_nothing();
+            let is_new = |new: &PinHeld| {
+                let mut found = all.found.iter();
+                !found.any(|other| guidance.is_same(new, other))
+            };
+            all.found.extend(dyad.filter(is_new));
+        }
     }
-    let roots = polynomial::real_roots(&resultant, FAR);
-    let levels = roots.crossed.into_iter().chain(roots.touched);
-    let pins = levels.filter_map(|y| Some([common_root(&cubics, y)?, y, Double::ONE]));
-    Some(pins.filter_map(|pin| refined(forms, pin)).collect())
+    Some(all)
+}
+
+/// What the levels of pins solve in one direction.
+struct Quartic {
+    cubics: [PlaneCubic; 4],
+    /// The least of them before they were of size one.
+    least: f64,
+    coefficients: Vec<Double>,
+}
+
+/// A level at which a pin may be.
+struct PinLevel {
+    y: Double,
+    /// Whether the quartic is nought there, not only next to it.
+    is_one: bool,
+}
+
+impl Quartic {
+    /// None where it is nought in twice the digits.
+    fn new(forms: &[Form; 4]) -> Option<Quartic> {
+        let columns = forms.map(|form| form::columns(&form));
+        let without = |k: usize| {
+            let [a, b, c] = [0, 1, 2].map(|row| &columns[(k + 1 + row) % 4]);
+            polynomial::determinant([a, b, c])
+        };
+        let cubics = [without(0), without(1), without(2), without(3)];
+        let least = cubics.iter().map(size).fold(f64::INFINITY, f64::min);
+        let cubics = cubics.map(|c| of_size_one(&c));
+        let coefficients = resultant(&cubics);
+        (polynomial::largest(&coefficients) > ROUNDING).then_some(Quartic {
+            cubics,
+            least,
+            coefficients,
+        })
+    }
+
+    /// What an error of the equations makes of a coefficient.
+    fn blur(&self, error: f64) -> f64 {
+        error / self.least
+    }
+
+    /// Whether it is more than what an error of the equations may make of nought; else there may be any number of dyads.
+    fn is_more_than(&self, error: f64) -> bool {
+        polynomial::largest(&self.coefficients) > self.blur(error)
+    }
+
+    fn roots(&self, error: f64) -> Vec<PinLevel> {
+        let roots = polynomial::real_roots(&self.coefficients, FAR);
+        let crossed = roots
+            .crossed
+            .into_iter()
+            .map(|y| PinLevel { y, is_one: true });
+        let touched = roots.touched.into_iter().map(|y| {
+            let extent = y.hi.abs().max(1.0).powi(4);
+            let here = polynomial::value(&self.coefficients, y).hi.abs();
+            PinLevel {
+                y,
+                is_one: here <= self.blur(error) * extent,
+            }
+        });
+        crossed.chain(touched).collect()
+    }
+
+    /// The pin at a level.
+    fn pin(&self, y: Double) -> Option<Triple> {
+        Some([common_root(&self.cubics, y)?, y, Double::ONE])
+    }
+}
+
+fn size(cubic: &PlaneCubic) -> f64 {
+    let rows = cubic.iter().map(|row| space::largest(row));
+    rows.fold(0.0, f64::max)
 }
 
 fn of_size_one(cubic: &PlaneCubic) -> PlaneCubic {
-    let size = Double::exactly(
-        cubic
-            .iter()
-            .map(|row| space::largest(row))
-            .fold(0.0, f64::max),
-    );
+    let size = Double::exactly(size(cubic));
     if size.hi > 0.0 {
         cubic.map(|row| row.map(|c| c / size))
     } else {

@@ -6,9 +6,11 @@ use crate::{Double, Vec2};
 /// `[i][k]` stands before the pin's coordinate i times the pivot's coordinate k.
 pub(super) type Form = [[Double; 3]; 3];
 
-/// An equation that says less than this beside the others says nothing: what doubles leave of one that follows from
-/// the others is a hundredth of it.
-const NOTHING: f64 = 1e-14;
+/// An equation that says no more beside the others than so many times what the rounding of the poses may say, says
+/// nothing.
+const NOTHING: f64 = 8.0;
+/// What arithmetic in twice the digits leaves of nothing, as a part of the largest form.
+const ROUNDING: f64 = 1e-28;
 
 /// The equation of a dyad at a pose, but for its constant k: see [`super::dyad`].
 ///
@@ -33,19 +35,22 @@ fn product(a: &Form, b: &Form) -> Double {
 }
 
 /// Forms that say the same as these, of length one and orthogonal, those that say most first: poses that nearly repeat
-/// differ by little, and what they differ by counts as much as the rest.
-pub(super) fn independent(mut forms: Vec<Form>) -> Vec<Form> {
+/// differ by little, and what they differ by counts as much as the rest. `error` is what the rounding of the poses may
+/// make of each; what it may make of the one that says least, of length one, comes second.
+pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) {
     let mut found: Vec<Form> = Vec::with_capacity(forms.len());
     let length = |form: &Form| product(form, form).sqrt();
     let most = forms.iter().map(|form| length(form).hi).fold(0.0, f64::max);
+    let mut least = most;
     while let Some(next) =
         (0..forms.len()).max_by(|&a, &b| length(&forms[a]).hi.total_cmp(&length(&forms[b]).hi))
     {
         let form = forms.swap_remove(next);
         let size = length(&form);
-        if !(size.hi > NOTHING * most) {
+        if !(size.hi > (NOTHING * error).max(ROUNDING * most)) {
             break;
         }
+        least = size.hi;
         let unit = form.map(|row| row.map(|c| c / size));
         for other in &mut forms {
             // Twice: the first leaves what it rounds.
@@ -56,7 +61,16 @@ pub(super) fn independent(mut forms: Vec<Form>) -> Vec<Form> {
         }
         found.push(unit);
     }
-    found
+    (found, error / least)
+}
+
+/// How much of these forms of length one is of turns.
+pub(super) fn turning(forms: &[Form]) -> f64 {
+    let part = |form: &Form| {
+        let [[a, b, _], [c, d, _], _] = form.map(|row| row.map(|c| c.hi));
+        a * a + b * b + c * c + d * d
+    };
+    forms.iter().map(part).sum()
 }
 
 /// With the pivot given: linear in the pin.

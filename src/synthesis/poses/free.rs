@@ -18,45 +18,59 @@ const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
 
 /// What there is.
 pub(super) struct Free {
-    /// All dyads, or those that linkages are made of.
-    pub dyads: Vec<PinHeld>,
-    /// How many linkages are proposed where the dyads are a choice; none where they are all.
-    pub most: Option<usize>,
-    /// The curve that they are on, if they are on one.
+    /// Those of five poses, each by itself.
+    pub single: Vec<PinHeld>,
+    /// Where there are others in any number, or may be.
+    pub choice: Option<DyadChoice>,
+    /// The curve that these are on, if they are on one.
     pub curves: Vec<Vec<PosedDyad>>,
+}
+
+/// Some of any number of dyads.
+pub(super) struct DyadChoice {
+    pub dyads: Vec<PinHeld>,
+    /// How many linkages of them are proposed.
+    pub most: usize,
 }
 
 impl Free {
     /// By how many equations the poses are: those that repeat what others say do not count.
     pub(super) fn new(guidance: &Guidance, task: &PoseTask, inside: Option<[Vec2; 2]>) -> Free {
-        if let Some(dyads) = five::dyads(guidance) {
+        let five = five::dyads(guidance);
+        let are_all = five.as_ref().is_some_and(|five| five.are_all);
+        let single = five.map_or_else(Vec::new, |five| five.found);
+        if are_all {
             return Free {
-                dyads,
-                most: None,
+                single,
+                choice: None,
                 curves: Vec::new(),
             };
         }
         let is_handy = |dyad: &PinHeld| is_handy(guidance, dyad, inside);
         let mut pieces = four::pieces(guidance);
         pieces.extend(family::pieces(guidance));
-        if pieces.is_empty() {
-            let dyads = three::dyads(guidance, task, inside);
-            return Free {
-                dyads: dyads.into_iter().filter(is_handy).collect(),
-                most: Some(MOST_OF_GRID),
-                curves: Vec::new(),
-            };
-        }
         let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
         let curves = pieces.iter().map(seen).collect();
-        let handy = pieces.into_iter().flatten().filter(is_handy);
-        let (slides, links): (Vec<PinHeld>, Vec<PinHeld>) =
-            handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
-        let mut dyads = thinned(&links);
-        dyads.extend(thinned(&slides));
+        let choice = if pieces.is_empty() && single.is_empty() {
+            let dyads = three::dyads(guidance, task, inside);
+            DyadChoice {
+                dyads: dyads.into_iter().filter(is_handy).collect(),
+                most: MOST_OF_GRID,
+            }
+        } else {
+            let handy = pieces.into_iter().flatten().filter(is_handy);
+            let (slides, links): (Vec<PinHeld>, Vec<PinHeld>) =
+                handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
+            let mut dyads = thinned(&links);
+            dyads.extend(thinned(&slides));
+            DyadChoice {
+                dyads,
+                most: MOST_OF_CURVE,
+            }
+        };
         Free {
-            dyads,
-            most: Some(MOST_OF_CURVE),
+            single,
+            choice: Some(choice),
             curves,
         }
     }

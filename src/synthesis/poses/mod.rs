@@ -41,8 +41,8 @@ use free::Free;
 /// there are any number of them.
 ///
 /// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is how far apart the poses are.
-/// With five poses the linkages are complete, but where any number of dyads lead through them; with three or four where
-/// two dyads are given, and else they are a choice. Each linkage stands once: [`swapped`](super::Proposal::swapped) drives it at the other
+/// With five poses the linkages are complete, but where any number of dyads lead through them, or the rounding of the poses
+/// leaves that open; with three or four where two dyads are given, and else they are a choice. Each linkage stands once: [`swapped`](super::Proposal::swapped) drives it at the other
 /// pivot.
 pub(crate) fn propose(
     task: &PoseTask,
@@ -59,13 +59,20 @@ pub(crate) fn propose(
         slider_cranks,
     };
     let free = Free::new(&guidance, task, inside);
-    let (found, is_complete) = match given(&guidance, task).as_deref() {
-        Some([]) => (pairing.among(&free.dyads, free.most), free.most.is_none()),
-        Some([one]) => {
-            let found = pairing.with(one, &free.dyads, free.most);
-            (found, free.most.is_none())
-        }
+    let given = given(&guidance, task);
+    let (found, is_complete) = match given.as_deref() {
         Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
+        Some(given @ ([] | [_])) => {
+            let of = |dyads: &[PinHeld], most| match given.first() {
+                Some(one) => pairing.with(one, dyads, most),
+                None => pairing.among(dyads, most),
+            };
+            let mut found = of(&free.single, None);
+            if let Some(choice) = &free.choice {
+                found.extend(of(&choice.dyads, Some(choice.most)));
+            }
+            (found, free.choice.is_none())
+        }
         Some([..]) | None => (Vec::new(), true),
     };
     Proposals {

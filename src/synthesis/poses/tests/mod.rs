@@ -2,6 +2,7 @@
 
 mod five;
 mod four;
+mod near;
 mod newton;
 mod planted;
 mod three;
