@@ -55,15 +55,11 @@ fn meet(
     let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
     let mut figures = DesignFigures::new(space, figures, None);
     let given = figures.of(&space.given()).ok();
-    let mut search = GoalSearch::new(figures, goals.clone(), &args.vary);
-    let mut progress = Progress::new(
-        u64::from(args.starts) + 1,
-        words().starts_counted(),
-        screen,
-        false,
-    );
-    let outcome = search.run(args.starts, args.seed, &mut |done| {
-        progress.tell(u64::from(done));
+    let search = GoalSearch::new(figures, goals.clone(), &args.vary);
+    let count = u64::from(args.starts) + 1;
+    let mut progress = Progress::new(count, words().starts_counted(), screen, false);
+    let outcome = search.run(args.starts, args.seed, parallel::cores(), &mut |part| {
+        progress.tell((part * count as f64).round() as u64);
         true
     });
     progress.end();
@@ -81,7 +77,7 @@ fn meet(
     }
     let number = usize::try_from(args.pick).unwrap_or(usize::MAX);
     match outcome.solutions.get(number - 1) {
-        Some(found) => save(args, space, &found.numbers, screen),
+        Some(found) => save(args, space, &found.design, screen),
         None => Err(Failure::Usage(
             words().no_such_design(number, outcome.solutions.len()),
         )),
@@ -124,6 +120,9 @@ fn optimise(
     let given = figures.of(&space.given()).ok();
     let best =
         best.ok_or_else(|| Failure::Cannot(no_best(space, figures.figures(), given.as_deref())))?;
+    let design = space
+        .open(&best.numbers)
+        .map_err(|why| Failure::Cannot(why.reason()))?;
     let report = BestReport {
         space,
         figure: &figure,
@@ -132,6 +131,7 @@ fn optimise(
         given,
         figures: figures.of(&best.numbers).unwrap_or_default(),
         best: &best,
+        design: &design,
     };
     tell(args, &report.to_text(screen.ascii), || {
         format!("{:#}", report.to_json())
@@ -139,7 +139,7 @@ fn optimise(
     if best.missed > 0.0 {
         return Err(Failure::Cannot(words().keeps_nothing().into()));
     }
-    save(args, space, &best.numbers, screen)
+    save(args, space, &design, screen)
 }
 
 fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(), Failure> {
@@ -153,19 +153,19 @@ fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(
 fn save(
     args: &SolveArgs,
     space: &DesignSpace,
-    numbers: &[f64],
+    design: &Design,
     screen: TextScreen,
 ) -> Result<(), Failure> {
     let Some(path) = args.output.output.as_deref() else {
         return Ok(());
     };
-    let design = space
-        .open(numbers)
-        .map_err(|why| Failure::Cannot(why.reason()))?;
     if design.is_held {
         note(words().start_was_written(), screen);
     }
-    write_scene(Some(path), &text(&design))
+    if !design.moves_like(space.solver()) {
+        note(words().moves_otherwise(), screen);
+    }
+    write_scene(Some(path), &text(design))
 }
 
 /// The text of a design, which opens in its assembly.

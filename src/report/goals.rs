@@ -2,10 +2,14 @@
 
 use super::cycle_report::figure_reason;
 use super::number::{concise, significant, trimmed};
+use super::stop_facts::stops;
+use super::verdict::range_part;
 use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
 use crate::quantity::Catalogue;
+use crate::solver::Range;
 use crate::study::{
-    BestDesign, CycleFigure, DesignSpace, FoundDesign, Goal, NoDesign, NoFigure, SearchOutcome,
+    BestDesign, CycleFigure, Design, DesignSpace, FoundDesign, Goal, NoDesign, NoFigure,
+    SearchOutcome,
 };
 use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
@@ -54,9 +58,18 @@ impl GoalReport<'_> {
         let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
         let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
         facts.tell(words().given_lacks(), unopened.into_iter().chain(lacks));
+        facts.tell(words().kind_of_motion(), self.other_motions());
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
+    }
+
+    /// The motion of every design that is shown and does not move as the given one does, and that of the given one.
+    fn other_motions(&self) -> Vec<String> {
+        let shown = self.told().take(MOST_SHOWN).zip(self.heads());
+        let others = shown.filter(|(found, _)| !found.moves_as_given);
+        let others = others.map(|(found, head)| (head, &found.design));
+        other_motions(self.space, others)
     }
 
     /// The figures that the given design has not, each with the reason.
@@ -75,16 +88,20 @@ impl GoalReport<'_> {
         }
     }
 
-    fn table(&self) -> Table {
-        let numbered: Vec<String> = match self.outcome.solutions.is_empty() {
+    /// The heads of the designs that are shown.
+    fn heads(&self) -> Vec<String> {
+        match self.outcome.solutions.is_empty() {
             true => (self.outcome.nearest.iter())
                 .map(|_| words().nearest_design().to_owned())
                 .collect(),
             false => (1..=self.outcome.solutions.len().min(MOST_SHOWN))
                 .map(|n| n.to_string())
                 .collect(),
-        };
-        let heads = std::iter::once(words().given_design().to_owned()).chain(numbered);
+        }
+    }
+
+    fn table(&self) -> Table {
+        let heads = std::iter::once(words().given_design().to_owned()).chain(self.heads());
         let mut table = Table::new("", heads);
         for (i, value) in self.space.values().iter().enumerate() {
             let numbers = self
@@ -125,6 +142,7 @@ impl GoalReport<'_> {
                 "values": named(self.space, &found.numbers),
                 "figures": self.figures(&found.figures),
                 "distance": found.distance,
+                "motion": motion(&found.design, found.moves_as_given),
             })
         };
         json!({
@@ -166,6 +184,41 @@ fn lacks<'f>(
     lacks.collect()
 }
 
+/// The motions of designs that do not move as the given one does, each with its head, behind that of the given one;
+/// nothing where there is none.
+fn other_motions<'d>(
+    space: &DesignSpace,
+    others: impl Iterator<Item = (String, &'d Design)>,
+) -> Vec<String> {
+    let catalogue = Catalogue::new(space.scene());
+    let unit = &catalogue.driver().unit;
+    let told = |head: &str, scene, solver| {
+        words().motion_of_design(head, &range_part(scene, solver, unit).long)
+    };
+    let mut lines: Vec<String> = others
+        .map(|(head, design)| told(&head, &design.scene, &design.solver))
+        .collect();
+    if !lines.is_empty() {
+        let given = told(words().given_design(), space.scene(), space.solver());
+        lines.insert(0, given);
+    }
+    lines
+}
+
+/// How far a design moves and what stops it, for programs.
+fn motion(design: &Design, as_given: bool) -> Value {
+    let (range, period) = match design.solver.motion().range {
+        Range::Full { period } => ([0.0, period], Some(period)),
+        Range::Limited { low, high } => ([low, high], None),
+    };
+    json!({
+        "range": range,
+        "period": period,
+        "stops": stops(&design.scene, &design.solver),
+        "as_given": as_given,
+    })
+}
+
 /// Why there is no best design: the figures that the given one has not.
 #[must_use]
 pub fn no_best(
@@ -195,6 +248,8 @@ pub struct BestReport<'a> {
     pub best: &'a BestDesign,
     /// The same figures of it.
     pub figures: Vec<Result<f64, NoFigure>>,
+    /// It, opened.
+    pub design: &'a Design,
 }
 
 impl BestReport<'_> {
@@ -218,9 +273,17 @@ impl BestReport<'_> {
         facts.tell(words().to_be_kept(), self.constraints.iter().map(written));
         let settled = words().generations_made(self.best.generations, self.best.settled);
         facts.tell(words().designs_found(), [settled]);
+        let head = words().best_design().to_owned();
+        let other = (!self.moves_as_given()).then_some((head, self.design));
+        let motions = other_motions(self.space, other.into_iter());
+        facts.tell(words().kind_of_motion(), motions);
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
+    }
+
+    fn moves_as_given(&self) -> bool {
+        self.design.moves_like(self.space.solver())
     }
 
     fn table(&self) -> Table {
@@ -258,6 +321,7 @@ impl BestReport<'_> {
             "missed": self.best.missed,
             "generations": self.best.generations,
             "settled": self.best.settled,
+            "motion": motion(self.design, self.moves_as_given()),
         })
     }
 }

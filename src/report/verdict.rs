@@ -50,25 +50,7 @@ impl Verdict {
     pub fn new(scene: &Scene, solver: &Solver) -> Verdict {
         let catalogue = Catalogue::new(scene);
         let unit = &catalogue.driver().unit;
-        let range = match solver.motion().range {
-            Range::Full { .. } => VerdictPart::of(words().range_whole()),
-            Range::Limited { low, high } => {
-                let size = low.abs().max(high.abs());
-                let [low, high] = [low, high].map(|at| concise(without_rounding(at, size), PLACES));
-                let range = words().range_between(&low, &high, unit);
-                let short = [range.clone()]
-                    .into_iter()
-                    .chain(stops_named(scene, solver));
-                let place = |at| concise(without_rounding(at, size), PLACES);
-                let placed = stop_placed(scene, solver, |at| place(at) + " " + unit);
-                let long = [range].into_iter().chain(placed);
-                let [long, short] = [long.collect::<Vec<_>>(), short.collect()];
-                VerdictPart {
-                    long: long.join(", "),
-                    short: short.join(", "),
-                }
-            }
-        };
+        let range = range_part(scene, solver, unit);
         let class = solver.first_loop().map(LoopFacts::new);
         let motion = MotionFacts::of(scene).map(|motion| {
             let [long, short] = motion.in_short();
@@ -84,6 +66,26 @@ impl Verdict {
                 motion,
             ],
         }
+    }
+}
+
+/// How far the driver moves, and what stops it.
+pub(super) fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
+    let Range::Limited { low, high } = solver.motion().range else {
+        return VerdictPart::of(words().range_whole());
+    };
+    let size = low.abs().max(high.abs());
+    let place = |at| concise(without_rounding(at, size), PLACES);
+    let range = words().range_between(&place(low), &place(high), unit);
+    let short = [range.clone()]
+        .into_iter()
+        .chain(stops_named(scene, solver));
+    let placed = stop_placed(scene, solver, |at| place(at) + " " + unit);
+    let long = [range].into_iter().chain(placed);
+    let [long, short] = [long.collect::<Vec<_>>(), short.collect()];
+    VerdictPart {
+        long: long.join(", "),
+        short: short.join(", "),
     }
 }
 

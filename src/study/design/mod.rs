@@ -9,12 +9,14 @@
 //! plan       which designs: a grid, or a Latin hypercube, each by its number
 //! run        a row for each design of a plan, on all cores, in order
 //! goal       what a figure of the cycle is to be
-//! solve      numbers that meet goals: Levenberg and Marquardt's method, from many starts
+//! solve      numbers that meet goals, looked for from many starts
+//! levenberg  from one of them, by Levenberg and Marquardt's method
 //! optimise   the best numbers under constraints: differential evolution
 //! ```
 
 mod evaluation;
 mod goal;
+mod levenberg;
 mod optimise;
 mod plan;
 mod run;
@@ -30,7 +32,7 @@ pub use run::{DesignRow, DesignRun, DesignState};
 pub use solve::{FoundDesign, GoalSearch, SearchOutcome};
 
 use crate::scene::{Diagnostics, Scene, Value};
-use crate::solver::{Condition, Fault, Order, Solver};
+use crate::solver::{Condition, EndStop, Fault, Motion, Order, Range, Solver};
 use crate::wording::words;
 
 /// Some values of a scene that vary.
@@ -152,6 +154,26 @@ impl DesignSpace {
         let gets_there = there == here
             || self.solver.solve(there, Order::Position, &mut state) != Condition::NoAssembly;
         if gets_there { there } else { here }
+    }
+}
+
+impl Design {
+    /// Whether its motion is of the same kind as that of another solver: both come round after as long, or both end,
+    /// and at the same ends of the same limits.
+    #[must_use]
+    pub fn moves_like(&self, other: &Solver) -> bool {
+        let stops = |motion: &Motion| {
+            let stop = |stop: &EndStop| (stop.limit, stop.end);
+            motion.stops.iter().map(stop).collect::<Vec<_>>()
+        };
+        let (own, other) = (self.solver.motion(), other.motion());
+        let ends_alike = match (own.range, other.range) {
+            (Range::Full { period: own }, Range::Full { period: other }) => own == other,
+            (Range::Limited { .. }, Range::Limited { .. }) => true,
+            (Range::Full { .. }, Range::Limited { .. })
+            | (Range::Limited { .. }, Range::Full { .. }) => false,
+        };
+        ends_alike && stops(own) == stops(other)
     }
 }
 

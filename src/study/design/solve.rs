@@ -1,23 +1,9 @@
-//! Numbers that meet goals: the method of Levenberg and Marquardt, from what is given and from many other starts.
-//!
-//! Residuals are the goals' misses in parts of their size, those of `>=` and `<=` nought where they are met. The
-//! derivatives are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
-//! them ten digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
-//! its start is found.
+//! Numbers that meet goals, looked for from what is given and from many other starts.
 
-use super::{DesignFigures, DesignPlan, Goal, NoDesign, PlanAxis};
+use super::{Design, DesignFigures, DesignPlan, Goal, NoDesign, PlanAxis};
+use crate::parallel;
 use crate::study::NoFigure;
-use nalgebra::{DMatrix, DVector};
 
-/// Steps of one search at the most.
-const STEPS: usize = 80;
-/// Differences by which derivatives are taken, as a part of a number's size.
-const DIFFERENCE: f64 = 1e-5;
-/// Damping to begin with, by what it grows and shrinks, and beyond which a search is given up.
-const DAMPING: f64 = 1e-3;
-const GROWTH: f64 = 8.0;
-const SHRINKING: f64 = 0.2;
-const MOST_DAMPING: f64 = 1e12;
 /// Solutions that differ by less than this part of each number are one.
 const SAME: f64 = 1e-6;
 /// Where no ends are given, numbers are looked for within this part of what is given to both sides.
@@ -32,12 +18,17 @@ pub struct FoundDesign {
     pub figures: Vec<Result<f64, NoFigure>>,
     /// How far it is from what is given: the root of the sum of squares, each in parts of its size.
     pub distance: f64,
+    /// The design itself.
+    pub design: Design,
+    /// Whether its motion is of the kind of the given one: a goal may be met by a crank that turns no more.
+    pub moves_as_given: bool,
 }
 
 /// What a search came to.
 #[derive(Clone, Debug, Default)]
 pub struct SearchOutcome {
-    /// The designs that meet every goal, the nearest to what is given first.
+    /// The designs that meet every goal: those that move as the given one does before others, of these the nearest to
+    /// what is given first.
     pub solutions: Vec<FoundDesign>,
     /// Where there is none, the design that misses least.
     pub nearest: Option<FoundDesign>,
@@ -50,16 +41,19 @@ pub struct SearchOutcome {
 /// A search for numbers that meet goals.
 #[derive(Clone, Debug)]
 pub struct GoalSearch {
-    figures: DesignFigures,
-    goals: Vec<Goal>,
-    ends: Vec<Option<[f64; 2]>>,
-    sizes: Vec<f64>,
+    pub(super) figures: DesignFigures,
+    pub(super) goals: Vec<Goal>,
+    pub(super) ends: Vec<Option<[f64; 2]>>,
+    pub(super) sizes: Vec<f64>,
 }
 
-/// A place of a search.
-struct Place {
-    numbers: Vec<f64>,
-    misses: DVector<f64>,
+/// To which design a search from one start has come.
+struct SearchEnd {
+    found: FoundDesign,
+    /// Whether it meets every goal.
+    is_met: bool,
+    /// By how much it misses them, in parts of their sizes.
+    missed: f64,
 }
 
 impl GoalSearch {
@@ -93,36 +87,47 @@ impl GoalSearch {
         }
     }
 
-    /// Searches from what is given, and from so many other starts by chance; tells `watch` after each and stops where
-    /// that says so.
+    /// Searches from what is given, and from so many other starts by chance, by so many threads: what is found does not
+    /// depend on their number. `watch` is told the part that is done, and stops the search by answering false.
+    #[must_use]
     pub fn run(
-        &mut self,
+        &self,
         starts: u32,
         seed: u64,
-        watch: &mut dyn FnMut(u32) -> bool,
+        threads: usize,
+        watch: &mut dyn FnMut(f64) -> bool,
     ) -> SearchOutcome {
         let given = self.figures.space().given();
-        let mut outcome = SearchOutcome {
-            unopened: self.figures.of(&given).err(),
-            ..SearchOutcome::default()
-        };
         let around = self.around(&given);
         let plan = DesignPlan::latin(&around, &given, starts, seed);
-        let others = (0..u64::from(starts)).map(|k| plan.numbers(k));
-        for mut start in std::iter::once(given.clone()).chain(others) {
-            outcome.starts += 1;
-            // What is given may lie outside of the ends.
-            self.keep_within(&mut start);
-            if let Some(place) = self.search(start) {
-                self.note(place, &given, &mut outcome);
-            }
-            if !watch(outcome.starts) {
-                break;
+        let from = |search: &mut GoalSearch, k: usize| {
+            // The first is the given one.
+            let start = k.checked_sub(1).map(|k| plan.numbers(k as u64));
+            search.found_from(start.unwrap_or_else(|| given.clone()), &given)
+        };
+        let count = starts as usize + 1;
+        let ends = parallel::each(count, threads, || self.clone(), from, watch);
+        let mut outcome = SearchOutcome {
+            unopened: self.figures.clone().of(&given).err(),
+            starts: u32::try_from(ends.len()).unwrap_or(u32::MAX),
+            ..SearchOutcome::default()
+        };
+        let mut least = f64::INFINITY;
+        for end in ends.into_iter().flatten() {
+            if end.is_met {
+                let known = &mut outcome.solutions.iter();
+                if !known.any(|other| self.apart(&other.numbers, &end.found.numbers) < SAME) {
+                    outcome.solutions.push(end.found);
+                }
+            } else if end.missed < least {
+                least = end.missed;
+                outcome.nearest = Some(end.found);
             }
         }
-        outcome
-            .solutions
-            .sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        outcome.solutions.sort_by(|a, b| {
+            let alike = b.moves_as_given.cmp(&a.moves_as_given);
+            alike.then(a.distance.total_cmp(&b.distance))
+        });
         if !outcome.solutions.is_empty() {
             outcome.nearest = None;
         }
@@ -140,135 +145,33 @@ impl GoalSearch {
         axes.map(axis).collect()
     }
 
-    /// Keeps a place that meets the goals, unless it is known; of others the one that misses least.
-    fn note(&mut self, place: Place, given: &[f64], outcome: &mut SearchOutcome) {
-        let Ok(figures) = self.figures.of(&place.numbers) else {
-            return;
-        };
-        let apart = |other: &[f64]| -> f64 {
-            let pairs = place.numbers.iter().zip(other).zip(&self.sizes);
-            pairs
-                .map(|((a, b), size)| ((a - b) / size).powi(2))
-                .sum::<f64>()
-                .sqrt()
-        };
-        let met = self
-            .goals
-            .iter()
-            .zip(&figures)
-            .all(|(goal, value)| value.is_ok_and(|value| goal.is_met(value)));
-        let is_known = outcome
-            .solutions
-            .iter()
-            .any(|other| apart(&other.numbers) < SAME);
+    /// How far two designs are from each other: the root of the sum of squares, each number in parts of its size.
+    fn apart(&self, one: &[f64], other: &[f64]) -> f64 {
+        let pairs = one.iter().zip(other).zip(&self.sizes);
+        let squares = pairs.map(|((a, b), size)| ((a - b) / size).powi(2));
+        squares.sum::<f64>().sqrt()
+    }
+
+    /// The design to which a search from one start comes; `None` where it comes to none.
+    fn found_from(&mut self, mut start: Vec<f64>, given: &[f64]) -> Option<SearchEnd> {
+        // What is given may lie outside of the ends.
+        self.keep_within(&mut start);
+        let place = self.search(start)?;
+        let figures = self.figures.of(&place.numbers).ok()?;
+        let design = self.figures.space().open(&place.numbers).ok()?;
+        let mut pairs = self.goals.iter().zip(&figures);
+        let is_met = pairs.all(|(goal, value)| value.is_ok_and(|value| goal.is_met(value)));
         let found = FoundDesign {
-            distance: apart(given),
-            numbers: place.numbers.clone(),
+            distance: self.apart(&place.numbers, given),
+            moves_as_given: design.moves_like(self.figures.space().solver()),
+            numbers: place.numbers,
             figures,
+            design,
         };
-        if met && !is_known {
-            outcome.solutions.push(found);
-        } else if !met {
-            let before = outcome
-                .nearest
-                .as_ref()
-                .and_then(|other| self.misses_of(&other.figures));
-            if before.is_none_or(|before| place.misses.norm() < before.norm()) {
-                outcome.nearest = Some(found);
-            }
-        }
-    }
-
-    fn misses_of(&self, figures: &[Result<f64, NoFigure>]) -> Option<DVector<f64>> {
-        let all = self
-            .goals
-            .iter()
-            .zip(figures)
-            .map(|(goal, value)| Some(goal.part(value.ok()?)));
-        let all: Option<Vec<f64>> = all.collect();
-        all.map(DVector::from_vec)
-    }
-
-    fn misses(&mut self, numbers: &[f64]) -> Option<DVector<f64>> {
-        let figures = self.figures.of(numbers).ok()?;
-        self.misses_of(&figures)
-    }
-
-    /// From one start, to where no step is better.
-    fn search(&mut self, start: Vec<f64>) -> Option<Place> {
-        let misses = self.misses(&start)?;
-        let mut place = Place {
-            numbers: start,
-            misses,
-        };
-        let mut damping = DAMPING;
-        for _ in 0..STEPS {
-            if place.misses.norm() == 0.0 {
-                break;
-            }
-            let Some(slopes) = self.slopes(&place) else {
-                break;
-            };
-            let Some(better) = self.step(&place, &slopes, &mut damping) else {
-                break;
-            };
-            let gain = 1.0 - better.misses.norm() / place.misses.norm();
-            place = better;
-            if gain < f64::EPSILON {
-                break;
-            }
-        }
-        Some(place)
-    }
-
-    /// A step that is better, with as much damping as that takes.
-    fn step(&mut self, place: &Place, slopes: &DMatrix<f64>, damping: &mut f64) -> Option<Place> {
-        let square = slopes.tr_mul(slopes);
-        let pull = slopes.tr_mul(&place.misses);
-        let size = square.diagonal().max().max(f64::MIN_POSITIVE);
-        while *damping < MOST_DAMPING {
-            let damped =
-                &square + DMatrix::identity(square.nrows(), square.ncols()) * (*damping * size);
-            let way = damped.cholesky()?.solve(&pull);
-            let moved = place.numbers.iter().zip(&self.sizes).zip(way.iter());
-            let mut numbers: Vec<f64> = moved.map(|((v, size), way)| v - way * size).collect();
-            self.keep_within(&mut numbers);
-            match self.misses(&numbers) {
-                Some(misses) if misses.norm() < place.misses.norm() => {
-                    *damping *= SHRINKING;
-                    return Some(Place { numbers, misses });
-                }
-                _ => *damping *= GROWTH,
-            }
-        }
-        None
-    }
-
-    fn keep_within(&self, numbers: &mut [f64]) {
-        for (number, ends) in numbers.iter_mut().zip(&self.ends) {
-            if let Some([low, high]) = ends {
-                *number = number.max(low.min(*high)).min(high.max(*low));
-            }
-        }
-    }
-
-    /// The derivatives of the misses by the numbers in parts of their sizes.
-    fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
-        let columns = (0..place.numbers.len()).map(|i| {
-            let by = DIFFERENCE * self.sizes[i];
-            let mut at = |by: f64| {
-                let mut numbers = place.numbers.clone();
-                numbers[i] += by;
-                self.misses(&numbers)
-            };
-            match (at(by), at(-by)) {
-                (Some(above), Some(below)) => Some((above - below) / (2.0 * DIFFERENCE)),
-                (Some(above), None) => Some((above - &place.misses) / DIFFERENCE),
-                (None, Some(below)) => Some((&place.misses - below) / DIFFERENCE),
-                (None, None) => None,
-            }
-        });
-        let columns: Option<Vec<DVector<f64>>> = columns.collect();
-        Some(DMatrix::from_columns(&columns?))
+        Some(SearchEnd {
+            found,
+            is_met,
+            missed: place.misses.norm(),
+        })
     }
 }

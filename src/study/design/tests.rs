@@ -214,8 +214,8 @@ fn a_stroke_is_met_by_the_crank_that_it_takes() {
     let space = space("slider-crank", &["r2 length"]);
     let search = figures(&space, &["r4.length.stroke"]);
     let goals = goals(&space, &["r4.length.stroke = 13"]);
-    let mut search = GoalSearch::new(search, goals, &axes(&["r2"]));
-    let outcome = search.run(4, 1, &mut |_| true);
+    let search = GoalSearch::new(search, goals, &axes(&["r2"]));
+    let outcome = search.run(4, 1, 2, &mut |_| true);
     assert_eq!(outcome.solutions.len(), 1, "{outcome:?}");
     assert!(
         (outcome.solutions[0].numbers[0] - 6.5).abs() < 1e-9,
@@ -245,8 +245,8 @@ fn stroke_and_time_ratio_are_met_together() {
         .find(|v| v.name == "r3 length")
         .unwrap()
         .number;
-    let mut search = GoalSearch::new(search, goals, &axes(&["r2", "e"]));
-    let outcome = search.run(16, 1, &mut |_| true);
+    let search = GoalSearch::new(search, goals, &axes(&["r2", "e"]));
+    let outcome = search.run(16, 1, 2, &mut |_| true);
     // The offset to either side.
     assert_eq!(outcome.solutions.len(), 2, "{outcome:?}");
     for found in &outcome.solutions {
@@ -272,8 +272,8 @@ fn where_nothing_meets_the_goal_the_nearest_is_told() {
     let space = space("slider-crank", &["r2 length"]);
     let goals = goals(&space, &["r4.length.stroke = 30"]);
     let search = figures(&space, &["r4.length.stroke"]);
-    let mut search = GoalSearch::new(search, goals, &axes(&["r2=5..12"]));
-    let outcome = search.run(3, 1, &mut |_| true);
+    let search = GoalSearch::new(search, goals, &axes(&["r2=5..12"]));
+    let outcome = search.run(3, 1, 2, &mut |_| true);
     assert!(outcome.solutions.is_empty());
     let nearest = outcome.nearest.unwrap();
     assert!((nearest.numbers[0] - 12.0).abs() < 1e-6, "{nearest:?}");
@@ -388,7 +388,7 @@ fn a_direction_is_brought_to_nought_the_short_way() {
     for wish in ["r3.angle@60 = 0", "r3.angle@60 = 360", "r3.angle@60 = -360"] {
         let goals = goals(&space, &[wish]);
         let search = figures(&space, &["r3.angle@60"]);
-        let outcome = GoalSearch::new(search, goals, &axes(&["D.x"])).run(0, 1, &mut |_| true);
+        let outcome = GoalSearch::new(search, goals, &axes(&["D.x"])).run(0, 1, 2, &mut |_| true);
         let found = outcome.solutions.first();
         let off = found.map(|found| (found.numbers[0] - known).abs());
         assert!(
@@ -461,10 +461,36 @@ fn nothing_is_found_outside_of_the_ends() {
     let space = space("slider-crank", &["r2 length"]);
     let goals = goals(&space, &["r4.length.stroke <= 24"]);
     let search = figures(&space, &["r4.length.stroke"]);
-    let mut search = GoalSearch::new(search, goals, &axes(&["r2=11..12"]));
-    let outcome = search.run(3, 1, &mut |_| true);
+    let search = GoalSearch::new(search, goals, &axes(&["r2=11..12"]));
+    let outcome = search.run(3, 1, 2, &mut |_| true);
     assert!(!outcome.solutions.is_empty());
     for found in &outcome.solutions {
         assert!((11.0..=12.0).contains(&found.numbers[0]), "{outcome:?}");
     }
+}
+
+/// The rocker of a four-bar swings as far as wished with a longer crank that turns no more: that is a solution, behind
+/// those whose crank turns, and it says so. The crank turns fully as long as r2 + 400 < 300 + 250.
+#[test]
+fn a_design_that_turns_no_more_is_said_to_move_otherwise() {
+    let space = space("four-bar", &["r2 length"]);
+    let goals = goals(&space, &["r4.angle.swing = 100"]);
+    let found = |threads| {
+        let search = figures(&space, &["r4.angle.swing"]);
+        GoalSearch::new(search, goals.clone(), &axes(&["r2"])).run(24, 1, threads, &mut |_| true)
+    };
+    let outcome = found(1);
+    assert!(!outcome.solutions.is_empty());
+    for found in &outcome.solutions {
+        let turns = found.numbers[0] < 150.0;
+        assert_eq!(found.moves_as_given, turns, "{:?}", found.numbers);
+    }
+    let kinds = outcome.solutions.iter().map(|found| !found.moves_as_given);
+    assert!(kinds.is_sorted(), "those that move as given come first");
+    // The same by any number of threads.
+    let numbers = |outcome: &SearchOutcome| -> Vec<Vec<f64>> {
+        let solutions = outcome.solutions.iter();
+        solutions.map(|found| found.numbers.clone()).collect()
+    };
+    assert_eq!(numbers(&outcome), numbers(&found(3)));
 }

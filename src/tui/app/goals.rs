@@ -51,7 +51,7 @@ impl App {
         let space = DesignSpace::of_axes(open_scene.scene(), open_scene.solver(), &axes)?;
         let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
         let figures = DesignFigures::new(&space, figures, None);
-        let outcome = GoalSearch::new(figures, goals.clone(), &axes).run(0, 0, &mut |_| true);
+        let outcome = GoalSearch::new(figures, goals.clone(), &axes).run(0, 0, 1, &mut |_| true);
         match (outcome.solutions.first(), &outcome.nearest) {
             (Some(found), _) => {
                 let texts = space.values().iter().zip(&found.numbers);

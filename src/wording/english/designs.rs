@@ -22,6 +22,9 @@ catalogue! {
         given_design = "given";
         nearest_design = "nearest";
         best_design = "best";
+        kind_of_motion = "motion";
+        motion_of_design(design: &str, motion: &str) = "{design}: {motion}";
+        moves_otherwise = "this design does not move as the given one does";
         greatest_wished(figure: &str) = "the greatest {figure}";
         least_wished(figure: &str) = "the least {figure}";
         none_meets_goals(starts: u32) = {

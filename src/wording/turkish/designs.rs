@@ -22,6 +22,9 @@ catalogue! {
         given_design = "verilen";
         nearest_design = "en yakın";
         best_design = "en iyi";
+        kind_of_motion = "hareket";
+        motion_of_design(design: &str, motion: &str) = "{design}: {motion}";
+        moves_otherwise = "bu tasarım verilen gibi hareket etmiyor";
         greatest_wished(figure: &str) = "en büyük {figure}";
         least_wished(figure: &str) = "en küçük {figure}";
         none_meets_goals(starts: u32) = {

@@ -1,0 +1,121 @@
+//! The method of Levenberg and Marquardt: from one start to numbers that miss the goals least.
+//!
+//! Residuals are the goals' misses in parts of their size, those of `>=` and `<=` nought where they are met. The
+//! derivatives are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
+//! them ten digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
+//! its start is found.
+
+use super::GoalSearch;
+use crate::study::NoFigure;
+use nalgebra::{DMatrix, DVector};
+
+/// Steps of one search at the most.
+const STEPS: usize = 80;
+/// Differences by which derivatives are taken, as a part of a number's size.
+const DIFFERENCE: f64 = 1e-5;
+/// Damping to begin with, by what it grows and shrinks, and beyond which a search is given up.
+const DAMPING: f64 = 1e-3;
+const GROWTH: f64 = 8.0;
+const SHRINKING: f64 = 0.2;
+const MOST_DAMPING: f64 = 1e12;
+
+/// A place of a search.
+pub(super) struct Place {
+    pub(super) numbers: Vec<f64>,
+    pub(super) misses: DVector<f64>,
+}
+
+impl GoalSearch {
+    fn misses_of(&self, figures: &[Result<f64, NoFigure>]) -> Option<DVector<f64>> {
+        let all = self
+            .goals
+            .iter()
+            .zip(figures)
+            .map(|(goal, value)| Some(goal.part(value.ok()?)));
+        let all: Option<Vec<f64>> = all.collect();
+        all.map(DVector::from_vec)
+    }
+
+    fn misses(&mut self, numbers: &[f64]) -> Option<DVector<f64>> {
+        let figures = self.figures.of(numbers).ok()?;
+        self.misses_of(&figures)
+    }
+
+    /// From one start, to where no step is better.
+    pub(super) fn search(&mut self, start: Vec<f64>) -> Option<Place> {
+        let misses = self.misses(&start)?;
+        let mut place = Place {
+            numbers: start,
+            misses,
+        };
+        let mut damping = DAMPING;
+        for _ in 0..STEPS {
+            if place.misses.norm() == 0.0 {
+                break;
+            }
+            let Some(slopes) = self.slopes(&place) else {
+                break;
+            };
+            let Some(better) = self.step(&place, &slopes, &mut damping) else {
+                break;
+            };
+            let gain = 1.0 - better.misses.norm() / place.misses.norm();
+            place = better;
+            if gain < f64::EPSILON {
+                break;
+            }
+        }
+        Some(place)
+    }
+
+    /// A step that is better, with as much damping as that takes.
+    fn step(&mut self, place: &Place, slopes: &DMatrix<f64>, damping: &mut f64) -> Option<Place> {
+        let square = slopes.tr_mul(slopes);
+        let pull = slopes.tr_mul(&place.misses);
+        let size = square.diagonal().max().max(f64::MIN_POSITIVE);
+        while *damping < MOST_DAMPING {
+            let damped =
+                &square + DMatrix::identity(square.nrows(), square.ncols()) * (*damping * size);
+            let way = damped.cholesky()?.solve(&pull);
+            let moved = place.numbers.iter().zip(&self.sizes).zip(way.iter());
+            let mut numbers: Vec<f64> = moved.map(|((v, size), way)| v - way * size).collect();
+            self.keep_within(&mut numbers);
+            match self.misses(&numbers) {
+                Some(misses) if misses.norm() < place.misses.norm() => {
+                    *damping *= SHRINKING;
+                    return Some(Place { numbers, misses });
+                }
+                _ => *damping *= GROWTH,
+            }
+        }
+        None
+    }
+
+    pub(super) fn keep_within(&self, numbers: &mut [f64]) {
+        for (number, ends) in numbers.iter_mut().zip(&self.ends) {
+            if let Some([low, high]) = ends {
+                *number = number.max(low.min(*high)).min(high.max(*low));
+            }
+        }
+    }
+
+    /// The derivatives of the misses by the numbers in parts of their sizes.
+    fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
+        let columns = (0..place.numbers.len()).map(|i| {
+            let by = DIFFERENCE * self.sizes[i];
+            let mut at = |by: f64| {
+                let mut numbers = place.numbers.clone();
+                numbers[i] += by;
+                self.misses(&numbers)
+            };
+            match (at(by), at(-by)) {
+                (Some(above), Some(below)) => Some((above - below) / (2.0 * DIFFERENCE)),
+                (Some(above), None) => Some((above - &place.misses) / DIFFERENCE),
+                (None, Some(below)) => Some((&place.misses - below) / DIFFERENCE),
+                (None, None) => None,
+            }
+        });
+        let columns: Option<Vec<DVector<f64>>> = columns.collect();
+        Some(DMatrix::from_columns(&columns?))
+    }
+}
