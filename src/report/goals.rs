@@ -272,7 +272,8 @@ impl BestReport<'_> {
         facts.tell(words().to_be_best(), [wish]);
         facts.tell(words().to_be_kept(), self.constraints.iter().map(written));
         let settled = words().generations_made(self.best.generations, self.best.settled);
-        facts.tell(words().designs_found(), [settled]);
+        let polished = words().polished_best(self.best.stationary);
+        facts.tell(words().designs_found(), [settled, polished]);
         let head = words().best_design().to_owned();
         let other = (!self.moves_as_given()).then_some((head, self.design));
         let motions = other_motions(self.space, other.into_iter());
@@ -321,6 +322,7 @@ impl BestReport<'_> {
             "missed": self.best.missed,
             "generations": self.best.generations,
             "settled": self.best.settled,
+            "stationary": self.best.stationary,
             "motion": motion(self.design, self.moves_as_given()),
         })
     }

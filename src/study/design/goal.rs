@@ -126,6 +126,16 @@ impl Goal {
         self.miss(value) / self.size
     }
 
+    /// What a value leaves, in parts of the goal's size: of what it is not to be less or more than how far it is on the
+    /// good side, below nought where it is missed; of what it is to be equal to how much it is more.
+    pub(super) fn slack(&self, value: f64) -> f64 {
+        let over = self.over(value) / self.size;
+        match self.sense {
+            GoalSense::Equal | GoalSense::AtLeast => over,
+            GoalSense::AtMost => -over,
+        }
+    }
+
     /// By how much a value misses it, with its sign; 0 where it is met.
     #[must_use]
     pub fn miss(&self, value: f64) -> f64 {

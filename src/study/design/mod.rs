@@ -12,13 +12,17 @@
 //! solve      numbers that meet goals, looked for from many starts
 //! levenberg  from one of them, by Levenberg and Marquardt's method
 //! optimise   the best numbers under constraints: differential evolution
+//! judge      how good a design is there, and the shortest way onto what is to be equal
+//! polish     from the best design of it to the best one around
 //! ```
 
 mod evaluation;
 mod goal;
+mod judge;
 mod levenberg;
 mod optimise;
 mod plan;
+mod polish;
 mod run;
 mod solve;
 #[cfg(test)]

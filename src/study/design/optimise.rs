@@ -1,11 +1,15 @@
 //! The best design under constraints: differential evolution (Storn and Price, 1997), which asks for no derivative.
 //!
 //! Of two designs the better one is the one that is one at all; then the one that misses the constraints less; then the
-//! one with the better figure (Deb, 2000). The same seed gives the same design, on however many cores.
+//! one with the better figure (Deb, 2000). What is to be equal is a set without an inside, into which no chance hits:
+//! every design is brought onto it before it is judged. The best one is polished. The same seed gives the same design,
+//! on however many cores.
 
+use super::judge::{Judge, NONE, Worth};
+use super::polish::{Polished, polished};
 use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
 use crate::numeric::SeededChance;
-use std::thread;
+use crate::parallel;
 
 /// Designs of a generation for each value that varies, and at least.
 const FOR_EACH: usize = 12;
@@ -42,15 +46,13 @@ pub struct BestDesign {
     pub generations: u32,
     /// Whether the last of them lay together in one place.
     pub settled: bool,
+    /// Whether no small step that keeps the constraints betters it, to first order; at a kink of a figure that cannot
+    /// be told.
+    pub stationary: bool,
 }
 
 /// Generations in which the best may stay what it is.
 const LONGEST_REST: u32 = 60;
-
-/// How good a design is: less is better, what it misses first. Infinite where there is none.
-type Worth = (f64, f64);
-
-const NONE: Worth = (f64::INFINITY, f64::INFINITY);
 
 fn better(one: Worth, other: Worth) -> Worth {
     if other < one { other } else { one }
@@ -66,12 +68,12 @@ impl BestDesign {
         order: OptimiseOrder,
         watch: &mut dyn FnMut(u32) -> bool,
     ) -> Option<BestDesign> {
+        let mut judge = Judge::new(figures, constraints, axes, order.greatest);
         let given = figures.space().given();
-        let constraints = &sized(figures, constraints, &given)[..];
         let count = (FOR_EACH * axes.len()).max(FEWEST);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
-        let mut generation: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
-        let mut worth = worths(figures, constraints, &generation, order);
+        let begun: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
+        let (mut generation, mut worth) = settled_all(&judge, &begun, order.threads);
         let mut chance = SeededChance::new(order.seed ^ 0x5bd1_e995);
         let mut made = 0;
         let mut settled = false;
@@ -80,7 +82,7 @@ impl BestDesign {
             let trials: Vec<Vec<f64>> = (0..generation.len())
                 .map(|i| trial(&generation, i, axes, &mut chance))
                 .collect();
-            let found = worths(figures, constraints, &trials, order);
+            let (trials, found) = settled_all(&judge, &trials, order.threads);
             for ((design, worth), (trial, found)) in generation
                 .iter_mut()
                 .zip(&mut worth)
@@ -104,24 +106,29 @@ impl BestDesign {
                 .partial_cmp(&worth[b])
                 .unwrap_or(std::cmp::Ordering::Equal)
         })?;
-        let (missed, value) = worth[best];
-        missed.is_finite().then(|| BestDesign {
-            numbers: generation[best].clone(),
+        let design = judge.judge(generation.swap_remove(best))?;
+        let Polished {
+            design,
+            is_stationary,
+        } = polished(&mut judge, design);
+        let (missed, value) = design.worth;
+        Some(BestDesign {
+            numbers: design.numbers,
             value: if order.greatest { -value } else { value },
             missed,
             generations: made,
             settled,
+            stationary: is_stationary,
         })
     }
 }
 
-/// The constraints, each measured by what it has to be changed by.
-fn sized(figures: &DesignFigures, constraints: &[Goal], given: &[f64]) -> Vec<Goal> {
-    let values = figures.clone().of(given).unwrap_or_default();
-    let kept = values.into_iter().skip(1).map(Result::ok);
-    let values = kept.chain(std::iter::repeat(None));
-    let pairs = constraints.iter().cloned().zip(values);
-    pairs.map(|(goal, value)| goal.from(value)).collect()
+/// Every design brought onto what is to be equal, and how good it is: found on several threads.
+fn settled_all(judge: &Judge, designs: &[Vec<f64>], threads: usize) -> (Vec<Vec<f64>>, Vec<Worth>) {
+    let settle = |judge: &mut Judge, i: usize| judge.settled(designs[i].clone());
+    let room = || judge.clone();
+    let found = parallel::each(designs.len(), threads, room, settle, &mut |_| true);
+    found.into_iter().unzip()
 }
 
 /// A design of three others, crossed with the one whose place it may take.
@@ -181,52 +188,4 @@ fn lie_together(generation: &[Vec<f64>], axes: &[PlanAxis]) -> bool {
         let [from, to] = axis.ends.unwrap_or([low, high]);
         high - low <= TOGETHER * (to - from).abs().max(low.abs().max(high.abs()))
     })
-}
-
-/// How good every design is, found on several threads.
-fn worths(
-    figures: &DesignFigures,
-    constraints: &[Goal],
-    designs: &[Vec<f64>],
-    order: OptimiseOrder,
-) -> Vec<Worth> {
-    let part = designs.len().div_ceil(order.threads.max(1)).max(1);
-    thread::scope(|scope| {
-        let parts = designs.chunks(part).map(|designs| {
-            let mut figures = figures.clone();
-            scope.spawn(move || {
-                let worth =
-                    |numbers: &Vec<f64>| worth(&mut figures, constraints, numbers, order.greatest);
-                designs.iter().map(worth).collect::<Vec<_>>()
-            })
-        });
-        let parts: Vec<_> = parts.collect();
-        let nothing = |count: usize| vec![(f64::INFINITY, f64::INFINITY); count];
-        let found = parts.into_iter().zip(designs.chunks(part));
-        found
-            .flat_map(|(part, designs)| part.join().unwrap_or_else(|_| nothing(designs.len())))
-            .collect()
-    })
-}
-
-fn worth(
-    figures: &mut DesignFigures,
-    constraints: &[Goal],
-    numbers: &[f64],
-    greatest: bool,
-) -> Worth {
-    let Ok(found) = figures.of(numbers) else {
-        return NONE;
-    };
-    let Some((Ok(value), kept)) = found.split_first().map(|(best, kept)| (*best, kept)) else {
-        return NONE;
-    };
-    let mut missed = 0.0;
-    for (goal, value) in constraints.iter().zip(kept) {
-        let Ok(value) = *value else { return NONE };
-        if !goal.is_met(value) {
-            missed += goal.part(value).abs();
-        }
-    }
-    (missed, if greatest { -value } else { value })
 }

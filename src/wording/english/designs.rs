@@ -50,6 +50,13 @@ catalogue! {
                 false => format!("the best of {made}; they did not come to one place"),
             }
         };
+        polished_best(stationary: bool) = {
+            match stationary {
+                true => "no small step that keeps all of that betters it",
+                false => "whether a small step betters it is not certain: a figure may have a kink there",
+            }
+            .to_owned()
+        };
         no_goal_given = "say what is to be met with --goal, or what is to be the best with --minimize or --maximize";
         goals_and_best = "a goal is met, or a figure is the best: give --goal, or --minimize or --maximize with --keep";
         free_without_ends(name: &str) = "`{name}` needs ends here: write `{name}=LOW..HIGH`";

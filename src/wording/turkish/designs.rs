@@ -47,6 +47,13 @@ catalogue! {
                 false => format!("{generations} kuşağın en iyisi; bir yere varmadılar"),
             }
         };
+        polished_best(stationary: bool) = {
+            match stationary {
+                true => "hepsini koruyan hiçbir küçük adım onu iyileştirmiyor",
+                false => "küçük bir adımın onu iyileştirip iyileştirmediği kesin değil: bir büyüklüğün orada kırığı olabilir",
+            }
+            .to_owned()
+        };
         no_goal_given = "neyin karşılanacağını --goal ile, neyin en iyi olacağını --minimize ya da --maximize ile söyleyin";
         goals_and_best = "ya bir hedef karşılanır ya da bir büyüklük en iyi olur: --goal ya da --keep ile birlikte --minimize veya --maximize verin";
         free_without_ends(name: &str) = "`{name}` için burada sınırlar gerek: `{name}=ALT..ÜST` yazın";

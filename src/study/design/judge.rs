@@ -1,0 +1,225 @@
+//! How good a design is that is to be the best, and the shortest way from a design onto what is to be equal.
+
+use super::{DesignFigures, Goal, GoalSense, PlanAxis};
+use nalgebra::{DMatrix, DVector};
+
+/// Differences by which derivatives are taken, as a part of the way between the ends.
+pub(super) const DIFFERENCE: f64 = 1e-5;
+/// Steps onto the constraints, and how often one is halved that does not come nearer.
+const STEPS: usize = 12;
+const HALVINGS: u32 = 6;
+/// What is left of a constraint, in parts of its size, is rounding.
+const NOUGHT: f64 = 1e-13;
+/// A singular value that is so small a part of the greatest is none.
+const SINGULAR: f64 = 1e-9;
+
+/// How good a design is: less is better, what it misses first. Infinite where there is none.
+pub(super) type Worth = (f64, f64);
+
+pub(super) const NONE: Worth = (f64::INFINITY, f64::INFINITY);
+
+/// Judges designs: the first of the figures is to be the best, the others are those of the constraints.
+#[derive(Clone, Debug)]
+pub(super) struct Judge {
+    pub(super) figures: DesignFigures,
+    pub(super) constraints: Vec<Goal>,
+    /// Between which each number may be.
+    pub(super) ends: Vec<[f64; 2]>,
+    pub(super) greatest: bool,
+}
+
+/// What a design is judged by.
+#[derive(Clone, Debug)]
+pub(super) struct Judged {
+    pub(super) numbers: Vec<f64>,
+    /// The figure that is to be the best, so that less is better.
+    pub(super) value: f64,
+    /// What each constraint leaves: see [`Goal::slack`].
+    pub(super) slacks: DVector<f64>,
+    pub(super) worth: Worth,
+}
+
+/// The derivatives of what a design is judged by, by its numbers in parts of the way between their ends.
+#[derive(Clone, Debug)]
+pub(super) struct Slopes {
+    pub(super) value: DVector<f64>,
+    /// A row for each constraint.
+    pub(super) slacks: DMatrix<f64>,
+}
+
+impl Judge {
+    /// Of designs between the ends of axes; each constraint is measured by what it has to be changed by.
+    pub(super) fn new(
+        figures: &DesignFigures,
+        constraints: &[Goal],
+        axes: &[PlanAxis],
+        greatest: bool,
+    ) -> Judge {
+        let given = figures.space().given();
+        let mut figures = figures.clone();
+        let values = figures.of(&given).unwrap_or_default();
+        let kept = values.into_iter().skip(1).map(Result::ok);
+        let pairs = constraints.iter().cloned();
+        let pairs = pairs.zip(kept.chain(std::iter::repeat(None)));
+        let ends = axes.iter().zip(&given).map(|(axis, given)| {
+            let [low, high] = axis.ends.unwrap_or([*given; 2]);
+            [low.min(high), low.max(high)]
+        });
+        Judge {
+            constraints: pairs.map(|(goal, value)| goal.from(value)).collect(),
+            ends: ends.collect(),
+            figures,
+            greatest,
+        }
+    }
+
+    /// Judges a design; `None` where it is none, or lacks a figure.
+    pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<Judged> {
+        let found = self.figures.of(&numbers).ok()?;
+        let (value, kept) = found.split_first()?;
+        let value = value.ok().filter(|value| value.is_finite())?;
+        let value = if self.greatest { -value } else { value };
+        let (mut missed, mut slacks) = (0.0, Vec::with_capacity(kept.len()));
+        for (goal, kept) in self.constraints.iter().zip(kept) {
+            let kept = kept.ok().filter(|kept| kept.is_finite())?;
+            if !goal.is_met(kept) {
+                missed += goal.part(kept).abs();
+            }
+            slacks.push(goal.slack(kept));
+        }
+        Some(Judged {
+            numbers,
+            value,
+            slacks: DVector::from_vec(slacks),
+            worth: (missed, value),
+        })
+    }
+
+    /// A design brought onto what is to be equal, as far as that goes, and how good it is.
+    pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, Worth) {
+        match self.judge(numbers.clone()) {
+            Some(design) => {
+                let design = self.onto(design, &[]);
+                (design.numbers, design.worth)
+            }
+            None => (numbers, NONE),
+        }
+    }
+
+    /// Brings a design onto what is to be equal, by Newton's steps, each the shortest that there is between the ends:
+    /// onto equalities, and of the other constraints onto those that are held and those that are missed.
+    pub(super) fn onto(&mut self, mut design: Judged, held: &[usize]) -> Judged {
+        for _ in 0..STEPS {
+            let rows = self.missed_by(&design, held);
+            let missed = norm(&design, &rows);
+            if rows.is_empty() || missed <= NOUGHT {
+                break;
+            }
+            let better = self.slopes(&design, false).and_then(|slopes| {
+                let way = self.way_onto(&design, &slopes, &rows)?;
+                (0..=HALVINGS).find_map(|k| {
+                    let part = 0.5_f64.powi(i32::try_from(k).unwrap_or(0));
+                    let there = self.judge(self.moved(&design.numbers, &(&way * part)))?;
+                    (norm(&there, &rows) < missed).then_some(there)
+                })
+            });
+            match better {
+                Some(better) => design = better,
+                None => break,
+            }
+        }
+        design
+    }
+
+    /// The constraints onto which a design is brought.
+    fn missed_by(&self, design: &Judged, held: &[usize]) -> Vec<usize> {
+        let all = self.constraints.iter().enumerate();
+        let is_missed = |i: usize, goal: &Goal| {
+            goal.sense == GoalSense::Equal || design.slacks[i] < 0.0 || held.contains(&i)
+        };
+        let missed = all.filter(|(i, goal)| is_missed(*i, goal));
+        missed.map(|(i, _)| i).collect()
+    }
+
+    /// The shortest step that makes some slacks nought, of numbers that it does not lead beyond their ends.
+    fn way_onto(&self, design: &Judged, slopes: &Slopes, rows: &[usize]) -> Option<DVector<f64>> {
+        let count = self.ends.len();
+        let missed = DVector::from_iterator(rows.len(), rows.iter().map(|&i| design.slacks[i]));
+        let mut free = vec![true; count];
+        loop {
+            let slope = |row: usize, i: usize| match free[i] {
+                true => slopes.slacks[(rows[row], i)],
+                false => 0.0,
+            };
+            let matrix = DMatrix::from_fn(rows.len(), count, slope);
+            let parts = matrix.svd(true, true);
+            let least = SINGULAR * parts.singular_values.max();
+            if !(least > 0.0) {
+                return None;
+            }
+            let way = -parts.solve(&missed, least).ok()?;
+            let leads_out = |&i: &usize| {
+                let [low, high] = self.ends[i];
+                free[i]
+                    && ((design.numbers[i] <= low && way[i] < 0.0)
+                        || (design.numbers[i] >= high && way[i] > 0.0))
+            };
+            match (0..count).find(leads_out) {
+                Some(i) => free[i] = false,
+                None => return Some(way),
+            }
+        }
+    }
+
+    /// Numbers moved by parts of the way between their ends, and not beyond these.
+    pub(super) fn moved(&self, numbers: &[f64], way: &DVector<f64>) -> Vec<f64> {
+        let moved = numbers.iter().zip(&self.ends).zip(way.iter());
+        let moved = moved.map(|((v, &[low, high]), way)| (v + way * (high - low)).clamp(low, high));
+        moved.collect()
+    }
+
+    /// The derivatives at a design, by differences to both sides or, where that is enough, to one.
+    pub(super) fn slopes(&mut self, design: &Judged, to_both: bool) -> Option<Slopes> {
+        let count = self.ends.len();
+        let mut slopes = Slopes {
+            value: DVector::zeros(count),
+            slacks: DMatrix::zeros(self.constraints.len(), count),
+        };
+        for i in 0..count {
+            let [low, high] = self.ends[i];
+            let size = high - low;
+            if size <= 0.0 {
+                continue;
+            }
+            let mut beside = |by: f64| {
+                let mut numbers = design.numbers.clone();
+                numbers[i] += by * size;
+                let is_within = low <= numbers[i] && numbers[i] <= high;
+                is_within.then(|| self.judge(numbers)).flatten()
+            };
+            let above = beside(DIFFERENCE);
+            let below = match to_both || above.is_none() {
+                true => beside(-DIFFERENCE),
+                false => None,
+            };
+            let (from, to) = match (&below, &above) {
+                (Some(below), Some(above)) => (below, above),
+                (None, Some(above)) => (design, above),
+                (Some(below), None) => (below, design),
+                (None, None) => return None,
+            };
+            let by = (to.numbers[i] - from.numbers[i]) / size;
+            slopes.value[i] = (to.value - from.value) / by;
+            slopes
+                .slacks
+                .set_column(i, &((&to.slacks - &from.slacks) / by));
+        }
+        Some(slopes)
+    }
+}
+
+/// By how much some constraints are off nought, all together.
+fn norm(design: &Judged, rows: &[usize]) -> f64 {
+    let squares = rows.iter().map(|&i| design.slacks[i].powi(2));
+    squares.sum::<f64>().sqrt()
+}
