@@ -269,8 +269,8 @@ fn the_wiper_takes_as_long_there_as_back() {
 fn the_wheel_on_its_wishbones_leans_as_it_rises() {
     let mut machine = Machine::of("double-wishbone");
     let contact = |q: f64| {
-        let (pin, pivot) = (Plane::polar(360.0, q), Plane(60.0, 220.0));
-        let upper = right(pin, 240.0, pivot, 260.0);
+        let (pin, pivot) = (Plane::polar(360.0, q), Plane(96.0, 217.0));
+        let upper = right(pin, 240.0, pivot, 265.0);
         let upright = upper.minus(pin).unit();
         (upper, pin.plus(upright.times(Plane(-200.0, -110.0))))
     };
@@ -283,8 +283,10 @@ fn the_wheel_on_its_wishbones_leans_as_it_rises() {
     }
     let lean = [-5.0, 0.0, 5.0].map(|at| {
         machine.go(at);
-        machine.figure("upright.angle")
+        machine.figure("camber")
     });
+    // 264^2 + 23^2 = 265^2: as the car stands the upper ball joint is right above the lower one.
+    assert!(lean[1].abs() < 1e-10, "upright: {lean:?}");
     assert!(lean[0] < lean[1] && lean[1] < lean[2], "inwards: {lean:?}");
 }
 

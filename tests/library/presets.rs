@@ -105,13 +105,8 @@ const EXPECTED: [Expected; 35] = [
     turning("v-twin", &[Rrp, Rrp]),
     turning("radial-engine", &[Rrp; 5]),
     turning("wiper", &[Rrr, Rrr]),
-    // The upright and the upper arm in line: acos((360^2 + AD^2 - 500^2) / 720 AD) about the direction of AD.
-    within(
-        "double-wishbone",
-        -39.875_396_582_378_17,
-        189.365_159_176_262_6,
-        &[Rrr],
-    ),
+    // The upright and the upper arm in line: acos((360^2 + AD^2 - 505^2) / 720 AD) about the direction of AD.
+    within("double-wishbone", -47.728_843_679_365_4, 180.0, &[Rrr]),
     // Rod and right arm in line: |BD| = 1260 + |DC|, by the law of cosines, less the direction of B on its arm.
     within(
         "ackermann",
