@@ -106,13 +106,10 @@ impl ToleranceReport {
         let told = found.enumerate().map(|(i, ((name, unit), mut found))| {
             let of = |sampled: &(_, Samples)| sampled.1.figures.get(i).copied().flatten();
             let percentiles = sampled.as_ref().and_then(of);
-            // What is reached within the tolerances is told, whatever was looked at before.
-            let is_within =
-                |(order, _): &(SampleOrder, _)| order.distribution == Distribution::Even;
-            if let (Some(found), Some(percentiles)) = (&mut found, percentiles)
-                && sampled.as_ref().is_some_and(is_within)
+            if let (Some(found), Some(percentiles), Some((order, _))) =
+                (&mut found, &percentiles, &sampled)
             {
-                found.worst = found.worst.widened(percentiles.ends);
+                found.with_samples(*order, percentiles);
             }
             let from = found.iter().flat_map(|found| &found.contributions);
             ToldTolerance {
@@ -404,7 +401,10 @@ fn worst_text(found: &ToleranceFigure) -> Vec<String> {
     let how = match kind {
         WorstKind::Corners => words().worst_by_corners(),
         WorstKind::Enclosed => words().worst_enclosed(),
-        WorstKind::Estimated => words().worst_estimated(),
+        WorstKind::Searched => words().worst_searched(),
+        WorstKind::AtEdge => words().worst_at_edge(),
+        WorstKind::Derivatives => words().worst_by_derivatives(),
+        WorstKind::Sampled => words().worst_sampled(),
     };
     let fails = fails.then(|| words().worst_does_not_close().to_owned());
     let range = words().range_and_off(&from, &to, &off(low), &off(high));
@@ -436,16 +436,19 @@ pub(super) fn worst_word(kind: WorstKind) -> &'static str {
     match kind {
         WorstKind::Corners => "corners",
         WorstKind::Enclosed => "enclosed",
-        WorstKind::Estimated => "estimated",
+        WorstKind::Searched => "searched",
+        WorstKind::AtEdge => "edge",
+        WorstKind::Derivatives => "derivatives",
+        WorstKind::Sampled => "samples",
     }
 }
 
 /// Whether all machines within their tolerances close, as files for other programs have it.
 pub(super) fn closes_word(worst: &WorstCase) -> &'static str {
-    match (worst.fails, worst.kind) {
-        (true, _) => "not-always",
-        (false, WorstKind::Corners | WorstKind::Enclosed) => "yes",
-        (false, WorstKind::Estimated) => "unproved",
+    match worst.fails {
+        true => "not-always",
+        false if worst.kind.is_estimate() => "unproved",
+        false => "yes",
     }
 }
 

@@ -9,7 +9,7 @@ use crate::page::with_unit;
 use crate::quantity::{Catalogue, Quantity, state_word};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
-use crate::study::{SampleOrder, ToleranceStudy, WorstKind};
+use crate::study::{SampleOrder, ToleranceStudy};
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
@@ -170,12 +170,19 @@ impl ToleranceRows<'_> {
         outcome: &mut ToleranceOutcome,
     ) -> Vec<ToleranceCell> {
         use ToleranceCell::{Number, Word};
-        let found = study.at(at);
+        let mut found = study.at(at);
         let samples = self.samples.map(|order| study.sampled(at, order));
+        if let (Some(order), Some(samples)) = (self.samples, &samples) {
+            for pair in found.iter_mut().zip(&samples.figures) {
+                if let (Some(found), Some(percentiles)) = pair {
+                    found.with_samples(order, percentiles);
+                }
+            }
+        }
         outcome.rows += 1;
         outcome.valued += u64::from(condition != Condition::NoAssembly);
         let worsts = || found.iter().flatten().map(|found| found.worst);
-        let is_estimated = worsts().any(|worst| worst.kind == WorstKind::Estimated);
+        let is_estimated = worsts().any(|worst| worst.kind.is_estimate());
         outcome.estimated += u64::from(is_estimated);
         outcome.fails += u64::from(worsts().any(|worst| worst.fails));
         let mut row = vec![Number(Some(at))];

@@ -1,6 +1,8 @@
 //! How far figures may be off along the motion: what plots draw beside a curve.
 
 use super::ToleranceStudy;
+use super::box_grid::BoxGrid;
+use super::corners::MOST_LENGTHS;
 
 /// Which limits are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,16 +30,22 @@ pub type Offsets = [f64; 2];
 /// So many places are worked out over all samples of a plot; between them the offsets go straight.
 const PLACES: usize = 72;
 
-/// So many lengths have all corners of a band solved before a person notices: 37,000 states.
-const QUICK_LENGTHS: usize = 9;
+/// So many machines are solved for a band before a person who edits notices: some hundredths of a second.
+const QUICK_STATES: usize = 100_000;
 
 impl ToleranceStudy {
-    /// The band that is worked out while somebody waits: the worst case where all corners are few.
+    /// The band that is worked out while somebody waits, over so many places: the worst case where its machines are few.
     #[must_use]
-    pub fn quick_band(&self) -> BandKind {
-        let has_pins = self.off.has_pins();
-        let acting = (0..self.off.lengths).filter(|&i| self.varied.follows(i));
-        match acting.count() <= QUICK_LENGTHS && !has_pins {
+    pub fn quick_band(&self, places: usize) -> BandKind {
+        let lengths = self.acting().len();
+        let is_by_corners = lengths <= MOST_LENGTHS && !self.off.has_pins();
+        let is_quick = || {
+            knots(places)
+                .len()
+                .saturating_mul(BoxGrid::of(lengths).count())
+                <= QUICK_STATES
+        };
+        match is_by_corners && is_quick() {
             true => BandKind::Worst,
             false => BandKind::RootSumSquare,
         }
@@ -46,9 +54,8 @@ impl ToleranceStudy {
     /// Figure by figure the offsets at every one of these places, which follow one another; `None` where there are
     /// none at the worked-out places beside it.
     pub fn band(&mut self, places: &[f64], kind: BandKind) -> Vec<Vec<Option<Offsets>>> {
-        let last = places.len().saturating_sub(1);
-        let stride = last.div_ceil(PLACES).max(1);
-        let knots: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+        let knots = knots(places.len());
+        let stride = stride(places.len());
         let found: Vec<Vec<Option<Offsets>>> = knots
             .iter()
             .filter_map(|&knot| places.get(knot))
@@ -63,15 +70,15 @@ impl ToleranceStudy {
             Some([0, 1].map(|side| a[side] + (b[side] - a[side]) * part))
         };
         let all = |figure| (0..places.len()).map(|i| between(figure, i)).collect();
-        (0..self.figures.len()).map(all).collect()
+        (0..self.figures().len()).map(all).collect()
     }
 
     fn offsets(&mut self, at: f64, kind: BandKind) -> Vec<Option<Offsets>> {
-        let nominal = self.nominal(at);
         let slopes = self.slopes_at(at);
         match kind {
             BandKind::Worst => {
-                let worst = self.corners(at, &nominal, &slopes);
+                let nominal = self.machines.go(at);
+                let worst = self.worst(at, &nominal, slopes.as_ref());
                 let pairs = nominal.iter().zip(worst);
                 let offsets = pairs.map(|(nominal, worst)| {
                     let (nominal, worst) = ((*nominal)?, worst?);
@@ -84,8 +91,19 @@ impl ToleranceStudy {
                     let size = self.off.root_sum_square(slopes.as_ref()?.of(i)?);
                     Some([-size, size])
                 };
-                (0..nominal.len()).map(square).collect()
+                (0..self.figures().len()).map(square).collect()
             }
         }
     }
+}
+
+/// Every how many places one is worked out.
+fn stride(places: usize) -> usize {
+    places.saturating_sub(1).div_ceil(PLACES).max(1)
+}
+
+/// The places that are worked out, by their numbers: the last one always.
+fn knots(places: usize) -> Vec<usize> {
+    let last = places.saturating_sub(1);
+    (0..last).step_by(stride(places)).chain([last]).collect()
 }

@@ -1,15 +1,16 @@
 //! The places of a box that are looked at: its corners, and where these are few the middles between them too.
 //!
 //! The worst case lies at a corner where a figure goes one way along every side. Whether it does is looked at on the
-//! places themselves: where it goes both ways, as beside a dead centre or through a formula that turns over, the worst
-//! of them is an estimate.
+//! places themselves: it may go both ways, as beside a dead centre or through a formula that turns over.
 
-use super::corners::{MetRange, WorstCase, WorstKind};
+use super::worst::MetRange;
 
 /// Sides of which the middles are looked at as well: 3^9 places.
 const MOST_WITH_MIDDLES: usize = 9;
-/// What is less than this part of all that a figure does is its rounding.
+/// What is less than this part of all that a figure does is its rounding,
 const ROUNDING: f64 = 1e-9;
+/// and what is less than this part of the figure itself.
+const LAST_DIGITS: f64 = 1e-12;
 
 /// Places of a box of so many sides.
 pub(super) struct BoxGrid {
@@ -32,6 +33,11 @@ impl BoxGrid {
         (0..self.sides).fold(1, |count, _| count * self.levels)
     }
 
+    /// Half of the way from a place to the next along a side, in parts of a tolerance.
+    pub(super) fn half_way(&self) -> f64 {
+        1.0 / (self.levels - 1) as f64
+    }
+
     /// Where a place lies along a side, from -1 to 1.
     fn level(&self, place: usize, side: usize) -> f64 {
         match place.checked_sub(self.corners()) {
@@ -45,38 +51,20 @@ impl BoxGrid {
         }
     }
 
-    /// Makes the lengths that are the sides off as far as a place lies from the middle; `limits` are those of all.
-    pub(super) fn fill(&self, place: usize, sides: &[usize], limits: &[f64], by: &mut [f64]) {
-        for (side, &length) in sides.iter().enumerate() {
-            by[length] = self.level(place, side) * limits[length];
-        }
+    /// Where a place lies along every side.
+    pub(super) fn levels(&self, place: usize) -> Vec<f64> {
+        (0..self.sides)
+            .map(|side| self.level(place, side))
+            .collect()
     }
 
-    /// The worst case of a figure that was found at every place, NaN where it has none.
-    pub(super) fn worst(&self, nominal: f64, found: &[f64], fails: bool) -> WorstCase {
-        let mut met = MetRange {
-            low: nominal,
-            high: nominal,
-        };
-        let values = found.iter().filter(|value| value.is_finite());
-        values.for_each(|&value| met.meet(value));
-        let rounding = ROUNDING * (met.high - met.low);
-        let goes_one_way =
-            (0..self.sides).all(|side| self.goes_one_way(side, nominal, found, rounding));
-        WorstCase {
-            low: met.low,
-            high: met.high,
-            reached: [met.low, met.high],
-            kind: match goes_one_way {
-                true => WorstKind::Corners,
-                false => WorstKind::Estimated,
-            },
-            fails,
-        }
+    /// Whether a figure nowhere falls along a side, or nowhere rises: `found` at every place.
+    pub(super) fn goes_one_way(&self, nominal: f64, found: &[f64]) -> bool {
+        let rounding = rounding(nominal, found);
+        (0..self.sides).all(|side| self.goes_one_way_along(side, nominal, found, rounding))
     }
 
-    /// Whether a figure nowhere falls along a side, or nowhere rises.
-    fn goes_one_way(&self, side: usize, nominal: f64, found: &[f64], rounding: f64) -> bool {
+    fn goes_one_way_along(&self, side: usize, nominal: f64, found: &[f64], rounding: f64) -> bool {
         let stride = (0..side).fold(1, |stride, _| stride * self.levels);
         let corners = self.corners();
         let steps = (0..corners).filter(|place| place / stride % self.levels < self.levels - 1);
@@ -90,4 +78,13 @@ impl BoxGrid {
         }
         !(rises && falls)
     }
+}
+
+/// What a figure may be off by rounding, found so at every place, NaN where it has no value.
+pub(super) fn rounding(nominal: f64, found: &[f64]) -> f64 {
+    let mut met = MetRange::of(nominal);
+    let values = found.iter().filter(|value| value.is_finite());
+    values.for_each(|&value| met.meet(value));
+    let MetRange { low, high } = met;
+    (ROUNDING * (high - low)).max(LAST_DIGITS * low.abs().max(high.abs()))
 }

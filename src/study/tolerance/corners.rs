@@ -1,97 +1,47 @@
-//! The worst case: the mechanism solved at every corner of the box of lengths, or enclosed.
+//! The worst case at a place: the mechanism solved at every corner of the box of lengths, or enclosed.
 
 use super::ToleranceStudy;
-use super::box_grid::BoxGrid;
 use super::contributions::Slopes;
+use super::machines::{of_all_corners, of_derivatives};
+use super::worst::{WorstCase, WorstKind};
 use crate::Ball;
 use crate::solver::State;
 
 /// So many lengths have all their corners solved, 65,536; of more the worst is enclosed.
-const MOST_LENGTHS: usize = 16;
-
-/// The least and the greatest that a figure can be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorstCase {
-    /// The least.
-    pub low: f64,
-    /// The greatest.
-    pub high: f64,
-    /// What machines were found to reach: the same, or where it is enclosed, further inside.
-    pub reached: [f64; 2],
-    /// How they were found.
-    pub kind: WorstKind,
-    /// Whether there are lengths within their tolerances with which it does not close here; the figures are of those
-    /// with which it does.
-    pub fails: bool,
-}
-
-/// How a worst case was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WorstKind {
-    /// By every corner of the box of lengths.
-    Corners,
-    /// All lengths together, in balls: no figure is outside, and the worst may be further inside.
-    Enclosed,
-    /// At the corners that the derivatives point to; nothing proves that there is no worse.
-    Estimated,
-}
-
-/// What has been met.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct MetRange {
-    pub(super) low: f64,
-    pub(super) high: f64,
-}
-
-impl MetRange {
-    pub(super) fn meet(&mut self, value: f64) {
-        self.low = self.low.min(value);
-        self.high = self.high.max(value);
-    }
-}
-
-impl WorstCase {
-    /// The same where machines were met that go further: then it is not the worst case that it was taken for.
-    #[must_use]
-    pub(crate) fn widened(self, [low, high]: [f64; 2]) -> WorstCase {
-        if self.low <= low && high <= self.high {
-            return self;
-        }
-        let (low, high) = (self.low.min(low), self.high.max(high));
-        WorstCase {
-            low,
-            high,
-            reached: [low, high],
-            kind: WorstKind::Estimated,
-            ..self
-        }
-    }
-}
+pub(super) const MOST_LENGTHS: usize = 16;
 
 impl ToleranceStudy {
-    /// The worst case of every figure that has a value.
-    pub(super) fn corners(
+    /// The lengths that anything that is read follows.
+    pub(super) fn acting(&self) -> Vec<usize> {
+        let follows = |i: &usize| self.machines.varied.follows(*i);
+        (0..self.off.lengths).filter(follows).collect()
+    }
+
+    /// The worst case at a place of every figure that has a value there; the machines stand there.
+    pub(super) fn worst(
         &mut self,
         at: f64,
         nominal: &[Option<f64>],
-        slopes: &Option<Slopes>,
+        slopes: Option<&Slopes>,
     ) -> Vec<Option<WorstCase>> {
-        let acting: Vec<usize> = (0..self.off.lengths)
-            .filter(|&i| self.varied.follows(i))
-            .collect();
-        let has_pins = self.off.has_pins();
-        if acting.len() <= MOST_LENGTHS && !has_pins {
-            return self.all_corners(at, nominal, &acting);
+        let acting = self.acting();
+        if acting.len() <= MOST_LENGTHS && !self.off.has_pins() {
+            return of_all_corners(&mut self.machines, &self.off, &acting, nominal);
         }
-        let enclosure = self.varied.enclose(&self.off.limits, at, self.order);
+        let limits = &self.off.limits;
+        let enclosure = self
+            .machines
+            .varied
+            .enclose(limits, at, self.machines.order);
         let figures = nominal.iter().enumerate();
-        let worst = figures.map(|(i, &nominal)| {
-            let nominal = nominal?;
+        let worst = figures.map(|(i, &value)| {
             let enclosed = enclosure
                 .as_ref()
-                .and_then(|all| self.enclosed(i, nominal, all));
-            let slopes = slopes.as_ref().and_then(|slopes| slopes.of(i));
-            let pointed = slopes.and_then(|slopes| self.pointed(i, at, nominal, slopes, &acting));
+                .and_then(|all| self.enclosed(i, value?, all));
+            let slopes = slopes.and_then(|slopes| slopes.of(i));
+            let pointed = slopes.and_then(|slopes| {
+                of_derivatives(&mut self.machines, &self.off, &acting, i, nominal, slopes)
+            });
             match (enclosed, pointed) {
                 (Some(enclosed), Some(pointed)) => Some(WorstCase {
                     reached: pointed.reached,
@@ -103,35 +53,6 @@ impl ToleranceStudy {
         worst.collect()
     }
 
-    fn all_corners(
-        &mut self,
-        at: f64,
-        nominal: &[Option<f64>],
-        acting: &[usize],
-    ) -> Vec<Option<WorstCase>> {
-        let grid = BoxGrid::of(acting.len());
-        let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
-        let mut by = self.off.nothing();
-        let mut values = nominal.to_vec();
-        let mut fails = false;
-        for place in 0..grid.count() {
-            grid.fill(place, acting, &self.off.limits, &mut by);
-            self.varied.change(&by);
-            if self.is_solved(at) {
-                self.read(&mut values, Some(nominal));
-            } else {
-                fails = true;
-                values.fill(None);
-            }
-            for (found, value) in found.iter_mut().zip(&values) {
-                found.push(value.unwrap_or(f64::NAN));
-            }
-        }
-        let figures = nominal.iter().zip(&found);
-        let worst = figures.map(|(&nominal, found)| Some(grid.worst(nominal?, found, fails)));
-        worst.collect()
-    }
-
     /// What a ball around all states leaves; `None` where that is everything.
     pub(super) fn enclosed(
         &self,
@@ -139,7 +60,7 @@ impl ToleranceStudy {
         nominal: f64,
         all: &State<Ball>,
     ) -> Option<WorstCase> {
-        let figure = &self.figures[figure];
+        let figure = &self.machines.figures[figure];
         let ball = figure.value(all).filter(|ball| ball.radius.is_finite())?;
         let middle = match figure.is_direction() {
             true => crate::angle::beside(nominal, ball.mid),
@@ -151,43 +72,6 @@ impl ToleranceStudy {
             reached: [nominal; 2],
             kind: WorstKind::Enclosed,
             fails: false,
-        })
-    }
-
-    /// The mechanism solved at the corners that the derivatives point to: pins on the circles that they can be on.
-    pub(super) fn pointed(
-        &mut self,
-        figure: usize,
-        at: f64,
-        nominal: f64,
-        slopes: &[f64],
-        acting: &[usize],
-    ) -> Option<WorstCase> {
-        let way = self.off.way(slopes, acting);
-        let mut met = MetRange {
-            low: nominal,
-            high: nominal,
-        };
-        let mut fails = false;
-        let mut beside = vec![None; self.figures.len()];
-        beside[figure] = Some(nominal);
-        let mut values = beside.clone();
-        for sign in [-1.0, 1.0] {
-            let by: Vec<f64> = way.iter().map(|by| sign * by).collect();
-            self.varied.change(&by);
-            if self.is_solved(at) {
-                self.read(&mut values, Some(&beside));
-                values[figure].into_iter().for_each(|value| met.meet(value));
-            } else {
-                fails = true;
-            }
-        }
-        Some(WorstCase {
-            low: met.low,
-            high: met.high,
-            reached: [met.low, met.high],
-            kind: WorstKind::Estimated,
-            fails,
         })
     }
 }

@@ -11,24 +11,29 @@ mod band;
 mod box_grid;
 mod contributions;
 mod corners;
+mod machines;
+mod place;
 mod samples;
+mod search;
 #[cfg(test)]
 mod tests;
 mod tolerance_box;
 mod whole;
+mod worst;
 
 pub use band::{BandKind, Offsets};
 pub use contributions::{Contribution, ToleranceOf};
-pub use corners::{WorstCase, WorstKind};
 pub use samples::{Distribution, Percentiles, SampleOrder, Samples};
 pub use whole::WholeTolerance;
+pub use worst::{WorstCase, WorstKind};
 
 use crate::Tolerances;
 use crate::quantity::{Quantity, Sensitivity, demand};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Solver, Varied};
+use crate::solver::Solver;
 use crate::wording::words;
 use contributions::Slopes;
+use place::MachinesAtPlace;
 use thiserror::Error;
 use tolerance_box::ToleranceBox;
 
@@ -60,12 +65,21 @@ pub struct ToleranceFigure {
     pub contributions: Vec<Contribution>,
 }
 
+impl ToleranceFigure {
+    /// The same with what samples tell: machines within the tolerances widen the worst case where they go further.
+    pub(crate) fn with_samples(&mut self, order: SampleOrder, found: &Percentiles) {
+        match order.distribution {
+            Distribution::Even => self.worst = self.worst.widened(found.ends),
+            // Some lie beyond the tolerances.
+            Distribution::Normal => {}
+        }
+    }
+}
+
 /// Figures of a mechanism whose lengths are off.
 #[derive(Clone, Debug)]
 pub struct ToleranceStudy {
-    figures: Vec<Quantity>,
-    order: Order,
-    varied: Varied,
+    machines: MachinesAtPlace,
     slopes: Sensitivity,
     off: ToleranceBox,
 }
@@ -90,9 +104,7 @@ impl ToleranceStudy {
             .varied(&off.given, &demand)
             .ok_or(NoTolerance::Redundant)?;
         Ok(ToleranceStudy {
-            figures: figures.to_vec(),
-            order,
-            varied,
+            machines: MachinesAtPlace::new(figures.to_vec(), order, varied),
             slopes: Sensitivity::by(scene, solver, figures, off.given.clone()),
             off,
         })
@@ -101,7 +113,7 @@ impl ToleranceStudy {
     /// The figures that are asked about.
     #[must_use]
     pub fn figures(&self) -> &[Quantity] {
-        &self.figures
+        &self.machines.figures
     }
 
     /// The figures that are not the same for all machines at a coordinate, at the first order.
@@ -111,28 +123,24 @@ impl ToleranceStudy {
             let slopes = slopes.as_ref().and_then(|slopes| slopes.of(i));
             slopes.is_none_or(|slopes| self.off.root_sum_square(slopes) > 0.0)
         };
-        let all = self.figures.iter().enumerate();
+        let all = self.figures().iter().enumerate();
         let moved = all.filter(|&(i, _)| moves(i));
         moved.map(|(_, figure)| figure.clone()).collect()
     }
 
     /// What tolerances do to every figure at a coordinate; `None` for one that does not exist there.
     pub fn at(&mut self, at: f64) -> Vec<Option<ToleranceFigure>> {
-        let nominal = self.nominal(at);
+        let nominal = self.machines.go(at);
         let slopes = self.slopes_at(at);
-        let worst = self.corners(at, &nominal, &slopes);
-        let figures = nominal.iter().zip(worst).enumerate();
-        let figure = figures.map(|(i, (&nominal, worst))| {
-            let slopes = slopes.as_ref().and_then(|slopes| slopes.of(i));
-            let contributions = slopes.map(|slopes| self.off.contributions(slopes));
-            Some(ToleranceFigure {
-                nominal: nominal?,
-                worst: worst?,
-                root_sum_square: slopes.map(|slopes| self.off.root_sum_square(slopes)),
-                contributions: contributions.unwrap_or_default(),
-            })
-        });
-        figure.collect()
+        let worst = self.worst(at, &nominal, slopes.as_ref());
+        machines::told(&self.off, &nominal, worst, |i| slopes.as_ref()?.of(i))
+    }
+
+    /// Makes machines by chance, and reads every figure of each at a coordinate of the driver.
+    pub fn sampled(&mut self, at: f64, order: SampleOrder) -> Samples {
+        let nominal = self.machines.go(at);
+        let kind = self.machines.varied.kind();
+        Samples::of(&mut self.machines, &self.off, nominal.len(), kind, order)
     }
 
     /// Of every figure the root of the sum of squares and who contributes, the greatest first; `None` where derivatives
@@ -146,44 +154,11 @@ impl ToleranceStudy {
                 self.off.contributions(slopes),
             ))
         };
-        (0..self.figures.len()).map(figure).collect()
+        (0..self.figures().len()).map(figure).collect()
     }
 
     /// The derivatives by everything that is off.
     fn slopes_at(&mut self, at: f64) -> Option<Slopes> {
         self.slopes.at(at)
-    }
-
-    /// The figures with the lengths as they were given.
-    fn nominal(&mut self, at: f64) -> Vec<Option<f64>> {
-        let exact = self.off.nothing();
-        let mut values = vec![None; self.figures.len()];
-        self.varied.change(&exact);
-        if self.is_solved(at) {
-            self.read(&mut values, None);
-        }
-        values
-    }
-
-    /// Whether it closes with the lengths as they are now.
-    fn is_solved(&mut self, at: f64) -> bool {
-        match self.varied.solve(at, self.order) {
-            Condition::Ok | Condition::ChangePoint => true,
-            Condition::DeadPoint => self.order == Order::Position,
-            Condition::NoAssembly => false,
-        }
-    }
-
-    /// The figures of the state that was found, directions as near as can be to others.
-    fn read(&self, values: &mut [Option<f64>], beside: Option<&[Option<f64>]>) {
-        for (i, (figure, value)) in self.figures.iter().zip(values).enumerate() {
-            *value = figure.value(self.varied.state().state());
-            let near = beside
-                .and_then(|near| near[i])
-                .filter(|_| figure.is_direction());
-            if let (Some(value), Some(near)) = (value, near) {
-                *value = crate::angle::beside(near, *value);
-            }
-        }
     }
 }

@@ -1,7 +1,9 @@
 //! Machines made by chance: how figures are spread among many of them.
 
-use super::ToleranceStudy;
+use super::machines::Machines;
+use super::tolerance_box::ToleranceBox;
 use crate::numeric::SeededChance;
+use crate::solver::LoopKind;
 
 /// How lengths are spread within their tolerances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,26 +58,25 @@ pub struct Samples {
 /// Of all, the part below the lower and above the upper mark.
 const TAIL: f64 = 0.00135;
 
-impl ToleranceStudy {
-    /// Makes machines by chance, and reads every figure of each at a coordinate of the driver.
-    pub fn sampled(&mut self, at: f64, order: SampleOrder) -> Samples {
-        let nominal = self.nominal(at);
+impl Samples {
+    /// Makes machines by chance, and reads every figure of each; `kind` is the class of the loop that is meant.
+    pub(super) fn of(
+        machines: &mut impl Machines,
+        off: &ToleranceBox,
+        figures: usize,
+        kind: Option<LoopKind>,
+        order: SampleOrder,
+    ) -> Samples {
         let mut chance = SeededChance::new(order.seed);
-        let mut by = self.off.nothing();
-        let mut values = nominal.clone();
-        let room = usize::try_from(order.count).unwrap_or(0);
-        let mut read: Vec<Vec<f64>> = nominal.iter().map(|_| Vec::with_capacity(room)).collect();
-        let kind = self.varied.kind();
+        let mut by = off.nothing();
+        let mut values = vec![None; figures];
+        let mut read: Vec<Vec<f64>> = vec![Vec::new(); figures];
         let (mut open, mut changed) = (0_u32, 0_u32);
         for _ in 0..order.count {
-            self.off.draw(order.distribution, &mut chance, &mut by);
-            self.varied.change(&by);
-            changed += u32::from(self.varied.kind() != kind);
-            if !self.is_solved(at) {
-                open += 1;
-                continue;
-            }
-            self.read(&mut values, Some(&nominal));
+            off.draw(order.distribution, &mut chance, &mut by);
+            let closes = machines.make(&by, &mut values);
+            changed += u32::from(machines.kind() != kind);
+            open += u32::from(!closes);
             for (all, value) in read.iter_mut().zip(&values) {
                 all.extend(*value);
             }
@@ -90,7 +91,7 @@ impl ToleranceStudy {
 }
 
 /// What is to be said of many values, which are put into another order.
-pub(super) fn percentiles(all: &mut [f64]) -> Option<Percentiles> {
+fn percentiles(all: &mut [f64]) -> Option<Percentiles> {
     let count = all.len() as f64;
     let mean = all.iter().sum::<f64>() / count;
     let square = all.iter().map(|v| (v - mean).powi(2)).sum::<f64>();

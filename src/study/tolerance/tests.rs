@@ -1,8 +1,10 @@
 //! Tolerances against published figures and closed formulas, written out here.
 
+use super::machines::of_derivatives;
 use super::*;
 use crate::Length;
 use crate::quantity::Catalogue;
+use crate::solver::Order;
 
 /// A four-bar of Denavit's proportions: ground 3.5, crank 1, coupler 3, rocker 2.
 const FOUR_BAR: &str = r#"
@@ -236,8 +238,9 @@ fn balls_hold_all_machines() {
     let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
     let mut held = 0;
     for at in [13.0, 77.0, 200.0, 301.0] {
-        let nominal = study.nominal(at);
-        let all = study.varied.enclose(&study.off.limits, at, Order::Position);
+        let nominal = study.machines.go(at);
+        let varied = &study.machines.varied;
+        let all = varied.enclose(&study.off.limits, at, Order::Position);
         let slopes = study.slopes_at(at).unwrap();
         let acting: Vec<usize> = (0..study.off.lengths).collect();
         for i in 0..ask.len() {
@@ -245,9 +248,9 @@ fn balls_hold_all_machines() {
             let Some(ball) = all.as_ref().and_then(|all| study.enclosed(i, value, all)) else {
                 continue;
             };
-            let worst = study
-                .pointed(i, at, value, slopes.of(i).unwrap(), &acting)
-                .unwrap();
+            let slopes = slopes.of(i).unwrap();
+            let machines = &mut study.machines;
+            let worst = of_derivatives(machines, &study.off, &acting, i, &nominal, slopes).unwrap();
             assert!(
                 ball.low <= worst.low && worst.high <= ball.high,
                 "{} at {at}",
@@ -412,13 +415,96 @@ fn a_worst_case_inside_the_box_is_an_estimate() {
     let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
     let found = study.at(0.0).remove(0).unwrap();
     assert!((found.worst.high - 200.2).abs() < 1e-12, "{found:?}");
-    assert_eq!(found.worst.kind, WorstKind::Estimated);
+    assert_eq!(found.worst.kind, WorstKind::Searched);
     // The lengths alone are worst at corners.
     let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
     assert_eq!(
         study.at(0.0).remove(0).unwrap().worst.kind,
         WorstKind::Corners
     );
+}
+
+/// At 90 deg C stands at sqrt(l^2 - r^2): where a rod may be shorter than the crank, the least is 0, which no corner has.
+#[test]
+fn where_a_corner_does_not_close_the_worst_is_at_the_edge() {
+    let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.5"));
+    let ask = figures(&scene, &["C.x"]);
+    let (low, high) = (0.0, (51.5_f64.powi(2) - 49.0_f64.powi(2)).sqrt());
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 1.0), &ask).unwrap();
+    let worst = study.at(90.0).remove(0).unwrap().worst;
+    assert_eq!((worst.kind, worst.fails), (WorstKind::AtEdge, true));
+    assert!((worst.low - low).abs() < 1e-4, "{worst:?}");
+    assert!((worst.high - high).abs() < 1e-9, "{worst:?}");
+    // A loose pin as well: then it is what the derivatives point to, as far as that closes.
+    let mut tolerances = links(&scene, 1.0);
+    let rod = scene.mechanism.link_ids().nth(1).unwrap();
+    let pin = scene.mechanism.link(rod).members[1].point;
+    tolerances.clearances.push((rod, pin, 1e-3));
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let worst = study.at(90.0).remove(0).unwrap().worst;
+    assert_eq!((worst.kind, worst.fails), (WorstKind::Derivatives, true));
+    assert!((worst.low - low).abs() < 1e-2, "{worst:?}");
+    assert!(worst.high >= high, "{worst:?}");
+}
+
+/// How far a pin is from where another machine of the same tolerances has it: 0 with that machine's lengths, which are
+/// no place of the grid, with few lengths and with many.
+#[test]
+fn a_figure_that_is_least_inside_the_box_is_searched_for() {
+    let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
+    for (text, pin, by) in [(FOUR_BAR, "C", 0.05), (jansen, "T", 0.2)] {
+        let (scene, solver) = opened(text);
+        let lengths = scene.mechanism.lengths();
+        let part = |i: usize| 0.6 * (i as f64 + 1.0).sin();
+        let changed = lengths
+            .iter()
+            .enumerate()
+            .fold(scene.mechanism.clone(), |made, (i, &length)| {
+                made.changed(length, by * part(i))
+            });
+        let mut state = solver.state();
+        let id = scene
+            .mechanism
+            .point_ids()
+            .find(|&p| scene.point_name(p) == Some(pin));
+        let other = Solver::new(&changed).unwrap();
+        let _ = other.solve(60.0, Order::Position, &mut state);
+        let place = state.position(id.unwrap()).unwrap();
+        let text = format!(
+            "{text}\n[figures]\ngap = \"hypot({pin}.x - {}, {pin}.y - {})\"\n",
+            place.x, place.y
+        );
+        let (scene, solver) = opened(&text);
+        let tolerances = Tolerances {
+            lengths: lengths.into_iter().map(|length| (length, by)).collect(),
+            clearances: Vec::new(),
+        };
+        let ask = figures(&scene, &["gap"]);
+        let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+        let found = study.at(60.0).remove(0).unwrap();
+        assert!(found.nominal > 0.1 * by, "{found:?}");
+        assert!(found.worst.low < 1e-3 * by, "{found:?}");
+        assert_eq!(found.worst.kind, WorstKind::Searched);
+    }
+}
+
+/// A band costs no more than somebody who edits would notice: with all lengths of many bars it is the first order.
+#[test]
+fn a_quick_band_is_limited_by_its_states() {
+    let kind = |text: &str, most: usize, places: usize| {
+        let (scene, solver) = opened(text);
+        let name = scene.point_name(scene.mechanism.point_ids().last().unwrap());
+        let ask = figures(&scene, &[&format!("{}.x", name.unwrap())]);
+        let mut tolerances = links(&scene, 0.1);
+        tolerances.lengths.truncate(most);
+        let study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+        study.quick_band(places)
+    };
+    let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
+    assert_eq!(kind(FOUR_BAR, 9, 721), BandKind::Worst);
+    assert_eq!(kind(jansen, 6, 721), BandKind::Worst);
+    assert_eq!(kind(jansen, 7, 721), BandKind::RootSumSquare);
+    assert_eq!(kind(jansen, 7, 40), BandKind::Worst);
 }
 
 /// The four-bar turned in the plane by so much, in degrees; its driver too.

@@ -47,6 +47,13 @@ impl ToleranceBox {
         self.lengths < self.limits.len()
     }
 
+    /// Makes lengths off by so many parts of their tolerances.
+    pub(super) fn put(&self, lengths: &[usize], parts: &[f64], by: &mut [f64]) {
+        for (&length, part) in lengths.iter().zip(parts) {
+            by[length] = part * self.limits[length];
+        }
+    }
+
     /// The corner that derivatives point to: pins on the circles that they can be on.
     pub(super) fn way(&self, slopes: &[f64], acting: &[usize]) -> Vec<f64> {
         let mut way = self.nothing();

@@ -3,17 +3,15 @@
 //! Each machine is opened as it was made, and followed. Derivatives are differences, of figures that are good to their
 //! last digits: a hundredth of each tolerance to both sides.
 
-use super::box_grid::BoxGrid;
-use super::corners::{MetRange, WorstCase, WorstKind};
-use super::samples::percentiles;
+use super::machines::{Machines, of_all_corners, of_derivatives, told};
 use super::tolerance_box::ToleranceBox;
+use super::worst::WorstCase;
 use super::{NoTolerance, SampleOrder, Samples, ToleranceFigure};
-use crate::numeric::SeededChance;
 use crate::quantity::demand;
-use crate::solver::{Demand, Solver, Varied};
+use crate::solver::{Demand, LoopKind, Solver, Varied};
 use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures};
-use crate::{Mechanism, Tolerances};
+use crate::{Length, Mechanism, Tolerances};
 
 /// So many lengths have all their corners opened, and the middles between them: some thousand machines.
 const MOST_LENGTHS: usize = 12;
@@ -23,12 +21,19 @@ const DIFFERENCE: f64 = 0.01;
 /// Figures of the whole motion of a mechanism whose lengths are off.
 #[derive(Clone, Debug)]
 pub struct WholeTolerance {
+    machines: MachinesInMotion,
+    off: ToleranceBox,
+}
+
+/// Opens machines, and follows figures over their motion.
+#[derive(Clone, Debug)]
+struct MachinesInMotion {
     figures: CycleFigures,
     seams: FigureSeams,
     solver: Solver,
     /// The lengths in place, where nothing is redundant.
     varied: Varied,
-    off: ToleranceBox,
+    given: Vec<Length>,
 }
 
 impl WholeTolerance {
@@ -47,82 +52,42 @@ impl WholeTolerance {
         }
         let varied = solver.varied(&off.given, &needed(solver.mechanism(), &figures));
         let figures = CycleFigures::new(figures, None);
-        Ok(WholeTolerance {
+        let machines = MachinesInMotion {
             seams: FigureSeams::of(&figures, solver),
             figures,
             solver: solver.clone(),
             varied: varied.ok_or(NoTolerance::Redundant)?,
-            off,
-        })
+            given: off.given.clone(),
+        };
+        Ok(WholeTolerance { machines, off })
     }
 
     /// The figures that are asked about.
     #[must_use]
     pub fn figures(&self) -> &[CycleFigure] {
-        self.figures.figures()
+        self.machines.figures.figures()
     }
 
     /// What tolerances do to every figure; `None` for one that does not exist.
     pub fn found(&mut self) -> Vec<Option<ToleranceFigure>> {
-        let nominal = self.made(&self.off.nothing()).unwrap_or_default();
+        let nominal = self.nominal();
         let slopes = self.slopes();
         let worst = self.worst(&nominal, &slopes);
-        let figures = nominal.iter().zip(worst).zip(&slopes);
-        let figure = figures.map(|((&nominal, worst), slopes)| {
-            let slopes = slopes.as_deref();
-            Some(ToleranceFigure {
-                nominal: nominal?,
-                worst: worst?,
-                root_sum_square: slopes.map(|slopes| self.off.root_sum_square(slopes)),
-                contributions: slopes
-                    .map_or_else(Vec::new, |slopes| self.off.contributions(slopes)),
-            })
-        });
-        figure.collect()
+        told(&self.off, &nominal, worst, |i| slopes[i].as_deref())
     }
 
     /// Makes machines by chance, and reads every figure of each.
     pub fn sampled(&mut self, order: SampleOrder) -> Samples {
-        let mut chance = SeededChance::new(order.seed);
-        let mut by = self.off.nothing();
-        let mut read: Vec<Vec<f64>> = vec![Vec::new(); self.figures().len()];
-        let kind = self.varied.kind();
-        let (mut open, mut changed) = (0_u32, 0_u32);
-        for _ in 0..order.count {
-            self.off.draw(order.distribution, &mut chance, &mut by);
-            let Some(values) = self.made(&by) else {
-                open += 1;
-                continue;
-            };
-            changed += u32::from(self.varied.kind() != kind);
-            for (all, value) in read.iter_mut().zip(values) {
-                all.extend(value);
-            }
-        }
-        let part = |count: u32| f64::from(count) / f64::from(order.count.max(1));
-        Samples {
-            figures: read.iter_mut().map(|all| percentiles(all)).collect(),
-            open: part(open),
-            changed: kind.map(|_| part(changed)),
-        }
+        let figures = self.nominal().len();
+        let kind = self.machines.kind();
+        Samples::of(&mut self.machines, &self.off, figures, kind, order)
     }
 
-    /// The figures of a machine that was made so; `None` where it does not assemble as it is meant to.
-    fn made(&mut self, by: &[f64]) -> Option<Vec<Option<f64>>> {
-        let given = self.off.given.iter().zip(by).filter(|(_, by)| **by != 0.0);
-        let mechanism = self.solver.mechanism().clone();
-        let mechanism = given.fold(mechanism, |made, (&length, &by)| made.changed(length, by));
-        self.varied.change(by);
-        let solver = match self.varied.plain(&mechanism) {
-            Some(solver) => solver,
-            None => {
-                let at = mechanism.driver().start;
-                self.solver.kept(at, &mechanism).ok()?.0
-            }
-        };
-        let mut found = self.figures.of(&solver);
-        self.seams.count(&mut found);
-        Some(found.into_iter().map(Result::ok).collect())
+    /// The figures with the lengths as they were given.
+    fn nominal(&mut self) -> Vec<Option<f64>> {
+        let mut nominal = vec![None; self.figures().len()];
+        self.machines.make(&self.off.nothing(), &mut nominal);
+        nominal
     }
 
     /// Figure by figure the derivatives by everything that is off; `None` where one does not exist.
@@ -133,7 +98,9 @@ impl WholeTolerance {
             let sides = [by, -by].map(|by| {
                 let mut all = self.off.nothing();
                 all[number] = by;
-                self.made(&all).unwrap_or_default()
+                let mut values = vec![None; self.figures().len()];
+                self.machines.make(&all, &mut values);
+                values
             });
             for (i, slopes) in slopes.iter_mut().enumerate() {
                 let value = |side: &Vec<Option<f64>>| side.get(i).copied().flatten();
@@ -148,7 +115,7 @@ impl WholeTolerance {
         slopes
     }
 
-    /// The worst case of every figure: every corner where they are few, else the one that the derivatives point to.
+    /// The worst case of every figure: every corner where they are few, else what the derivatives point to.
     fn worst(
         &mut self,
         nominal: &[Option<f64>],
@@ -156,70 +123,54 @@ impl WholeTolerance {
     ) -> Vec<Option<WorstCase>> {
         let whole: Vec<usize> = (0..self.off.lengths).collect();
         // A range that is whole follows no length at the first order, and may still end with another.
-        let acting = whole.iter().copied().filter(|&i| self.varied.follows(i));
-        let acting: Vec<usize> = acting.collect();
-        if acting.len() <= MOST_LENGTHS && !self.off.has_pins() {
-            return self.all_corners(nominal, &acting);
+        let acting = whole.iter().copied();
+        let acting: Vec<usize> = acting
+            .filter(|&i| self.machines.varied.follows(i))
+            .collect();
+        let (machines, off) = (&mut self.machines, &self.off);
+        if acting.len() <= MOST_LENGTHS && !off.has_pins() {
+            return of_all_corners(machines, off, &acting, nominal);
         }
         let figures = slopes.iter().enumerate();
         let worst = figures.map(|(i, slopes)| {
-            let way = self.off.way(slopes.as_ref()?, &whole);
-            let back = way.iter().map(|by| -by).collect();
-            self.met(nominal, &[way, back])[i]
+            of_derivatives(machines, off, &whole, i, nominal, slopes.as_deref()?)
         });
         worst.collect()
     }
+}
 
-    fn all_corners(&mut self, nominal: &[Option<f64>], acting: &[usize]) -> Vec<Option<WorstCase>> {
-        let grid = BoxGrid::of(acting.len());
-        let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
-        let mut by = self.off.nothing();
-        for place in 0..grid.count() {
-            grid.fill(place, acting, &self.off.limits, &mut by);
-            let values = self.made(&by).unwrap_or_default();
-            for (i, found) in found.iter_mut().enumerate() {
-                found.push(values.get(i).copied().flatten().unwrap_or(f64::NAN));
-            }
-        }
-        let figures = nominal.iter().zip(&found);
-        let worst = figures.map(|(&nominal, found)| {
-            let fails = found.iter().any(|value| value.is_nan());
-            Some(grid.worst(nominal?, found, fails))
-        });
-        worst.collect()
+impl MachinesInMotion {
+    /// A machine that was made so; `None` where it does not assemble as it is meant to.
+    fn opened(&mut self, by: &[f64]) -> Option<Solver> {
+        let off = self.given.iter().zip(by).filter(|(_, by)| **by != 0.0);
+        let mechanism = self.solver.mechanism().clone();
+        let mechanism = off.fold(mechanism, |made, (&length, &by)| made.changed(length, by));
+        self.varied.change(by);
+        self.varied.plain(&mechanism).or_else(|| {
+            let at = mechanism.driver().start;
+            Some(self.solver.kept(at, &mechanism).ok()?.0)
+        })
     }
+}
 
-    /// What machines have that were made so.
-    fn met(&mut self, nominal: &[Option<f64>], made: &[Vec<f64>]) -> Vec<Option<WorstCase>> {
-        let mut met: Vec<Option<MetRange>> = nominal
-            .iter()
-            .map(|value| {
-                value.map(|value| MetRange {
-                    low: value,
-                    high: value,
-                })
-            })
-            .collect();
-        let mut fails = vec![false; met.len()];
-        for by in made {
-            let values = self.made(by).unwrap_or_default();
-            for (i, met) in met.iter_mut().enumerate() {
-                match (met, values.get(i).copied().flatten()) {
-                    (Some(met), Some(value)) => met.meet(value),
-                    _ => fails[i] = true,
-                }
-            }
-        }
-        let worst = |(met, fails): (Option<MetRange>, bool)| {
-            met.map(|MetRange { low, high }| WorstCase {
-                low,
-                high,
-                reached: [low, high],
-                kind: WorstKind::Estimated,
-                fails,
-            })
+impl Machines for MachinesInMotion {
+    fn make(&mut self, by: &[f64], values: &mut [Option<f64>]) -> bool {
+        values.fill(None);
+        let Some(solver) = self.opened(by) else {
+            return false;
         };
-        met.into_iter().zip(fails).map(worst).collect()
+        let mut found = self.figures.of(&solver);
+        self.seams.count(&mut found);
+        let found = found.into_iter().map(Result::ok);
+        values
+            .iter_mut()
+            .zip(found)
+            .for_each(|(value, found)| *value = found);
+        true
+    }
+
+    fn kind(&self) -> Option<LoopKind> {
+        self.varied.kind()
     }
 }
 

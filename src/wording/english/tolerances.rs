@@ -24,7 +24,15 @@ catalogue! {
         worst_enclosed = "enclosed: no machine is outside; the worst may be further inside";
         worst_reached(low: &str, high: &str, below: &str, above: &str) =
             "reached for certain: {low} to {high} ({below}, {above})";
-        worst_estimated = "estimated: solved where the derivatives point to, not proved";
+        worst_searched =
+            "estimated: it goes both ways along a length, so that it was searched for inside the \
+             tolerances too; not proved";
+        worst_at_edge =
+            "estimated: searched up to where the figure ceases to exist; not proved";
+        worst_by_derivatives =
+            "estimated: solved where the derivatives point to; not proved";
+        worst_sampled =
+            "estimated: a sample goes further than what was solved; not proved";
         worst_does_not_close = "of the machines that close; not every one does";
         label_root_sum_square = "root sum square";
         no_first_order = "none: no derivatives exist here";
@@ -47,8 +55,8 @@ catalogue! {
         samples_keep_class = "all keep the class of their first loop";
         part_of_samples_changed(part: &str) = "{part} change the class of their first loop";
         rows_estimated(some: u64, rows: u64) =
-            "in {some} of {rows} rows the worst case is estimated: solved where the derivatives \
-             point to, not proved";
+            "in {some} of {rows} rows a worst case is estimated, not proved: how each was found \
+             stands in worst.by";
         rows_that_may_not_close(some: u64, rows: u64) =
             "in {some} of {rows} rows not every machine within its tolerances closes; worst cases \
              are of those that do";

@@ -25,7 +25,12 @@ catalogue! {
         worst_enclosed = "kuşatıldı: hiçbir makine dışarıda kalmaz; en kötüsü daha içeride olabilir";
         worst_reached(low: &str, high: &str, below: &str, above: &str) =
             "kesin ulaşılan: {low} ile {high} arası ({below}, {above})";
-        worst_estimated = "tahmin: türevlerin gösterdiği yerde çözüldü, kanıtlanmadı";
+        worst_searched =
+            "tahmin: bir boyla hem artıp hem azalıyor; en kötüsü toleransların içinde de arandı, \
+             kanıtlanmadı";
+        worst_at_edge = "tahmin: büyüklüğün var olduğu sınıra kadar arandı, kanıtlanmadı";
+        worst_by_derivatives = "tahmin: türevlerin gösterdiği yerde çözüldü, kanıtlanmadı";
+        worst_sampled = "tahmin: bir örnek çözülenlerden daha ileri gidiyor, kanıtlanmadı";
         worst_does_not_close = "kapanan makineler için; hepsi kapanmıyor";
         label_root_sum_square = "kareler karekökü";
         no_first_order = "yok: burada türev yok";
@@ -48,8 +53,8 @@ catalogue! {
         samples_keep_class = "hepsi ilk çevrimin sınıfını koruyor";
         part_of_samples_changed(part: &str) = "{part} kadarında ilk çevrimin sınıfı değişiyor";
         rows_estimated(some: u64, rows: u64) =
-            "{rows} satırdan {some} tanesinde en kötü durum tahmin: türevlerin gösterdiği yerde \
-             çözüldü, kanıtlanmadı";
+            "{rows} satırdan {some} tanesinde en kötü durum tahmin, kanıtlanmadı: nasıl \
+             bulunduğu worst.by sütununda";
         rows_that_may_not_close(some: u64, rows: u64) =
             "{rows} satırdan {some} tanesinde toleransı içindeki her makine kapanmıyor; en kötü \
              durum kapananlarınki";

@@ -290,7 +290,7 @@ fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
     let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &figures);
     // Where no tolerance is given, or none can be told of, curves stand alone.
     let Ok(mut study) = study else { return };
-    let kind = study.quick_band();
+    let kind = study.quick_band(curves.at.len());
     let bands = study.band(&curves.at, kind);
     for ((figure, quantity), offsets) in places.into_iter().zip(&figures).zip(bands) {
         let name = format!("{} {}", quantity.name, kind.word());

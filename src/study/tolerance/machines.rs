@@ -1,0 +1,131 @@
+//! Machines that are made with lengths off, and read: at a place of the driver, or over the whole motion.
+
+use super::ToleranceFigure;
+use super::box_grid::BoxGrid;
+use super::search::Search;
+use super::tolerance_box::ToleranceBox;
+use super::worst::{MetRange, WorstCase, WorstKind};
+use crate::solver::LoopKind;
+
+/// Makes machines, and reads the figures of each.
+pub(super) trait Machines {
+    /// Reads every figure of the machine in which everything is off by so much, `None` where it has none; whether the
+    /// machine closes.
+    fn make(&mut self, by: &[f64], values: &mut [Option<f64>]) -> bool;
+
+    /// The class of the first loop of the machine that was made last.
+    fn kind(&self) -> Option<LoopKind>;
+}
+
+/// The worst case of every figure by every corner of the box of these lengths; the others are as given.
+pub(super) fn of_all_corners(
+    machines: &mut impl Machines,
+    off: &ToleranceBox,
+    acting: &[usize],
+    nominal: &[Option<f64>],
+) -> Vec<Option<WorstCase>> {
+    let grid = BoxGrid::of(acting.len());
+    let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
+    let mut by = off.nothing();
+    let mut values = nominal.to_vec();
+    let mut fails = false;
+    for place in 0..grid.count() {
+        off.put(acting, &grid.levels(place), &mut by);
+        fails |= !machines.make(&by, &mut values);
+        for (found, value) in found.iter_mut().zip(&values) {
+            found.push(value.unwrap_or(f64::NAN));
+        }
+    }
+    let mut search = Search::new(off, acting, &grid, nominal.len());
+    let figures = nominal.iter().zip(&found).enumerate();
+    let worst = figures.map(|(figure, (&nominal, found))| {
+        let nominal = nominal?;
+        let ends = [-1.0, 1.0].map(|sign| search.from_grid(machines, figure, sign, nominal, found));
+        let [low, high] = [ends[0].value, ends[1].value];
+        let kind = if found.iter().any(|value| value.is_nan()) {
+            WorstKind::AtEdge
+        } else if ends.iter().any(|end| end.is_inside) || !grid.goes_one_way(nominal, found) {
+            WorstKind::Searched
+        } else {
+            WorstKind::Corners
+        };
+        Some(WorstCase {
+            low,
+            high,
+            reached: [low, high],
+            kind,
+            fails,
+        })
+    });
+    worst.collect()
+}
+
+/// The worst case of a figure by the machines that its derivatives point to, as far out as these close: pins on the
+/// circles that they can be on.
+pub(super) fn of_derivatives(
+    machines: &mut impl Machines,
+    off: &ToleranceBox,
+    acting: &[usize],
+    figure: usize,
+    nominal: &[Option<f64>],
+    slopes: &[f64],
+) -> Option<WorstCase> {
+    let way = off.way(slopes, acting);
+    let mut met = MetRange::of(nominal[figure]?);
+    let mut fails = false;
+    let mut values = nominal.to_vec();
+    let mut by = off.nothing();
+    for sign in [-1.0, 1.0] {
+        let mut closes = |part: f64| {
+            by.iter_mut()
+                .zip(&way)
+                .for_each(|(by, way)| *by = sign * part * way);
+            let closes = machines.make(&by, &mut values);
+            values[figure].into_iter().for_each(|value| met.meet(value));
+            closes && values[figure].is_some()
+        };
+        if !closes(1.0) {
+            fails = true;
+            let (mut inside, mut outside) = (0.0, 1.0);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(inside, outside);
+                *(if closes(middle) {
+                    &mut inside
+                } else {
+                    &mut outside
+                }) = middle;
+            }
+        }
+    }
+    Some(WorstCase {
+        low: met.low,
+        high: met.high,
+        reached: [met.low, met.high],
+        kind: WorstKind::Derivatives,
+        fails,
+    })
+}
+
+/// So often the way to a machine that does not close is halved.
+const HALVINGS: u32 = 40;
+
+/// What tolerances do to every figure: `None` for one that has no value as given, or no worst case.
+pub(super) fn told<'s>(
+    off: &ToleranceBox,
+    nominal: &[Option<f64>],
+    worst: Vec<Option<WorstCase>>,
+    slopes: impl Fn(usize) -> Option<&'s [f64]>,
+) -> Vec<Option<ToleranceFigure>> {
+    let figures = nominal.iter().zip(worst).enumerate();
+    let figure = figures.map(|(i, (&nominal, worst))| {
+        let slopes = slopes(i);
+        let contributions = slopes.map(|slopes| off.contributions(slopes));
+        Some(ToleranceFigure {
+            nominal: nominal?,
+            worst: worst?,
+            root_sum_square: slopes.map(|slopes| off.root_sum_square(slopes)),
+            contributions: contributions.unwrap_or_default(),
+        })
+    });
+    figure.collect()
+}

@@ -1,0 +1,66 @@
+//! Machines at one place of the driver.
+
+use super::machines::Machines;
+use crate::quantity::Quantity;
+use crate::solver::{Condition, LoopKind, Order, Varied};
+
+/// Solves machines at a place of the driver, and reads figures there.
+#[derive(Clone, Debug)]
+pub(super) struct MachinesAtPlace {
+    pub(super) figures: Vec<Quantity>,
+    pub(super) order: Order,
+    pub(super) varied: Varied,
+    at: f64,
+    /// The figures with the lengths as they were given: directions are told as near as can be to these.
+    nominal: Vec<Option<f64>>,
+}
+
+impl MachinesAtPlace {
+    pub(super) fn new(figures: Vec<Quantity>, order: Order, varied: Varied) -> MachinesAtPlace {
+        MachinesAtPlace {
+            nominal: vec![None; figures.len()],
+            figures,
+            order,
+            varied,
+            at: 0.0,
+        }
+    }
+
+    /// Goes to a place: the figures with the lengths as they were given.
+    pub(super) fn go(&mut self, at: f64) -> Vec<Option<f64>> {
+        self.at = at;
+        self.nominal.fill(None);
+        let mut values = self.nominal.clone();
+        self.make(&vec![0.0; self.varied.lengths()], &mut values);
+        self.nominal.clone_from(&values);
+        values
+    }
+}
+
+impl Machines for MachinesAtPlace {
+    fn make(&mut self, by: &[f64], values: &mut [Option<f64>]) -> bool {
+        self.varied.change(by);
+        let closes = match self.varied.solve(self.at, self.order) {
+            Condition::Ok | Condition::ChangePoint => true,
+            Condition::DeadPoint => self.order == Order::Position,
+            Condition::NoAssembly => false,
+        };
+        if !closes {
+            values.fill(None);
+            return false;
+        }
+        let figures = self.figures.iter().zip(&self.nominal);
+        for ((figure, near), value) in figures.zip(values) {
+            let found = figure.value(self.varied.state().state());
+            *value = match near.filter(|_| figure.is_direction()) {
+                Some(near) => found.map(|found| crate::angle::beside(near, found)),
+                None => found,
+            };
+        }
+        true
+    }
+
+    fn kind(&self) -> Option<LoopKind> {
+        self.varied.kind()
+    }
+}

@@ -1,0 +1,110 @@
+//! From the worst of the places of a grid on: whether a figure goes further inside of the box, or towards where it
+//! ceases to exist.
+//!
+//! Steps along each side in turn, taken wherever they lead further, and made shorter where none does. From a corner at
+//! which a figure is worst none of them leads anywhere, and a few lengths of step are enough to see it.
+
+use super::box_grid::{BoxGrid, rounding};
+use super::machines::Machines;
+use super::tolerance_box::ToleranceBox;
+
+/// Steps are parts of a tolerance. Down to this one they are tried at a corner,
+const SHORTEST_TRY: f64 = 1.0 / 64.0;
+/// by so much shorter each time;
+const TRIED_LESS: f64 = 0.25;
+/// down to this one, a billionth of a thousandth, where one has led further: at an edge of assembly figures go with the
+/// root of the way.
+const SHORTEST: f64 = 1e-12;
+/// So many machines are made for each side, and then it is enough.
+const MOST_PER_SIDE: usize = 200;
+
+/// The worst that was found of a figure at one end of what it can be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FurthestFound {
+    pub(super) value: f64,
+    /// Whether it is no place of the grid.
+    pub(super) is_inside: bool,
+}
+
+/// Looks further than the places of a grid.
+pub(super) struct Search<'b> {
+    off: &'b ToleranceBox,
+    acting: &'b [usize],
+    grid: &'b BoxGrid,
+    by: Vec<f64>,
+    values: Vec<Option<f64>>,
+}
+
+impl<'b> Search<'b> {
+    /// Among so many figures.
+    pub(super) fn new(
+        off: &'b ToleranceBox,
+        acting: &'b [usize],
+        grid: &'b BoxGrid,
+        figures: usize,
+    ) -> Search<'b> {
+        Search {
+            off,
+            acting,
+            grid,
+            by: off.nothing(),
+            values: vec![None; figures],
+        }
+    }
+
+    /// The least of a figure, or with the sign of 1 the greatest: from the worst that was `found` on the grid.
+    pub(super) fn from_grid(
+        &mut self,
+        machines: &mut impl Machines,
+        figure: usize,
+        sign: f64,
+        nominal: f64,
+        found: &[f64],
+    ) -> FurthestFound {
+        let rounding = rounding(nominal, found);
+        let mut value = nominal;
+        let mut levels = vec![0.0; self.acting.len()];
+        for (place, &at_place) in found.iter().enumerate() {
+            // Written so that NaN is not further.
+            if sign * (at_place - value) > 0.0 {
+                value = at_place;
+                levels = self.grid.levels(place);
+            }
+        }
+        let mut step = self.grid.half_way();
+        let mut is_inside = false;
+        let mut left = MOST_PER_SIDE * self.acting.len();
+        let shortest = |is_inside| if is_inside { SHORTEST } else { SHORTEST_TRY };
+        while step > shortest(is_inside) && left > 0 {
+            let mut leads = false;
+            for side in 0..levels.len() {
+                for way in [-step, step] {
+                    let before = levels[side];
+                    levels[side] = (before + way).clamp(-1.0, 1.0);
+                    if levels[side] == before {
+                        continue;
+                    }
+                    left = left.saturating_sub(1);
+                    match self.read(machines, figure, &levels) {
+                        Some(there) if sign * (there - value) > rounding => {
+                            value = there;
+                            leads = true;
+                        }
+                        Some(_) | None => levels[side] = before,
+                    }
+                }
+            }
+            is_inside |= leads;
+            if !leads {
+                step *= if is_inside { 0.5 } else { TRIED_LESS };
+            }
+        }
+        FurthestFound { value, is_inside }
+    }
+
+    fn read(&mut self, machines: &mut impl Machines, figure: usize, levels: &[f64]) -> Option<f64> {
+        self.off.put(self.acting, levels, &mut self.by);
+        machines.make(&self.by, &mut self.values);
+        self.values[figure]
+    }
+}
