@@ -9,9 +9,9 @@ use super::screen::TextScreen;
 use super::source::SolvableScene;
 use super::sweep::{RowEnds, entries, figures, steps};
 use crate::Tolerances;
-use crate::quantity::{Catalogue, Quantity, demand};
+use crate::quantity::{Catalogue, Quantity, demand, length_name};
 use crate::report::{
-    ToleranceFormat, ToleranceOutcome, ToleranceReport, ToleranceRows, limits_text,
+    ToleranceFormat, ToleranceOutcome, ToleranceReport, ToleranceRows, WrittenDecimal, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
@@ -29,9 +29,9 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
-    let tolerances = tolerances(args, &scene);
-    if let Some(figures) = of_whole(&catalogue, &args.columns)? {
-        if args.at.is_some() || args.from.is_some() || args.to.is_some() || args.step.is_some() {
+    let tolerances = tolerances(args, &scene)?;
+    if let Some(figures) = of_whole(&mut catalogue, &args.columns, args.at)? {
+        if args.from.is_some() || args.to.is_some() || args.step.is_some() {
             return Err(Failure::Usage(words().whole_has_no_place().into()));
         }
         let study = WholeTolerance::new(&solver, &tolerances, figures);
@@ -88,30 +88,46 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
     judge(outcome?, &limits_text(range, catalogue.driver()), screen)
 }
 
-/// Figures of the whole motion, if such are asked for: `F.stroke`, `transmission`. They do not stand beside columns.
+/// Figures of the whole motion, if such are asked for: `F.stroke`, `transmission`. Others beside them are told where the
+/// driver is meant to be.
 fn of_whole(
-    catalogue: &Catalogue,
+    catalogue: &mut Catalogue,
     columns: &[String],
+    at: Option<WrittenDecimal>,
 ) -> Result<Option<Vec<CycleFigure>>, Failure> {
     let names = columns.iter().flat_map(|list| entries(list)).map(str::trim);
-    let all: Vec<_> = names
-        .map(|name| CycleFigure::parse(name, catalogue))
-        .collect();
-    if all.iter().all(Result::is_err) {
+    let names: Vec<&str> = names.collect();
+    let is_whole = |name: &&str| CycleFigure::parse(name, catalogue).is_ok();
+    let whole = names.iter().filter(|name| is_whole(name)).count();
+    if whole == 0 {
         return Ok(None);
     }
-    let wrong = |why| Failure::Usage(words().of_option("--columns", &why));
-    all.into_iter()
-        .collect::<Result<_, _>>()
-        .map(Some)
-        .map_err(wrong)
+    if whole == names.len() && at.is_some() {
+        return Err(Failure::Usage(words().whole_has_no_place().into()));
+    }
+    let mut all = Vec::new();
+    for name in names {
+        let wrong = |why: String| Failure::Usage(words().of_option("--columns", &why));
+        if let Ok(figure) = CycleFigure::parse(name, catalogue) {
+            all.push(figure);
+            continue;
+        }
+        for figure in asked(catalogue, &[name.to_owned()])? {
+            let Some(at) = at else {
+                return Err(wrong(words().beside_whole_say_where(&figure.name)));
+            };
+            let name = format!("{}@{}", figure.name, at.value());
+            all.push(CycleFigure::parse(&name, catalogue).map_err(|why| wrong(why.to_string()))?);
+        }
+    }
+    Ok(Some(all))
 }
 
 /// Why nothing can be told, and what would help here.
 fn refused(why: NoTolerance) -> Failure {
     Failure::Cannot(match why {
         NoTolerance::Exact => format!("{why}; {}", words().or_say_tolerance()),
-        _ => why.to_string(),
+        NoTolerance::Redundant | NoTolerance::Forces => why.to_string(),
     })
 }
 
@@ -130,14 +146,13 @@ fn asked(catalogue: &mut Catalogue, columns: &[String]) -> Result<Vec<Quantity>,
     Ok(all)
 }
 
-/// What may be off: what the scene says, or every length by as much.
-fn tolerances(args: &ToleranceArgs, scene: &Scene) -> Tolerances {
-    let mut tolerances = scene.tolerances().clone();
-    if let Some(by) = args.tolerance {
-        let lengths = scene.mechanism.lengths().into_iter();
-        tolerances.lengths = lengths.map(|length| (length, by)).collect();
-    }
-    tolerances
+/// What may be off: what the scene says, or every length as it was typed.
+fn tolerances(args: &ToleranceArgs, scene: &Scene) -> Result<Tolerances, Failure> {
+    let Some(typed) = &args.tolerance else {
+        return Ok(scene.tolerances().clone());
+    };
+    let found = scene.typed_tolerances(typed, |length| length_name(scene, length));
+    found.map_err(|why| Failure::Usage(words().of_option("--tolerance", &why)))
 }
 
 fn order(args: &ToleranceArgs, count: u32) -> SampleOrder {

@@ -2,7 +2,7 @@
 
 use super::Unit;
 use super::draft::SceneDraft;
-use super::general_tolerance::GeneralTolerance;
+use super::general_tolerance::{GeneralSizes, GeneralTolerance};
 use super::names::{Names, Sort};
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use super::slide::DraftSlide;
@@ -31,10 +31,57 @@ pub(super) struct DraftClearance {
 
 /// A tolerance as it is given.
 #[derive(Clone, Copy, Debug)]
-enum AllowedDeviation {
+pub(super) enum AllowedDeviation {
     /// In the scene's unit.
     Size(f64),
     Class(GeneralTolerance),
+}
+
+impl AllowedDeviation {
+    /// By how much a length of this size may be off, where the scene's unit is so many mm. A coordinate of 0 is exact
+    /// under a class: it has no size.
+    ///
+    /// # Errors
+    /// The class that has nothing for this size.
+    pub(super) fn of(self, nominal: f64, mm: f64) -> Result<f64, GeneralTolerance> {
+        match self {
+            AllowedDeviation::Size(size) => Ok(size),
+            AllowedDeviation::Class(_) if nominal == 0.0 => Ok(0.0),
+            AllowedDeviation::Class(class) => {
+                let deviation = class.deviation(nominal * mm);
+                deviation.map(|deviation| deviation / mm).ok_or(class)
+            }
+        }
+    }
+}
+
+/// Whether a length, and no coordinate, could come to nothing.
+pub(super) fn is_beyond(length: Length, nominal: f64, by: f64) -> bool {
+    matches!(length, Length::Link(_) | Length::Arm(..)) && by >= nominal
+}
+
+/// The class that a text designates, or in words why it is none; `None` where it does not mean one.
+pub(super) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>> {
+    names_class(text).then(|| {
+        GeneralTolerance::designated(text.trim()).ok_or_else(|| {
+            let all = GeneralTolerance::designations();
+            words().known_general_tolerances(&format!("\"{}\"", all.join("\", \"")))
+        })
+    })
+}
+
+/// In words, that a class has nothing for a size in mm.
+pub(super) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String {
+    let GeneralSizes {
+        least,
+        is_above,
+        greatest,
+    } = class.sizes();
+    let sizes = match is_above {
+        true => words().sizes_over_to(least, greatest),
+        false => words().sizes_from_to(least, greatest),
+    };
+    words().no_deviation_of_size(&class.designation(), what, mm, &sizes)
 }
 
 /// All that is said of tolerances beside what links and slides say of their own.
@@ -240,24 +287,15 @@ impl<'r> Settling<'r, '_, '_> {
         point.or(owner).or(draft.tolerances.general.as_ref())
     }
 
-    /// By how much a length may be off. A coordinate of 0 is exact under a class: it has no size.
+    /// By how much a length may be off.
     fn size(&mut self, length: Length, tolerance: &DraftTolerance) -> f64 {
         let nominal = self.mechanism.given(length).abs();
-        let size = match tolerance.size {
-            AllowedDeviation::Size(size) => size,
-            AllowedDeviation::Class(_) if nominal == 0.0 => 0.0,
-            AllowedDeviation::Class(class) => {
-                let mm = self.draft.unit.in_units_of(Unit::Millimetre);
-                match class.deviation(nominal * mm) {
-                    Some(deviation) => deviation / mm,
-                    None => {
-                        self.report_unsized(length, tolerance, class, nominal * mm);
-                        0.0
-                    }
-                }
-            }
-        };
-        if matches!(length, Length::Link(_) | Length::Arm(..)) && size >= nominal {
+        let mm = self.draft.unit.in_units_of(Unit::Millimetre);
+        let size = tolerance.size.of(nominal, mm).unwrap_or_else(|class| {
+            self.report_unsized(length, tolerance, class, nominal * mm);
+            0.0
+        });
+        if is_beyond(length, nominal, size) {
             let what = self.called(length);
             let literal = self.reader.literal(&tolerance.place);
             self.reader.report(
@@ -277,11 +315,9 @@ impl<'r> Settling<'r, '_, '_> {
         class: GeneralTolerance,
         mm: f64,
     ) {
-        let (low, high) = class.sizes();
         let what = self.called(length);
-        let name = class.designation();
         self.reader.report(
-            Diagnostic::new(words().no_deviation_of_size(&name, &what, mm, low, high))
+            Diagnostic::new(unsized_by(class, &what, mm))
                 .at(self.place(length), words().of_this_length())
                 .and(tolerance.place.clone(), words().by_this_class())
                 .help(words().give_it_its_own_tolerance()),
@@ -421,6 +457,16 @@ fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
 #[cfg(test)]
 mod tests {
     use crate::scene::Scene;
+
+    /// The coarsest class speaks of what is over 3 mm: of 3 mm itself it has nothing, and says so.
+    #[test]
+    fn a_class_that_speaks_of_what_is_over_a_size_says_so() {
+        let text = SCENE
+            .replace("ISO 2768-m", "ISO 2768-v")
+            .replace("[40, 0.2]", "[40, 0.3]");
+        let told = Scene::parse(&text, "t.toml").unwrap_err().to_string();
+        assert!(told.contains("it speaks of over 3 up to 4000 mm"), "{told}");
+    }
 
     const SCENE: &str = r#"
 unit = "cm"

@@ -62,18 +62,33 @@ impl GeneralTolerance {
     }
 
     /// The sizes for which it has a deviation, in mm.
-    pub(super) fn sizes(self) -> (f64, f64) {
-        let mut least = LEAST;
-        let mut greatest = LEAST;
+    pub(super) fn sizes(self) -> GeneralSizes {
+        let mut sizes = GeneralSizes {
+            least: LEAST,
+            is_above: false,
+            greatest: LEAST,
+        };
         for (most, all) in DEVIATIONS {
             match all[self as usize] > 0.0 {
-                true => greatest = most,
-                false if greatest == LEAST => least = most,
+                true => sizes.greatest = most,
+                false if sizes.greatest == LEAST => {
+                    (sizes.least, sizes.is_above) = (most, true);
+                }
                 false => {}
             }
         }
-        (least, greatest)
+        sizes
     }
+}
+
+/// The sizes of which a class speaks, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct GeneralSizes {
+    pub(super) least: f64,
+    /// Whether the least itself is none of them.
+    pub(super) is_above: bool,
+    /// One of them.
+    pub(super) greatest: f64,
 }
 
 #[cfg(test)]
@@ -106,8 +121,12 @@ mod tests {
         ] {
             assert_eq!(class.deviation(size), deviation, "{class:?} {size}");
         }
-        assert_eq!(Fine.sizes(), (0.5, 2000.0));
-        assert_eq!(VeryCoarse.sizes(), (3.0, 4000.0));
+        let sizes = |class: GeneralTolerance| {
+            let found = class.sizes();
+            (found.least, found.is_above, found.greatest)
+        };
+        assert_eq!(sizes(Fine), (0.5, false, 2000.0));
+        assert_eq!(sizes(VeryCoarse), (3.0, true, 4000.0));
         assert_eq!(GeneralTolerance::designated("ISO 2768-c"), Some(Coarse));
         assert_eq!(GeneralTolerance::designated("ISO 2768-mK"), None);
     }

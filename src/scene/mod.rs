@@ -78,6 +78,7 @@ mod syntax;
 mod timed_inputs;
 mod timed_motion;
 mod typed;
+mod typed_tolerance;
 mod unit;
 mod values;
 mod worked;

@@ -88,8 +88,10 @@ pub(super) fn read(
         peak: positive("peak", size, &table.peak),
         flywheel: positive("flywheel", " (kg m^2)", &table.flywheel),
         fluctuation: positive("fluctuation", "", &table.fluctuation),
-        rest: positive("rest", "", &table.rest)
-            .or_else(|| positive("tolerance", "", &table.tolerance)),
+        rest: match &table.rest {
+            Some(_) => positive("rest", "", &table.rest),
+            None => positive("tolerance", "", &table.tolerance),
+        },
         speed: table.speed.as_ref().and_then(|speed| {
             let rate = input::rate(
                 reader,
@@ -157,6 +159,16 @@ fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor
     let mut fault = |span: ByteSpan, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
     };
+    if table.rest.is_some() && table.tolerance.is_some() {
+        let message = words().rest_of_motor_given_twice().to_owned();
+        let help = words().leave_old_name_of_rest_out();
+        fault(
+            place(&table.tolerance),
+            message,
+            words().is_old_name_of_rest(),
+            help,
+        );
+    }
     if let (Some(continuous), Some(peak)) = (motor.rated, motor.peak)
         && peak < continuous
     {

@@ -108,7 +108,8 @@ impl Value {
         }))
     }
 
-    fn typed_number(&self, typed: &str) -> Result<String, Mistyped> {
+    /// What stands in the file for a number, with a unit behind it or without.
+    pub(super) fn typed_number(&self, typed: &str) -> Result<String, Mistyped> {
         let Some(text) = with_point(typed) else {
             let typed = typed.to_owned();
             return Err(Mistyped::TwoMarks { typed });

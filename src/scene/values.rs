@@ -62,6 +62,24 @@ pub struct Value {
 }
 
 impl Value {
+    /// What is typed beside a scene, and stands nowhere in it.
+    pub(super) fn beside(scene: &Scene, measure: Measure) -> Value {
+        Value {
+            name: String::new(),
+            owner: ValueOwner::Scene,
+            formula: None,
+            measure,
+            number: 0.0,
+            literal: String::new(),
+            unit: measure.unit(scene.unit),
+            place: 0..0,
+            scene: scene.unit,
+            quotes: false,
+            dimension: None,
+            named: Arc::clone(&scene.named),
+        }
+    }
+
     /// Its name as columns and the command line have it: `r2.length`.
     #[must_use]
     pub fn dotted(&self) -> String {

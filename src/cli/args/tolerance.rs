@@ -81,8 +81,8 @@ pub(in crate::cli) struct ToleranceArgs {
     )]
     pub(in crate::cli) step: Option<WrittenDecimal>,
     #[arg(help = words().tolerance_of_all())]
-    #[arg(long, value_name = "LENGTH", value_parser = super::motor::positive, allow_negative_numbers = true)]
-    pub(in crate::cli) tolerance: Option<f64>,
+    #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
+    pub(in crate::cli) tolerance: Option<String>,
     #[arg(help = words().machines_by_chance())]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
     pub(in crate::cli) samples: Option<u32>,

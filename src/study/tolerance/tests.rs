@@ -470,8 +470,9 @@ fn a_figure_that_is_least_inside_the_box_is_searched_for() {
         let other = Solver::new(&changed).unwrap();
         let _ = other.solve(60.0, Order::Position, &mut state);
         let place = state.position(id.unwrap()).unwrap();
+        let unit = scene.unit.symbol();
         let text = format!(
-            "{text}\n[figures]\ngap = \"hypot({pin}.x - {}, {pin}.y - {})\"\n",
+            "{text}\n[figures]\ngap = \"hypot({pin}.x - {} {unit}, {pin}.y - {} {unit})\"\n",
             place.x, place.y
         );
         let (scene, solver) = opened(&text);

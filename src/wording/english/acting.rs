@@ -142,6 +142,9 @@ catalogue! {
         slide_has_no_shaft = "a slide is driven without a shaft: leave it out";
         leave_unknown_out(key: &str) =
             "leave `{key}` out where it is not known; what the motor gives has no sign";
+        rest_of_motor_given_twice = "the motor has `rest`, and `tolerance` as well, which is its old name";
+        is_old_name_of_rest = "the old name of `rest`";
+        leave_old_name_of_rest_out = "leave `tolerance` out";
         peak_of_motor_too_small(rated: &str) = "`peak` of the motor is less than its `{rated}`";
         is_too_small = "too small";
         peak_is_for_short =

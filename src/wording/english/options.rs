@@ -106,8 +106,8 @@ catalogue! {
         columns_of_tolerances = "Names of figures, * for any characters, or NAME = FORMULA; separated by commas [default: places and directions]";
         place_of_tolerances = "At this one place, with contributions and samples [default: over the motion]";
         row_to_row_of_tolerances = "From row to row, negative to go down [default: 5 deg; for a slide, 100 to 250 rows]";
-        tolerance_of_all = "How far every length and coordinate may be off, in place of what the scene says";
-        machines_by_chance = "How many machines are made by chance [default: 100000 at one place, none over the motion]";
+        tolerance_of_all = "How far every length and coordinate may be off, in place of what the scene says: 0.1, '0.004 in' or 'ISO 2768-m'";
+        machines_by_chance = "How many machines are made by chance [default: 100000 at one place, 2000 of figures of the whole motion, none in rows]";
         seed_of_samples = "Which machines: the same seed gives the same ones";
         spread_of_lengths = "How lengths are spread within their tolerances";
         spread_choice_normal = "Normally, the tolerance being three standard deviations";

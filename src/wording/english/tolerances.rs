@@ -82,8 +82,10 @@ catalogue! {
         give_link_a_tolerance = "give the link whose length ends there a `tolerance`";
         tolerance_beyond_length(what: &str, length: f64, literal: &str) =
             "the tolerance of {what} must be less than the length, {length}, but is {literal}";
-        no_deviation_of_size(class: &str, what: &str, size: f64, low: f64, high: f64) =
-            "{class} has nothing for {what}, {size} mm: it speaks of {low} to {high} mm";
+        no_deviation_of_size(class: &str, what: &str, size: f64, sizes: &str) =
+            "{class} has nothing for {what}, {size} mm: it speaks of {sizes} mm";
+        sizes_from_to(low: f64, high: f64) = "{low} to {high}";
+        sizes_over_to(low: f64, high: f64) = "over {low} up to {high}";
         of_this_length = "of this length";
         by_this_class = "by this class";
         give_it_its_own_tolerance = "give it a tolerance of its own";
@@ -96,5 +98,7 @@ catalogue! {
         over_the_whole_motion = "over the whole motion";
         whole_has_no_place =
             "figures of the whole motion have no place: leave --at, --from, --to and --step out";
+        beside_whole_say_where(name: &str) =
+            "{name} stands beside figures of the whole motion: say where with --at, or {name}@60";
     }
 }

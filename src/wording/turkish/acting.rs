@@ -142,6 +142,10 @@ catalogue! {
         slide_has_no_shaft = "kızağın mili yoktur: çıkar";
         leave_unknown_out(key: &str) =
             "bilinmiyorsa `{key}` yazma; motorun verdiğinin işareti yoktur";
+        rest_of_motor_given_twice =
+            "motorda hem `rest` var hem `tolerance`; ikincisi birincinin eski adı";
+        is_old_name_of_rest = "`rest` için eski ad";
+        leave_old_name_of_rest_out = "`tolerance` anahtarını çıkarın";
         peak_of_motor_too_small(rated: &str) = "motorda `peak`, `{rated}` değerinden küçük";
         is_too_small = "çok küçük";
         peak_is_for_short =

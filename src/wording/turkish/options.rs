@@ -93,8 +93,8 @@ catalogue! {
         columns_of_tolerances = "Büyüklüklerin adları, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır [yoksa: yerler ve yönler]";
         place_of_tolerances = "Yalnız bu konumda, paylar ve örneklerle [yoksa: hareket boyunca]";
         row_to_row_of_tolerances = "Satırdan satıra, aşağı için eksi [yoksa: 5 deg; kızakta 100 ile 250 satır]";
-        tolerance_of_all = "Her boyun ve koordinatın ne kadar sapabileceği, sahnenin dediğinin yerine";
-        machines_by_chance = "Rastgele kaç makine yapılacağı [yoksa: bir konumda 100000, hareket boyunca hiç]";
+        tolerance_of_all = "Her boyun ve koordinatın ne kadar sapabileceği, sahnenin dediğinin yerine: 0.1, '0.004 in' ya da 'ISO 2768-m'";
+        machines_by_chance = "Rastgele kaç makine yapılacağı [yoksa: bir konumda 100000, bütün hareketin büyüklüklerinde 2000, satırlarda hiç]";
         seed_of_samples = "Hangi makineler: aynı tohum aynı makineleri verir";
         spread_of_lengths = "Boyların toleransları içinde nasıl dağıldığı";
         spread_choice_normal = "Normal; tolerans üç standart sapmadır";

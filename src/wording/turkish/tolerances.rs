@@ -80,8 +80,10 @@ catalogue! {
         give_link_a_tolerance = "boyu orada biten uzva `tolerance` verin";
         tolerance_beyond_length(what: &str, length: f64, literal: &str) =
             "tolerans ({what}) boydan, {length} değerinden, küçük olmalı, oysa {literal}";
-        no_deviation_of_size(class: &str, what: &str, size: f64, low: f64, high: f64) =
-            "{class} sınıfında {size} mm için değer yok ({what}): {low} ile {high} mm arasında geçerli";
+        no_deviation_of_size(class: &str, what: &str, size: f64, sizes: &str) =
+            "{class} sınıfında {size} mm için değer yok ({what}): {sizes} geçerli";
+        sizes_from_to(low: f64, high: f64) = "{low} ile {high} mm arasında";
+        sizes_over_to(low: f64, high: f64) = "{low} mm üstünde, {high} mm dahil ona kadar";
         of_this_length = "bu boy için";
         by_this_class = "bu sınıfla";
         give_it_its_own_tolerance = "ona kendi toleransını verin";
@@ -94,5 +96,7 @@ catalogue! {
         over_the_whole_motion = "bütün hareket boyunca";
         whole_has_no_place =
             "bütün hareketin büyüklüklerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
+        beside_whole_say_where(name: &str) =
+            "{name} bütün hareketin büyüklüklerinin yanında: konumunu --at ile söyleyin ya da {name}@60 yazın";
     }
 }

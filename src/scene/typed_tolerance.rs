@@ -1,0 +1,98 @@
+//! A tolerance of every length, as it is typed beside a scene: `0.1`, `0.004 in`, `ISO 2768-m`.
+
+use super::deviations::{AllowedDeviation, designated, is_beyond, unsized_by};
+use super::{Measure, Scene, Unit, Value};
+use crate::wording::words;
+use crate::{Length, Tolerances};
+
+impl Scene {
+    /// What may be off where every length and coordinate has the tolerance that was typed, in place of what the scene
+    /// says; pins are as loose as it says. `name` calls a length in a message.
+    ///
+    /// # Errors
+    /// In words: what is no tolerance, and a length for which it cannot be.
+    pub fn typed_tolerances(
+        &self,
+        typed: &str,
+        name: impl Fn(Length) -> String,
+    ) -> Result<Tolerances, String> {
+        let allowed = match designated(typed) {
+            Some(class) => AllowedDeviation::Class(class?),
+            None => AllowedDeviation::Size(self.typed_size(typed)?),
+        };
+        let mm = self.unit.in_units_of(Unit::Millimetre);
+        let tolerance = |length: Length| {
+            let nominal = self.mechanism.given(length).abs();
+            let by = allowed
+                .of(nominal, mm)
+                .map_err(|class| unsized_by(class, &name(length), nominal * mm))?;
+            match is_beyond(length, nominal, by) {
+                true => Err(words().tolerance_beyond_length(&name(length), nominal, typed)),
+                false => Ok((length, by)),
+            }
+        };
+        let lengths = self.mechanism.lengths().into_iter().map(tolerance);
+        Ok(Tolerances {
+            lengths: lengths.collect::<Result<_, _>>()?,
+            clearances: self.tolerances().clearances.clone(),
+        })
+    }
+
+    /// A size in the scene's unit.
+    fn typed_size(&self, typed: &str) -> Result<f64, String> {
+        let size = Value::beside(self, Measure::Deviation).typed_number(typed.trim());
+        let size = size.map_err(|why| why.to_string())?;
+        let size = size.parse().ok().filter(|size| *size > 0.0);
+        size.ok_or_else(|| words().must_be_positive().to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Scene, presets};
+
+    /// A four-bar in mm of 400, 100, 300 and 250, with coordinates that are 0.
+    #[test]
+    fn a_tolerance_is_typed_with_a_unit_or_as_a_class() {
+        let scene = Scene::parse(presets::find("four-bar").unwrap().text, "t.toml").unwrap();
+        let told = |typed: &str| {
+            let found = scene.typed_tolerances(typed, |_| "L".into());
+            found.map(|found| {
+                let of = |(length, by)| (scene.mechanism.given(length).abs(), by);
+                found.lengths.into_iter().map(of).collect::<Vec<_>>()
+            })
+        };
+        for (typed, by) in [
+            ("0.1", 0.1),
+            ("0,1", 0.1),
+            ("0.05 in", 1.27),
+            ("0.1 cm", 1.0),
+        ] {
+            let all = told(typed).unwrap();
+            assert!(
+                all.iter().all(|(_, found)| *found == by),
+                "{typed}: {all:?}"
+            );
+        }
+        for (size, by) in told("ISO 2768-m").unwrap() {
+            let known = match size {
+                0.0 => 0.0,
+                6.0..=30.0 => 0.2,
+                30.0..=120.0 => 0.3,
+                120.0..=400.0 => 0.5,
+                _ => continue,
+            };
+            assert_eq!(by, known, "{size}");
+        }
+        let refused = |typed: &str, why: &str| {
+            let told = told(typed).unwrap_err();
+            assert!(told.contains(why), "{typed}: {told}");
+        };
+        refused("ISO 2768-x", "ISO 2768-m");
+        refused("0", "greater than 0");
+        refused("-1", "greater than 0");
+        refused("1 kg", "kg");
+        refused("wide", "wide");
+        refused("1000", "must be less than the length");
+    }
+}
