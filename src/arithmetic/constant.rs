@@ -88,6 +88,15 @@ impl Constant {
         }
     }
 
+    /// The same, where what was meant can be that much farther off.
+    #[must_use]
+    pub(crate) fn widened(self, more: f64) -> Constant {
+        Constant {
+            radius: self.radius + more,
+            ..self
+        }
+    }
+
     /// The same with another derivative.
     #[must_use]
     pub(crate) const fn with_slope(self, slope: f64) -> Constant {

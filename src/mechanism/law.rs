@@ -3,6 +3,7 @@
 //! A law is a list of steps from one coordinate to the next, one after another, and begins anew when all are
 //! done: a driver that ends where it began repeats its period, one that ends whole turns on goes on from there.
 
+mod arcs;
 mod peaks;
 mod stays;
 
@@ -10,7 +11,9 @@ pub use peaks::MotionPeaks;
 
 use super::spline::ClampedSpline;
 use crate::angle::TURN;
-use std::f64::consts::PI;
+use crate::arithmetic::Sharp;
+use crate::{Ball, Constant, Number};
+use arcs::MotionArc;
 
 /// How a step goes from its beginning to its end; s is the part of its time, h the part of its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,13 +52,18 @@ pub enum TimedStep {
 pub struct MotionLaw {
     start: f64,
     steps: Vec<TimedStep>,
-    period: f64,
+    /// When each step ends, in s: the doubles nearest to the sums of their times.
+    joints: Vec<f64>,
+    arcs: Vec<MotionArc>,
+    period: Constant,
     /// Whole turns, or nothing.
     advance: f64,
 }
 
 /// What rounding leaves of nothing, as a part of two coordinates.
 const ROUNDING: f64 = 1e-12;
+/// Roundings of a time within which it is that of a joint: it may be a sum, and so may the joint's.
+const NAMED: f64 = 2.0;
 
 /// Where a driver is, and how it goes on: the coordinate, and its first and second derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,38 +74,8 @@ pub struct DriverMoment {
     pub speed: f64,
     /// The same per s^2.
     pub acceleration: f64,
-}
-
-impl DriverMoment {
-    /// So much farther on.
-    fn turned(self, by: f64) -> DriverMoment {
-        DriverMoment {
-            at: self.at + by,
-            ..self
-        }
-    }
-}
-
-impl StepLaw {
-    /// The part of the way after a part of the time, and its first two derivatives by that.
-    #[must_use]
-    pub fn shape(self, s: f64) -> [f64; 3] {
-        match self {
-            StepLaw::Constant => [s, 1.0, 0.0],
-            StepLaw::Harmonic => {
-                let (sin, cos) = (PI * s).sin_cos();
-                // Of a difference of equals near the beginning, the square of the half angle.
-                let way = (0.5 * PI * s).sin().powi(2);
-                [way, 0.5 * PI * sin, 0.5 * PI * PI * cos]
-            }
-            StepLaw::Cycloidal => {
-                let (sin, _) = (2.0 * PI * s).sin_cos();
-                let speed = 2.0 * (PI * s).sin().powi(2);
-                [s - sin / (2.0 * PI), speed, 2.0 * PI * sin]
-            }
-            StepLaw::Trapezoid { ramp } => trapezoid(s, ramp),
-        }
-    }
+    /// How far each of the three can be from what was meant, beyond what was typed of a coordinate: bounds go with it.
+    pub off: [f64; 3],
 }
 
 impl TimedStep {
@@ -132,43 +110,6 @@ impl TimedStep {
             TimedStep::Table(spline) => spline.ends()[0] == [0.0, from],
         }
     }
-
-    /// Where the driver is so long after it began at a coordinate.
-    fn moment(&self, from: f64, after: f64) -> DriverMoment {
-        match self {
-            TimedStep::Law { law, to, time } => {
-                let way = to - from;
-                let [part, first, second] = law.shape((after / time).clamp(0.0, 1.0));
-                DriverMoment {
-                    at: from + way * part,
-                    speed: way * first / time,
-                    acceleration: way * second / (time * time),
-                }
-            }
-            TimedStep::Table(spline) => {
-                let [at, speed, acceleration] = spline.at(after);
-                DriverMoment {
-                    at,
-                    speed,
-                    acceleration,
-                }
-            }
-        }
-    }
-}
-
-/// A ramp up over r of the time, and the same down at the end: the greatest speed is 1 / (1 - r).
-fn trapezoid(s: f64, r: f64) -> [f64; 3] {
-    let most = 1.0 / (1.0 - r);
-    let up = |s: f64| 0.5 * most * s * s / r;
-    if s < r {
-        [up(s), most * s / r, most / r]
-    } else if s <= 1.0 - r {
-        [most * (s - 0.5 * r), most, 0.0]
-    } else {
-        let left = 1.0 - s;
-        [1.0 - up(left), most * left / r, -most / r]
-    }
 }
 
 impl MotionLaw {
@@ -176,22 +117,32 @@ impl MotionLaw {
     /// `turns` tells that a link is turned: it may end whole turns from where it began.
     #[must_use]
     pub fn new(start: f64, steps: Vec<TimedStep>, turns: bool) -> Option<MotionLaw> {
-        let period: f64 = steps.iter().map(TimedStep::time).sum();
         let end = steps.last()?.to();
         let advance = match turns {
             true => ((end - start) / TURN).round() * TURN,
             false => 0.0,
         };
         let closes = (end - start - advance).abs() <= ROUNDING * (start.abs() + end.abs());
-        let is_whole = closes && start.is_finite() && period.is_finite();
         let mut from = start;
         let is_sound = steps.iter().all(|step| {
             let begins = std::mem::replace(&mut from, step.to());
             step.is_sound(begins)
         });
-        (is_whole && is_sound).then_some(MotionLaw {
+        if !(closes && start.is_finite() && is_sound) {
+            return None;
+        }
+        let (mut from, mut period) = (start, Constant::default());
+        let (mut joints, mut arcs) = (Vec::with_capacity(steps.len()), Vec::new());
+        for step in &steps {
+            step.add_arcs(from, period, &mut arcs);
+            (from, period) = (step.to(), period + Constant::given(step.time()));
+            joints.push(period.hi);
+        }
+        period.hi.is_finite().then_some(MotionLaw {
             start,
             steps,
+            joints,
+            arcs,
             period,
             advance,
         })
@@ -200,7 +151,7 @@ impl MotionLaw {
     /// The time after which it begins anew, in s.
     #[must_use]
     pub fn period(&self) -> f64 {
-        self.period
+        self.period.hi
     }
 
     /// How far it has gone by then: 0, or whole turns.
@@ -209,35 +160,106 @@ impl MotionLaw {
         self.advance
     }
 
-    /// Where the driver is at a time. Where two steps meet, what begins.
+    /// Where the driver is at a time, and how far that can be from what was meant. Where two steps meet, what begins:
+    /// also at a time that rounding alone keeps from it.
     #[must_use]
     pub fn at(&self, time: f64) -> DriverMoment {
-        let periods = (time / self.period).floor();
-        let turned = periods * self.advance();
-        let mut left = time - periods * self.period;
-        let (mut from, last) = (self.start, self.steps.len() - 1);
-        for step in &self.steps[..last] {
-            if left < step.time() {
-                return step.moment(from, left).turned(turned);
+        let place = self.place(time);
+        let arc = &self.arcs[place.arc];
+        let mut found = arc.at(place.after);
+        if place.is_named {
+            let near = found;
+            found = arc.at(Sharp::default());
+            for (here, near) in found.iter_mut().zip(near) {
+                *here = here.either(near);
             }
-            left -= step.time();
-            from = step.to();
+            // It may as well be that much before: there the coordinate is as near, whatever its rates are.
+            found[0] = found[0].either(self.before(&place));
         }
-        self.steps[last].moment(from, left).turned(turned)
+        found[0] += Sharp::exactly(place.periods * self.advance);
+        let [at, speed, acceleration] = found.map(Ball::from);
+        // Nothing has no sign.
+        DriverMoment {
+            at: at.mid + 0.0,
+            speed: speed.mid + 0.0,
+            acceleration: acceleration.mid + 0.0,
+            off: [at.radius, speed.radius, acceleration.radius],
+        }
+    }
+
+    /// The coordinate as the arc before has it.
+    fn before(&self, place: &MotionPlace) -> Sharp {
+        let begin = Sharp::of(self.arcs[place.arc].begin);
+        let (arc, end, advance) = match place.arc.checked_sub(1) {
+            Some(arc) => (&self.arcs[arc], begin, 0.0),
+            None => {
+                let last = &self.arcs[self.arcs.len() - 1];
+                (last, Sharp::of(self.period), self.advance)
+            }
+        };
+        let [at, ..] = arc.at(end - Sharp::of(arc.begin) + place.after);
+        at - Sharp::exactly(advance)
+    }
+
+    /// On which arc a time lies.
+    fn place(&self, time: f64) -> MotionPlace {
+        let (asked, period) = (Sharp::of(Constant::given(time)), Sharp::of(self.period));
+        let slack = NAMED * f64::EPSILON * time.abs().max(self.period.hi);
+        let since = |periods: f64| asked - Sharp::exactly(periods) * period;
+        let reaches = |left: Sharp, begin: Constant| {
+            let after = left - Sharp::of(begin);
+            after.mid.hi >= -(after.radius + slack)
+        };
+        // The quotient was rounded.
+        let mut periods = (time / self.period.hi).floor();
+        let mut left = since(periods);
+        if reaches(left, self.period) {
+            periods += 1.0;
+            left = since(periods);
+        } else if !reaches(left, Constant::default()) {
+            periods -= 1.0;
+            left = since(periods);
+        }
+        let begun = self.arcs.partition_point(|arc| reaches(left, arc.begin));
+        let arc = begun.max(1) - 1;
+        let after = left - Sharp::of(self.arcs[arc].begin);
+        MotionPlace {
+            arc,
+            after,
+            is_named: after.mid.hi.abs() <= after.radius + slack,
+            periods,
+        }
     }
 
     /// The times at which one step goes over into the next, in one period: there rates may jump.
     pub fn joints(&self) -> impl Iterator<Item = f64> {
-        self.steps.iter().scan(0.0, |time, step| {
-            *time += step.time();
-            Some(*time)
-        })
+        self.joints.iter().copied()
     }
+
+    /// The times in one period at which a derivative may jump or the driver turn back: joints, the ends of ramps, the
+    /// knots of tables, and where these turn.
+    pub fn seams(&self) -> impl Iterator<Item = f64> {
+        let arcs = self.arcs.iter().skip(1).map(|arc| arc.begin.hi);
+        arcs.chain(self.stretches().map(|[_, end]| end))
+    }
+}
+
+/// Where in a motion a time lies.
+struct MotionPlace {
+    /// Which arc,
+    arc: usize,
+    /// how long after it began,
+    after: Sharp,
+    /// whether only rounding keeps it from its beginning,
+    is_named: bool,
+    /// and after how many periods.
+    periods: f64,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     const LAWS: [StepLaw; 5] = [
         StepLaw::Constant,
@@ -256,6 +278,16 @@ mod tests {
         assert!((value - exact).abs() < most, "{value} for {exact}");
     }
 
+    /// A step of 1 in 1 s, and back.
+    fn shape(law: StepLaw) -> impl Fn(f64) -> [f64; 3] {
+        let steps = vec![step(law, 1.0, 1.0), step(law, 0.0, 1.0)];
+        let law = MotionLaw::new(0.0, steps, false).unwrap();
+        move |s| {
+            let moment = law.at(s);
+            [moment.at, moment.speed, moment.acceleration]
+        }
+    }
+
     /// Largest speeds and accelerations of the handbooks: h/T times 1, pi/2, 2, 1/(1-r); h/T^2 times 0, pi^2/2,
     /// 2 pi, 1/(r (1-r)).
     #[test]
@@ -263,9 +295,8 @@ mod tests {
         let speeds = [1.0, PI / 2.0, 2.0, 4.0 / 3.0, 2.0];
         let accelerations = [0.0, PI * PI / 2.0, 2.0 * PI, 16.0 / 3.0, 4.0];
         for ((law, speed), acceleration) in LAWS.into_iter().zip(speeds).zip(accelerations) {
-            let moments: Vec<[f64; 3]> = (0..=1000)
-                .map(|k| law.shape(f64::from(k) / 1000.0))
-                .collect();
+            let shape = shape(law);
+            let moments: Vec<[f64; 3]> = (0..=1000).map(|k| shape(f64::from(k) / 1000.0)).collect();
             let most = |i: usize| moments.iter().map(|m| m[i].abs()).fold(0.0, f64::max);
             near(most(1), speed);
             near(most(2), acceleration);
@@ -279,13 +310,14 @@ mod tests {
     #[test]
     fn speed_is_the_slope_of_the_way_and_acceleration_that_of_the_speed() {
         for law in LAWS {
+            let shape = shape(law);
             for k in 1..50 {
                 let s = f64::from(k) / 50.0 + 0.003;
                 let apart = 1e-5;
                 if s + apart >= 1.0 {
                     continue;
                 }
-                let (low, here, high) = (law.shape(s - apart), law.shape(s), law.shape(s + apart));
+                let (low, here, high) = (shape(s - apart), shape(s), shape(s + apart));
                 for i in 0..2 {
                     let slope = (high[i] - low[i]) / (2.0 * apart);
                     assert!(
@@ -315,6 +347,116 @@ mod tests {
             near(law.at(turn + 0.875).speed, -PI / 2.0 * 120.0 / 0.25);
         }
         assert_eq!(law.joints().collect::<Vec<_>>(), [0.5, 0.75, 1.0]);
+    }
+
+    /// 0.1 + 0.2 is not 0.3 in doubles, nor are ten times 0.1 the period: the step that begins at a joint holds there all
+    /// the same, and the one before it ends there, however the time was come by.
+    #[test]
+    fn rounding_does_not_decide_which_step_a_joint_belongs_to() {
+        let steps = vec![
+            step(StepLaw::Constant, 30.0, 0.1),
+            step(StepLaw::Constant, 30.0, 0.2),
+            step(StepLaw::Constant, 90.0, 0.3),
+            step(StepLaw::Trapezoid { ramp: 0.1 }, 0.0, 0.7),
+        ];
+        let law = MotionLaw::new(0.0, steps, false).unwrap();
+        let joints: Vec<f64> = law.joints().collect();
+        for period in [0.0, 1.0, 7.0, 1e6, -3.0] {
+            let begun = period * 1.3;
+            for (time, at, speed) in [
+                (begun, 0.0, 300.0),
+                (begun + 0.1, 30.0, 0.0),
+                (begun + 0.3, 30.0, 200.0),
+                (begun + (0.1 + 0.2), 30.0, 200.0),
+                (begun + joints[1], 30.0, 200.0),
+                (begun + 0.6, 90.0, 0.0),
+                (begun + joints[3], 0.0, 300.0),
+            ] {
+                let moment = law.at(time);
+                let off = 4.0 * f64::EPSILON * time.abs() * 300.0;
+                assert!((moment.at - at).abs() <= off, "{time}: {moment:?}");
+                near(moment.speed, speed);
+            }
+        }
+        // Within a step, too: the ramp of 0.07 s ends at 0.67 s, and there nothing accelerates.
+        assert_eq!(law.at(0.67).acceleration, 0.0);
+        assert!(law.at(0.6).acceleration < -1.0);
+    }
+
+    /// Coordinate, speed and acceleration are within what is said of them, held against formulas of the handbooks in
+    /// twice the digits: of the decimals as they were typed, and no wider than some roundings.
+    #[test]
+    fn what_a_moment_is_off_by_covers_its_rounding() {
+        use crate::Double;
+        let tenths = |n: u32| Double::exactly(f64::from(n)) / Double::exactly(1000.0);
+        let pi = Double::exactly(180.0) * Double::RADIAN;
+        let mut largest = [0.0_f64; 3];
+        for (number, law) in LAWS.into_iter().enumerate() {
+            for k in 1..700_u32 {
+                // From 12.3 to 131.7 in 0.7 s, at a time of so many thousandths.
+                let steps = vec![step(law, 131.7, 0.7), step(StepLaw::Harmonic, 12.3, 0.6)];
+                let motion = MotionLaw::new(12.3, steps, false).unwrap();
+                let time = f64::from(k) / 1000.0;
+                let found = motion.at(time);
+                let [from, way, whole] = [tenths(12_300), tenths(119_400), tenths(700)];
+                let s = tenths(k) / whole;
+                let turned = |half_turns: f64| {
+                    let angle = s * Double::exactly(180.0 * half_turns);
+                    <Double as Number>::unit(angle)
+                };
+                let (one, half) = (Double::ONE, Double::exactly(0.5));
+                let exact = match number {
+                    0 => [s, one, Double::ZERO],
+                    1 => {
+                        let unit = turned(1.0);
+                        [
+                            half * (one - unit.x),
+                            half * pi * unit.y,
+                            half * pi * pi * unit.x,
+                        ]
+                    }
+                    2 => {
+                        let unit = turned(2.0);
+                        let two_pi = pi.scaled(2.0);
+                        [s - unit.y / two_pi, one - unit.x, two_pi * unit.y]
+                    }
+                    _ => {
+                        let r = Double::exactly(if number == 3 { 0.25 } else { 0.5 });
+                        let most = one / (one - r);
+                        let left = one - s;
+                        if (s - r).hi < -1e-25 {
+                            [half * most * s * s / r, most * s / r, most / r]
+                        } else if (left - r).hi > 1e-25 {
+                            [most * (s - half * r), most, Double::ZERO]
+                        } else {
+                            [
+                                one - half * most * left * left / r,
+                                most * left / r,
+                                -most / r,
+                            ]
+                        }
+                    }
+                };
+                let exact = [
+                    from + way * exact[0],
+                    way * exact[1] / whole,
+                    way * exact[2] / (whole * whole),
+                ];
+                let values = [found.at, found.speed, found.acceleration];
+                for i in 0..3 {
+                    let miss = (exact[i] - Double::exactly(values[i])).hi.abs();
+                    assert!(
+                        miss <= found.off[i],
+                        "{law:?} {time} {i}: {miss:e} {found:?}"
+                    );
+                    largest[i] = largest[i].max(found.off[i]);
+                }
+            }
+        }
+        assert!(
+            largest[0] < 2e-13 && largest[1] < 4e-12 && largest[2] < 4e-11,
+            "{largest:?}"
+        );
     }
 
     /// The first step of 0.5 s ends where the table of the second begins.

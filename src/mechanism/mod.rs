@@ -29,7 +29,7 @@ pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;
 pub(crate) use polar::seen_from;
 pub use spline::ClampedSpline;
-pub(crate) use spline::{SplineEnds, bends};
+pub(crate) use spline::{SplineEnds, bends, cubic};
 pub use tolerances::Tolerances;
 
 use crate::Vec2;

@@ -4,7 +4,7 @@
 //! With M the second derivatives at the knots, h the widths and d the slopes of the chords, the slopes agree where
 //! h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (d1 - d0).
 
-use crate::Number;
+use crate::{Constant, Number};
 
 /// A curve at rest at both ends: the cubic spline that is clamped there.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,24 @@ impl ClampedSpline {
     /// The places at which the slope is 0, in order.
     pub(super) fn turns(&self) -> Vec<f64> {
         self.curve.turns()
+    }
+
+    /// Where each of its cubics begins, and its terms, from the knots as they were typed.
+    pub(super) fn cubics(&self) -> Vec<(Constant, [Constant; 4])> {
+        let knots = self.curve.knots.iter();
+        let knots: Vec<[Constant; 2]> = knots.map(|knot| knot.map(Constant::given)).collect();
+        let bends = bends(&knots, SplineEnds::AtRest);
+        let pairs = knots.windows(2).zip(bends.windows(2));
+        let mut cubics: Vec<_> = pairs
+            .map(|(knots, bends)| {
+                let cubic = cubic([knots[0], knots[1]], [bends[0], bends[1]]);
+                (knots[0][0], cubic)
+            })
+            .collect();
+        if let Some((_, first)) = cubics.first_mut() {
+            first[1] = Constant::default();
+        }
+        cubics
     }
 
     /// The greatest sizes of the slope and of the second derivative.
@@ -172,6 +190,18 @@ impl SplinePart {
         let inside = roots.into_iter().filter(|b| (0.0..=1.0).contains(b));
         inside.map(move |b| begin + b * length)
     }
+}
+
+/// The terms c0 + c1 d + c2 d^2 + c3 d^3 of the way d from the first of two knots, with the second derivatives there.
+pub(crate) fn cubic<T: Number>(
+    [[begin, low], [end, high]]: [[T; 2]; 2],
+    [first, second]: [T; 2],
+) -> [T; 4] {
+    let width = end - begin;
+    let six = T::exactly(6.0);
+    let slope = (high - low) / width - width * (first.scaled(2.0) + second) / six;
+    let third = (second - first) / (width * six);
+    [low, slope, first.scaled(0.5), third]
 }
 
 /// The second derivatives at the knots, of which there are two at least.

@@ -7,9 +7,10 @@
 //! velocity that stands beside it.
 
 use super::{Aspect, FigureSource, Quantity, Subject, value};
+use crate::arithmetic::Sharp;
 use crate::scene::Scene;
 use crate::solver::{Order, Range, State};
-use crate::{Driver, DriverMoment, Input, MotionLaw};
+use crate::{Constant, Driver, DriverMoment, Input, MotionLaw, Number};
 
 /// Where the driver is at a time, in seconds from where the scene opens.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,11 +71,7 @@ impl Clock {
     pub fn moment(&self, time: f64, range: Range) -> DriverMoment {
         let moment = match &self.law {
             Some(law) => law.at(time),
-            None => DriverMoment {
-                at: self.coordinate(time),
-                speed: self.speed + self.acceleration * time,
-                acceleration: self.acceleration,
-            },
+            None => self.evenly(time),
         };
         let Range::Limited { low, high } = range else {
             return moment;
@@ -89,7 +86,43 @@ impl Clock {
             // It is driven as far as it goes.
             (false, None) => at.max(low).min(high),
         };
-        DriverMoment { at, ..moment }
+        let mut off = moment.off;
+        let moved = (at - moment.at).abs();
+        // Where the error reaches as far as the limit, the limit is meant.
+        off[0] = match at == limit && moved <= off[0] {
+            true => 0.0,
+            false => off[0] + moved,
+        };
+        DriverMoment { at, off, ..moment }
+    }
+
+    /// The moment of a driver that runs by its speed, and how far it is from what that has come to in twice the digits.
+    fn evenly(&self, time: f64) -> DriverMoment {
+        // Converted as they were read, and once more to the driver's unit.
+        let given = |rate: f64| {
+            let rate = Constant::given(rate).converted();
+            Sharp::of(rate.widened(rate.radius))
+        };
+        let [speed, acceleration] = [self.speed, self.acceleration].map(given);
+        let [start, asked] = [self.start, time].map(|v| Sharp::of(Constant::given(v)));
+        let exact = [
+            start + asked * (speed + asked * acceleration.scaled(0.5)),
+            speed + acceleration * asked,
+            acceleration,
+        ];
+        let found = [
+            self.coordinate(time),
+            self.speed + self.acceleration * time,
+            self.acceleration,
+        ];
+        let off = |k: usize| exact[k].radius + exact[k].way_from(found[k]).abs();
+        let [at, speed, acceleration] = found;
+        DriverMoment {
+            at,
+            speed,
+            acceleration,
+            off: [off(0), off(1), off(2)],
+        }
     }
 
     /// The moment of a coordinate that is passed with the scene's own speed, whatever its motion.
@@ -97,8 +130,7 @@ impl Clock {
     pub fn passing(&self, at: f64) -> DriverMoment {
         DriverMoment {
             at,
-            speed: self.speed,
-            acceleration: self.acceleration,
+            ..self.evenly(0.0)
         }
     }
 
@@ -111,11 +143,10 @@ impl Clock {
         }
     }
 
-    /// The times in one period of a motion at which one step goes over into the next: there rates may jump.
+    /// How the driver moves, where that is not by its speed.
     #[must_use]
-    pub fn joints(&self) -> Vec<f64> {
-        let law = self.law.as_ref();
-        law.map_or_else(Vec::new, |law| law.joints().collect())
+    pub fn law(&self) -> Option<&MotionLaw> {
+        self.law.as_ref()
     }
 
     /// When the driver is there, going the way it goes at 0 s; `None` where it turns back before.
@@ -332,7 +363,8 @@ mod tests {
             (clock.span(range), clock.period(range)),
             ((0.0, 1.0), Some(1.0))
         );
-        assert_eq!(clock.joints(), [0.5, 0.75, 1.0]);
+        let joints = clock.law().unwrap().joints();
+        assert_eq!(joints.collect::<Vec<_>>(), [0.5, 0.75, 1.0]);
         let moment = clock.moment(0.25, range);
         assert!((moment.at - 60.0).abs() < 1e-12 && (moment.speed - 480.0).abs() < 1e-9);
         let time = clock.time(60.0).unwrap();

@@ -5,6 +5,9 @@ use super::state::{Rates, State};
 use super::{Solver, Workspace};
 use crate::{Constant, DriverMoment, Input, Number};
 
+/// A degree in radians, rounded up.
+const RADIAN: f64 = 0.017_453_292_519_943_3;
+
 impl Solver {
     /// The same solver with another speed and acceleration of its driver, in rad/s and rad/s^2 or in the
     /// scene's length unit per s and s^2. The geometry is not solved anew: with a speed of 1 and no
@@ -24,10 +27,19 @@ impl Solver {
     /// of its motion over time; so does that of an enclosure, which has to be told too. Allocates nothing.
     pub fn drive<T: Number>(&self, work: &mut Workspace<T>, moment: &DriverMoment) {
         let given = [moment.speed, moment.acceleration];
-        let rates = match self.mechanism.driver().input {
-            Input::Turn(_) => rates(given.map(f64::to_radians), 1.0, true),
-            Input::Push(_) => rates(given, self.engine.frame.scale, true),
+        let [at, off @ ..] = moment.off;
+        let (rates, off) = match self.mechanism.driver().input {
+            Input::Turn(_) => (
+                rates(given.map(f64::to_radians), 1.0, true),
+                off.map(|off| off * RADIAN),
+            ),
+            Input::Push(_) => {
+                let scale = self.engine.frame.scale;
+                (rates(given, scale, true), off.map(|off| off / scale))
+            }
         };
+        let rates = [rates[0].widened(off[0]), rates[1].widened(off[1])];
+        work.errors.driven = at;
         work.state.pass(rates);
         // What bounds are found by goes with it.
         if let Some(sharp) = &mut work.errors.sharp {
@@ -71,6 +83,7 @@ mod tests {
                 at,
                 speed: speed * scale,
                 acceleration: acceleration * scale,
+                off: [0.0; 3],
             };
             let other = solver.at_speed(moment.speed / scale, moment.acceleration / scale);
             let (mut one, mut two) = (solver.state(), other.state());

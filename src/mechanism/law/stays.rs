@@ -21,19 +21,41 @@ impl TimedStep {
             }
         }
     }
+}
 
-    /// When it is at a coordinate, from its beginning on.
-    fn stays(&self, from: f64, coordinate: f64, stays: &mut Vec<Stay>) {
-        let (turns, whole) = (self.turns(), self.time());
-        // Where a step begins and ends is given, and not rounded.
-        let at = |time: f64| match time {
-            _ if time <= 0.0 => from,
-            _ if time >= whole => self.to(),
-            _ => self.moment(from, time).at,
-        };
-        for ends in turns.windows(2) {
-            let (mut before, mut after) = (ends[0], ends[1]);
-            let [low, high] = [at(before), at(after)];
+impl MotionLaw {
+    /// The stretches of its first period on which the coordinate only grows or only falls: from when to when.
+    pub(super) fn stretches(&self) -> impl Iterator<Item = [f64; 2]> {
+        let begins = std::iter::once(0.0).chain(self.joints());
+        let steps = self.steps.iter().zip(begins.zip(self.joints()));
+        steps.flat_map(|(step, (begin, end))| {
+            let mut turns = step
+                .turns()
+                .into_iter()
+                .map(|turn| begin + turn)
+                .collect::<Vec<_>>();
+            // A step ends where the next one begins, and not where its own time would end with it.
+            if let Some(last) = turns.last_mut() {
+                *last = end;
+            }
+            let pairs: Vec<[f64; 2]> = turns.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+            pairs
+        })
+    }
+
+    /// The coordinate in the first period; at its end as it is reached.
+    fn coordinate(&self, time: f64) -> f64 {
+        match self.steps.last() {
+            Some(last) if time >= self.period() => last.to(),
+            Some(_) | None => self.at(time).at,
+        }
+    }
+
+    /// When it is at a coordinate in its first period, from 0 s on.
+    pub(super) fn stays(&self, coordinate: f64) -> Vec<Stay> {
+        let mut stays = Vec::new();
+        for [mut before, mut after] in self.stretches() {
+            let [low, high] = [before, after].map(|time| self.coordinate(time));
             match (low == coordinate, high == coordinate) {
                 (true, true) => stays.push([before, after]),
                 (true, false) => stays.push([before; 2]),
@@ -42,29 +64,29 @@ impl TimedStep {
                 (false, false) => {
                     for _ in 0..HALVINGS {
                         let middle = 0.5 * (before + after);
-                        let is_past = (at(middle) < coordinate) != (low < coordinate);
+                        let is_past = (self.coordinate(middle) < coordinate) != (low < coordinate);
                         *(if is_past { &mut after } else { &mut before }) = middle;
                     }
                     stays.push([after; 2]);
                 }
             }
         }
-    }
-}
-
-impl MotionLaw {
-    /// When it is at a coordinate in its first period, from 0 s on.
-    fn stays(&self, coordinate: f64) -> Vec<Stay> {
-        let (mut stays, mut from, mut begun) = (Vec::new(), self.start, 0.0);
-        for step in &self.steps {
-            let first = stays.len();
-            step.stays(from, coordinate, &mut stays);
-            for stay in &mut stays[first..] {
-                *stay = stay.map(|time| begun + time);
-            }
-            (from, begun) = (step.to(), begun + step.time());
-        }
         stays
+    }
+
+    /// The least and the greatest coordinate of its first period.
+    #[must_use]
+    pub fn reach(&self) -> [f64; 2] {
+        let ends = self.stretches().map(|[_, end]| self.coordinate(end));
+        ends.fold([self.start; 2], |[low, high], at| {
+            [low.min(at), high.max(at)]
+        })
+    }
+
+    /// The times of the first period at which the driver comes to a coordinate, and those at which it leaves it after a
+    /// dwell.
+    pub fn meets(&self, coordinate: f64) -> impl Iterator<Item = f64> {
+        self.stays(coordinate).into_iter().flatten()
     }
 
     /// The time at which the driver is at a coordinate that lies nearest to a time, in the period of that one where it
@@ -72,7 +94,7 @@ impl MotionLaw {
     #[must_use]
     pub fn nearest(&self, coordinate: f64, time: f64) -> Option<f64> {
         let periods = match self.advance == 0.0 {
-            true => vec![(time / self.period).floor()],
+            true => vec![(time / self.period()).floor()],
             // One that goes on may go back a little before.
             false => {
                 let period = ((coordinate - self.start) / self.advance).floor();
@@ -81,7 +103,7 @@ impl MotionLaw {
         };
         let times = periods.into_iter().flat_map(|period| {
             let stays = self.stays(coordinate - period * self.advance);
-            let begun = period * self.period;
+            let begun = period * self.period();
             let nearest = move |[from, to]: Stay| (time - begun).max(from).min(to) + begun;
             stays.into_iter().map(nearest)
         });
@@ -91,10 +113,10 @@ impl MotionLaw {
     /// The first time from `low` to `high` at which the driver is at a coordinate.
     #[must_use]
     pub fn first(&self, coordinate: f64, [low, high]: [f64; 2]) -> Option<f64> {
-        let periods = [low, high].map(|time| (time / self.period).floor());
+        let periods = [low, high].map(|time| (time / self.period()).floor());
         let mut period = periods[0];
         while period <= periods[1] {
-            let begun = period * self.period;
+            let begun = period * self.period();
             let stays = self.stays(coordinate - period * self.advance).into_iter();
             let within = stays.map(|stay| stay.map(|time| time + begun));
             let mut within = within.filter(|[from, to]| *from <= high && *to >= low);

@@ -2,7 +2,6 @@
 //! in twice the digits, from the numbers that are meant.
 
 use super::Errors;
-use super::driver::asked_radius;
 use super::errors::{LinkError, PointError};
 use crate::arithmetic::Sharp;
 use crate::solver::demand::PlacedPart;
@@ -24,10 +23,11 @@ impl Solver {
         if !is_dyads || state.condition != Condition::Ok || self.is_passing(state.at) {
             return false;
         }
+        let asked = work.errors.asked::<false>(state.at);
         let (Some(exact), Some(edge)) = (&self.exact, &mut work.errors.edge) else {
             return false;
         };
-        let at = Sharp::new(Double::exactly(state.at), asked_radius::<false>(state.at));
+        let at = Sharp::new(Double::exactly(state.at), asked);
         let how = (&state.signs[..], None);
         // What coordinates were rounded by is in the bounds of doubles alone.
         exact.tells(exact.closed) && exact.run(exact.closed, at, order, how, edge) == Condition::Ok

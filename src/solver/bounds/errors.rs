@@ -4,6 +4,7 @@
 //! residuals say, to the first order. The rest is only known to be small: what no residual tells, such
 //! as what a typed coordinate of the driver is off by, and what is of the second order.
 
+use super::driver::asked_radius;
 use super::influence::Influences;
 use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
@@ -56,6 +57,9 @@ pub(in crate::solver) struct Errors {
     feeds_sharp: bool,
     /// All steps in the numbers that are meant, for what is near to an end.
     pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
+    /// How far the driver's coordinate can be from what was meant where it was not typed but follows from a time, in
+    /// its own unit.
+    pub(in crate::solver) driven: f64,
 }
 
 /// The sum of the sizes of the components.
@@ -172,7 +176,14 @@ impl Errors {
             has_close_steps: program.steps.iter().any(|step| !step.has_residuals()),
             feeds_sharp: false,
             edge: None,
+            driven: 0.0,
         }
+    }
+
+    /// How far the driver's coordinate can be from what was meant.
+    #[inline(always)]
+    pub(super) fn asked<const FUSED: bool>(&self, at: f64) -> f64 {
+        asked_radius::<FUSED>(at).max(self.driven)
     }
 
     /// Before a state, and whether its forces are asked for.

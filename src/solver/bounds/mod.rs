@@ -45,7 +45,7 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
-use driver::{CrankDirection, asked_radius};
+use driver::CrankDirection;
 use off::LinkOff;
 use places::Bodies;
 
@@ -189,7 +189,7 @@ impl Engine {
     ) -> bool {
         work.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            let at = Ball::new(state.at, asked_radius::<false>(state.at));
+            let at = Ball::new(state.at, work.errors.asked::<false>(state.at));
             work.state.begin(at, order);
             return true;
         }
@@ -219,7 +219,7 @@ impl Engine {
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let at = Ball::new(state.at, asked_radius::<FUSED>(state.at));
+        let at = Ball::new(state.at, errors.asked::<FUSED>(state.at));
         enclosure.begin(at, order);
         errors.begin(order == Order::Force);
         let order = match order {

@@ -1,7 +1,7 @@
 //! Tables of inputs, in any arithmetic: also where rounding leaves open on which side of a knot the driver is.
 
 use super::InputMotion;
-use crate::mechanism::{SplineEnds, bends};
+use crate::mechanism::{SplineEnds, bends, cubic};
 use crate::solver::frame::Frame;
 use crate::{Constant, InputTable, Number};
 
@@ -44,7 +44,7 @@ impl ReadyTable {
         let mut cubics: Vec<TableCubic> = knots
             .windows(2)
             .zip(bends.windows(2))
-            .map(|(knots, bends)| TableCubic::between([knots[0], knots[1]], [bends[0], bends[1]]))
+            .map(|(knots, bends)| TableCubic(cubic([knots[0], knots[1]], [bends[0], bends[1]])))
             .collect();
         if let (SplineEnds::AtRest, Some(first)) = (ends, cubics.first_mut()) {
             first.0[1] = Constant::default();
@@ -162,18 +162,6 @@ impl ReadyTable {
 }
 
 impl TableCubic {
-    /// From knot to knot, with the second derivatives there.
-    fn between(
-        [[begin, low], [end, high]]: [[Constant; 2]; 2],
-        [first, second]: [Constant; 2],
-    ) -> TableCubic {
-        let width = end - begin;
-        let six = Constant::exactly(6.0);
-        let slope = (high - low) / width - width * (first.scaled(2.0) + second) / six;
-        let third = (second - first) / (width * six);
-        TableCubic([low, slope, first.scaled(0.5), third])
-    }
-
     fn at<T: Number>(&self, d: T) -> InputMotion<T> {
         let [c0, c1, c2, c3] = self.0.map(T::of);
         let steep = c3 * d;

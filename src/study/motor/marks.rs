@@ -80,10 +80,37 @@ fn common(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { common(b, a % b) }
 }
 
-/// The ways on which a load bends or jumps, in no order: knots over the driver's coordinate, the places
-/// where a press begins, bends and ends, and change points, where forces in the joints have no limit.
-pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> Vec<f64> {
-    let mut ways = Vec::new();
+/// A coordinate of the driver at which a load bends or jumps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mark {
+    at: f64,
+    /// After how much it comes again; 0 for one that does not.
+    every: f64,
+}
+
+impl Mark {
+    /// The coordinates at which it is met between two.
+    pub(super) fn between(self, low: f64, high: f64) -> impl Iterator<Item = f64> {
+        let Mark { at, every } = self;
+        let first = match every > 0.0 {
+            true => low + (at - low).rem_euclid(every),
+            false => at,
+        };
+        let times = match every > 0.0 {
+            true => ((high - first) / every).floor(),
+            false => 0.0,
+        };
+        let all = std::iter::successors(Some(0.0), move |k| Some(k + 1.0));
+        let all = all.take_while(move |k| *k <= times);
+        let all = all.map(move |k| first + k * every);
+        all.filter(move |at| (low..=high).contains(at))
+    }
+}
+
+/// The coordinates at which a load bends or jumps, in no order: knots over the driver's coordinate, the places where a
+/// press begins, bends and ends, where springs bend, and change points, where forces in the joints have no limit.
+pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
+    let mut marks = Vec::new();
     let motion = solver.motion();
     let period = match motion.range {
         Range::Full { period } => period,
@@ -95,13 +122,8 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
             Some(whole) if turns => TURN * whole as f64,
             Some(_) | None => 0.0,
         };
-        for knot in profile.knots() {
-            course.ways(knot[0], every, &mut ways);
-        }
-        if every == 0.0 && !profile.is_one() {
-            // It begins anew with the cycle, where it may jump.
-            ways.push(0.0);
-        }
+        let knots = profile.knots().iter();
+        marks.extend(knots.map(|&[at, _]| Mark { at, every }));
     }
     let mut at = motion.change_points.clone();
     let bends = SpringBends::over(solver);
@@ -125,8 +147,22 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
             ram.coordinates(knot[0], &mut at);
         }
     }
-    for at in at {
-        course.ways(at, period, &mut ways);
+    let every = period;
+    marks.extend(at.into_iter().map(|at| Mark { at, every }));
+    marks
+}
+
+/// The ways of a cycle on which a load bends or jumps, in no order.
+pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> Vec<f64> {
+    let mut ways = Vec::new();
+    for Mark { at, every } in bends(mechanism, solver) {
+        course.ways(at, every, &mut ways);
+    }
+    let turns = matches!(mechanism.driver().input, Input::Turn(_));
+    let comes_again = |profile: &Profile| turns && turns_of(profile).is_some();
+    if profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one()) {
+        // It begins anew with the cycle, where it may jump.
+        ways.push(0.0);
     }
     ways
 }

@@ -199,6 +199,7 @@ impl Other {
             at: moment.at / unit,
             speed: moment.speed / unit,
             acceleration: moment.acceleration / unit,
+            off: moment.off.map(|off| off / unit),
         });
         let at = stand.at / unit;
         solved(

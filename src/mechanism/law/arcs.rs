@@ -1,0 +1,149 @@
+//! The smooth arcs that a law of motion is made of: in twice the digits, and with what is known of their error.
+//!
+//! A trapezoid has three of them, a table one between every two knots: where one goes over into the next, a derivative
+//! may jump.
+
+use super::{StepLaw, TimedStep};
+use crate::arithmetic::Sharp;
+use crate::{Constant, Number};
+
+/// A part of a motion on which it is one function of time.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MotionArc {
+    /// When it begins, in s from the beginning of the period.
+    pub(super) begin: Constant,
+    shape: ArcShape,
+}
+
+/// The coordinate over the time d since an arc began.
+#[derive(Clone, Debug, PartialEq)]
+enum ArcShape {
+    /// c0 + c1 d + c2 d^2 + c3 d^3.
+    Cubic([Constant; 4]),
+    /// from + way (1 - cos a) / 2.
+    Harmonic(Wave),
+    /// from + way (a - sin a) / (2 pi).
+    Cycloidal(Wave),
+}
+
+/// What goes with an angle a that grows evenly with time.
+#[derive(Clone, Debug, PartialEq)]
+struct Wave {
+    from: Constant,
+    way: Constant,
+    /// Of the angle, in degrees per s.
+    rate: Constant,
+    /// The same in radians per s.
+    turn: Constant,
+}
+
+impl Wave {
+    /// The angle grows by so many half turns in a time.
+    fn new([from, to]: [f64; 2], time: f64, half_turns: f64) -> Wave {
+        let [from, to, time] = [from, to, time].map(Constant::given);
+        let rate = Constant::exactly(180.0 * half_turns) / time;
+        Wave {
+            from,
+            way: to - from,
+            rate,
+            turn: rate * Constant::RADIAN,
+        }
+    }
+}
+
+impl TimedStep {
+    /// Adds its arcs, of a step that begins at a coordinate and a time.
+    pub(super) fn add_arcs(&self, from: f64, begin: Constant, arcs: &mut Vec<MotionArc>) {
+        let mut add = |after: Constant, shape: ArcShape| {
+            arcs.push(MotionArc {
+                begin: begin + after,
+                shape,
+            });
+        };
+        let at_once = Constant::default();
+        match self {
+            TimedStep::Law { law, to, time } => match law {
+                StepLaw::Constant => {
+                    let [start, end, whole] = [from, *to, *time].map(Constant::given);
+                    let speed = (end - start) / whole;
+                    add(at_once, ArcShape::Cubic([start, speed, at_once, at_once]));
+                }
+                StepLaw::Harmonic => {
+                    let wave = Wave::new([from, *to], *time, 1.0);
+                    add(at_once, ArcShape::Harmonic(wave));
+                }
+                StepLaw::Cycloidal => {
+                    let wave = Wave::new([from, *to], *time, 2.0);
+                    add(at_once, ArcShape::Cycloidal(wave));
+                }
+                StepLaw::Trapezoid { ramp } => {
+                    for (after, cubic) in trapezoid([from, *to], *time, *ramp) {
+                        add(after, ArcShape::Cubic(cubic));
+                    }
+                }
+            },
+            TimedStep::Table(spline) => {
+                for (after, cubic) in spline.cubics() {
+                    add(after, ArcShape::Cubic(cubic));
+                }
+            }
+        }
+    }
+}
+
+/// A speed that grows over the time r T to h / (T (1 - r)), stays, and falls as it grew.
+fn trapezoid([from, to]: [f64; 2], time: f64, ramp: f64) -> [(Constant, [Constant; 4]); 3] {
+    let [from, to, time, ramp] = [from, to, time, ramp].map(Constant::given);
+    let nothing = Constant::default();
+    let most = (to - from) / (time * (Constant::exactly(1.0) - ramp));
+    let up = ramp * time;
+    let half_rate = (most / up).scaled(0.5);
+    let half_way = (most * up).scaled(0.5);
+    [
+        (nothing, [from, nothing, half_rate, nothing]),
+        (up, [from + half_way, most, nothing, nothing]),
+        (time - up, [to - half_way, most, -half_rate, nothing]),
+    ]
+}
+
+impl MotionArc {
+    /// The coordinate and its first and second derivative by time, so long after the arc began.
+    pub(super) fn at(&self, d: Sharp) -> [Sharp; 3] {
+        match &self.shape {
+            ArcShape::Cubic(terms) => {
+                let [c0, c1, c2, c3] = terms.map(Sharp::of);
+                let steep = c3 * d;
+                [
+                    c0 + d * (c1 + d * (c2 + steep)),
+                    c1 + d * (c2.scaled(2.0) + Sharp::exactly(3.0) * steep),
+                    c2.scaled(2.0) + Sharp::exactly(6.0) * steep,
+                ]
+            }
+            ArcShape::Harmonic(wave) => {
+                let [from, way, rate, turn] =
+                    [wave.from, wave.way, wave.rate, wave.turn].map(Sharp::of);
+                let unit = Sharp::unit(rate * d);
+                let speed = (way * turn).scaled(0.5);
+                [
+                    from + way * (Sharp::exactly(1.0) - unit.x).scaled(0.5),
+                    speed * unit.y,
+                    speed * turn * unit.x,
+                ]
+            }
+            ArcShape::Cycloidal(wave) => {
+                let [from, way, rate, turn] =
+                    [wave.from, wave.way, wave.rate, wave.turn].map(Sharp::of);
+                let unit = Sharp::unit(rate * d);
+                // The whole angle is 2 pi.
+                let turns = rate * d / Sharp::exactly(360.0);
+                let share = rate / Sharp::exactly(360.0);
+                let sine = unit.y * share / turn;
+                [
+                    from + way * (turns - sine),
+                    way * share * (Sharp::exactly(1.0) - unit.x),
+                    way * share * turn * unit.y,
+                ]
+            }
+        }
+    }
+}
