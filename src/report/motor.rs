@@ -6,8 +6,9 @@ use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Course, CycleShaking, DriveEffort, Duty, Dwell, MotorDemand, MotorFit, NoDuty, NoRam, Passing,
-    Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with, flywheel_for, rams,
+    Course, CycleShaking, DriveEffort, Duty, Dwell, LARGEST_FLUCTUATION, MotorDemand, MotorFit,
+    NoDuty, NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with,
+    flywheel_for, rams,
 };
 use crate::wording::words;
 use crate::{Input, Load, SlideId, StrokeEnd};
@@ -138,10 +139,19 @@ impl MotorReport {
         })
     }
 
-    /// The rated torque against about the mean of the cycle, where a flywheel leaves little fluctuation:
-    /// it takes and gives the rest.
-    pub(super) fn with_flywheel(&self) -> Option<MotorDemand> {
+    /// Whether the flywheel leaves no more fluctuation than is wished, or none that stops the driver where nobody wishes;
+    /// `None` without one.
+    pub(super) fn is_even_enough(&self) -> Option<bool> {
+        let (_, left) = self.evenness()?.with?;
+        let most = self.wishes.motor.fluctuation;
+        Some(left <= most.unwrap_or(LARGEST_FLUCTUATION))
+    }
+
+    /// About the mean of the cycle, in N m or N, where the flywheel leaves little fluctuation: it takes and gives the
+    /// rest.
+    fn mean_with_flywheel(&self) -> Option<f64> {
         let (_, fluctuation) = self.evenness()?.with?;
+        let is_even = fluctuation <= SMALL_FLUCTUATION && self.is_even_enough()?;
         let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
         // Where the cycle takes nothing in the mean, rounding is no torque.
@@ -150,8 +160,13 @@ impl MotorReport {
         } else {
             mean
         };
-        let has = self.wishes.motor.rated?;
-        (fluctuation <= SMALL_FLUCTUATION).then_some(MotorDemand { asked, has })
+        is_even.then_some(asked)
+    }
+
+    /// The rated torque against that mean.
+    pub(super) fn with_flywheel(&self) -> Option<MotorDemand> {
+        let (asked, has) = (self.mean_with_flywheel()?, self.wishes.motor.rated?);
+        Some(MotorDemand { asked, has })
     }
 
     /// Whether the motor is enough, with the flywheel where there is one; `None` where that is not known.
@@ -161,14 +176,17 @@ impl MotorReport {
             .map(|alone| alone || self.does_with_flywheel())
     }
 
-    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then the root of the
-    /// mean square is not asked of the motor. Its peak is, all the same: how much of that the flywheel takes depends on
-    /// how much the motor gives way.
+    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then neither the root
+    /// of the mean square nor the largest torque is asked of the motor. How little the speed changes then is that of a
+    /// motor whose torque stays at the mean.
     fn does_with_flywheel(&self) -> bool {
-        let others = [self.fit.peak, self.fit.speed].into_iter().flatten();
-        let others = others.map(|asked| asked.is_enough());
-        let are_enough = others.reduce(|a, b| a && b).unwrap_or(true);
-        are_enough && self.with_flywheel().is_some_and(|mean| mean.is_enough())
+        let Some(mean) = self.mean_with_flywheel() else {
+            return false;
+        };
+        let motor = &self.wishes.motor;
+        let mut torques = [motor.rated, motor.peak].into_iter().flatten();
+        let is_fast = self.fit.speed.is_none_or(|speed| speed.is_enough());
+        torques.all(|has| mean <= has) && is_fast
     }
 
     /// Everything as JSON; what does not exist is null.
@@ -231,6 +249,7 @@ impl MotorReport {
             "speed": asked(self.fit.speed),
             "with_flywheel": asked(self.with_flywheel()),
             "enough": self.is_enough(),
+            "even_enough": self.is_even_enough(),
             "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
         })
     }

@@ -235,6 +235,9 @@ impl MotorReport {
         let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
         let is_enough = self.is_enough();
         let verdict_text = match is_enough {
+            Some(true) if self.is_even_enough() == Some(false) => {
+                words().enough_but_the_flywheel().to_owned()
+            }
             Some(true) if self.fit.is_enough() == Some(false) => {
                 words().enough_with_flywheel().to_owned()
             }

@@ -156,6 +156,36 @@ fn options_stand_for_what_the_scene_says() {
     near(&part["cycle"]["to"], 420.0, 0.0);
 }
 
+/// The headline says what stands below it: a flywheel that leaves less than is wished does for a motor of the mean, at
+/// its peak too, and one that leaves more than is possible does not.
+#[test]
+fn the_headline_on_a_flywheel_agrees_with_what_stands_below() {
+    let with = |more: &[&str]| {
+        let told = done(&[&["motor", "toggle-press"], more].concat());
+        let args = [&["motor", "toggle-press", "--format", "json"], more].concat();
+        (told, json(&done(&args)))
+    };
+    let (told, found) = with(&["--rated", "150", "--peak", "300", "--flywheel", "5000"]);
+    assert!(told.contains("motor: enough, with the flywheel"), "{told}");
+    assert_eq!(found["motor"]["enough"], true);
+    assert_eq!(found["motor"]["even_enough"], true);
+    // Less than the mean is not enough, whatever the flywheel.
+    let (told, found) = with(&["--rated", "10", "--peak", "300", "--flywheel", "5000"]);
+    assert!(told.contains("motor: not enough"), "{told}");
+    assert_eq!(found["motor"]["enough"], false);
+    // Nor is a wish that is not met.
+    let uneven = ["--rated", "150", "--peak", "300", "--flywheel", "5000"];
+    let (told, _) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
+    assert!(told.contains("motor: not enough"), "{told}");
+    let (told, found) = with(&["--rated", "450", "--flywheel", "1"]);
+    assert!(
+        told.contains("motor: enough, but the flywheel is too small"),
+        "{told}"
+    );
+    assert!(told.contains("impossible"), "{told}");
+    assert_eq!(found["motor"]["even_enough"], false);
+}
+
 #[test]
 fn a_ram_is_measured_where_nothing_acts() {
     let args = [

@@ -77,6 +77,7 @@ catalogue! {
         motor_is(verdict: &str) = "motor: {verdict}";
         enough = "enough";
         enough_with_flywheel = "enough, with the flywheel";
+        enough_but_the_flywheel = "enough, but the flywheel is too small";
         not_enough = "not enough";
         not_judged(effort: &str) = "not judged: no largest {effort} exists";
         rated_for_rms = "rated for RMS";

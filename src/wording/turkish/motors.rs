@@ -72,6 +72,7 @@ catalogue! {
         motor_is(verdict: &str) = "motor: {verdict}";
         enough = "yeterli";
         enough_with_flywheel = "volanla birlikte yeterli";
+        enough_but_the_flywheel = "yeterli, ama volan küçük";
         not_enough = "yetersiz";
         not_judged(effort: &str) = "değerlendirilmedi: en büyük {effort} yok";
         rated_for_rms = "anma, RMS için";
