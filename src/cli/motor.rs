@@ -9,7 +9,7 @@ use super::source::SolvableScene;
 use super::sweep::clock;
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
-use crate::report::{MotorReport, MotorWishes, TimedMotorReport, limits_text};
+use crate::report::{CsvDialect, MotorReport, MotorWishes, TimedMotorReport, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
 use crate::study::motor::{Duty, LARGEST_FLUCTUATION, NoDuty, TimedDuty, is_within};
@@ -21,7 +21,7 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     if scene.motion.is_some() {
-        return timed(args, &scene, &solver, screen);
+        return timed(args, (&scene, &solver), dialect, screen);
     }
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
@@ -63,13 +63,14 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
 /// The same over the period of a motion over time.
 fn timed(
     args: &MotorArgs,
-    scene: &Scene,
-    solver: &Solver,
+    (scene, solver): (&Scene, &Solver),
+    dialect: CsvDialect,
     screen: TextScreen,
 ) -> Result<(), Failure> {
     no_steady_cycle(args)?;
     let motor = given(args, scene)?;
-    let duty = TimedDuty::new(&clock(scene)?, solver)
+    let clock = clock(scene)?;
+    let duty = TimedDuty::new(&clock, solver)
         .map_err(|why| Failure::Cannot(TimedMotorReport::nothing(scene, &why)))?;
     tell_of_near_misses(scene, solver, screen);
     let is_believed = duty.has_converged();
@@ -77,9 +78,10 @@ fn timed(
     let output = args.output.output.as_deref();
     match args.format {
         OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json()))?,
-        OutputFormat::Text | OutputFormat::Csv => {
-            write_text(output, &report.to_text(screen.ascii))?
-        }
+        OutputFormat::Text => write_text(output, &report.to_text(screen.ascii))?,
+        OutputFormat::Csv => write_to(output, |out| {
+            report.write_csv((&clock, solver), dialect, out)
+        })?,
     }
     match is_believed {
         true => Ok(()),
@@ -89,9 +91,6 @@ fn timed(
 
 /// What only a cycle at one speed has.
 fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
-    if args.format == OutputFormat::Csv {
-        return Err(Failure::Usage(words().rows_of_motor_over_time().into()));
-    }
     let asked = [
         ("--flywheel", args.flywheel.is_some()),
         ("--fluctuation", args.fluctuation.is_some()),

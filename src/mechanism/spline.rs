@@ -26,6 +26,12 @@ impl ClampedSpline {
         self.curve.ends()
     }
 
+    /// The knots, each a place and the value there.
+    #[must_use]
+    pub fn knots(&self) -> &[[f64; 2]] {
+        self.curve.knots()
+    }
+
     /// The value at a place, and its first two derivatives; beyond an end those of that end.
     #[must_use]
     pub fn at(&self, place: f64) -> [f64; 3] {

@@ -1,6 +1,7 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
 use super::choice_facts::ChoiceList;
+use super::cycle_report::CycleReport;
 use super::forces::indeterminate;
 use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
@@ -8,7 +9,7 @@ use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::range_text;
 use super::slide_facts::SlideFacts;
-use super::stop_facts::{StopFacts, stops};
+use super::stop_facts::{StopFacts, UnmetLimit, stops, unmet_limits};
 use crate::quantity::Catalogue;
 use crate::scene::{Parameter, Scene, Unit};
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
@@ -192,6 +193,8 @@ pub struct Check {
     pub dead_points: Vec<f64>,
     /// The stops at which the motion ends.
     pub stops: Vec<StopFacts>,
+    /// Limits of which the motion meets neither stop.
+    pub unmet: Vec<UnmetLimit>,
     /// Where two assemblies meet and the motion passes, within one period.
     pub change_points: Vec<f64>,
     /// By how much lengths that count as equal may differ there, in the scene's unit.
@@ -206,6 +209,9 @@ pub struct Check {
     /// The loop of the driven link, a dyad and the ground, where there is one.
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
+    /// What `krank cycle` follows where nobody names columns: stroke or swing, where it turns and the ratio of times, as
+    /// it tells them. None of a mechanism of very many groups.
+    pub figures: Vec<Value>,
     /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
     pub acting: LoadCounts,
     /// Knots of loads over the driver's coordinate at which the motion never is.
@@ -215,7 +221,13 @@ pub struct Check {
     /// The range in words.
     #[serde(skip)]
     pub range_text: String,
+    /// The figures in words.
+    #[serde(skip)]
+    pub(super) figure_lines: Vec<String>,
 }
+
+/// Of more groups than this no figure is followed.
+const MOST_GROUPS: usize = 200;
 
 /// Knots of a load that do nothing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -368,13 +380,18 @@ impl Check {
             Range::Full { period } => ([0.0, period], Some(period)),
             Range::Limited { low, high } => ([low, high], None),
         };
+        let followed =
+            (plan.groups.len() <= MOST_GROUPS).then(|| CycleReport::strokes(scene, solver));
+        let followed = followed.as_ref();
         Check {
+            figures: followed.map_or_else(Vec::new, CycleReport::strokes_json),
+            figure_lines: followed.map_or_else(Vec::new, |found| found.lines().collect()),
             scene: scene.name.clone(),
             source: scene.source.clone(),
             note: scene.note.clone(),
             unit: scene.unit.symbol(),
             driver: names.driver(),
-            motion: MotionFacts::of(scene),
+            motion: MotionFacts::of(scene, solver),
             inputs: InputFacts::of(scene, solver.motion().range),
             parameters: (scene.parameters.iter())
                 .map(|parameter| ParameterFacts::of(parameter, scene.unit))
@@ -396,6 +413,7 @@ impl Check {
             period,
             dead_points: solver.motion().dead_points.clone(),
             stops: stops(scene, solver),
+            unmet: unmet_limits(scene, solver),
             change_points: solver.motion().change_points.clone(),
             tolerance: solver.motion().tolerance,
             near_misses: near_misses(scene, solver),

@@ -8,6 +8,7 @@ use super::motion_facts::MotionFacts;
 use super::number::concise;
 use super::range_text::{DECIMALS, limit_text};
 use super::slide_facts::SlideFacts;
+use super::stop_facts::UnmetLimit;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::scene::from_seat;
 use crate::wording::words;
@@ -60,7 +61,7 @@ impl Check {
         );
         facts.tell(
             words().fact_motion(),
-            self.motion.as_ref().map(MotionFacts::text),
+            self.motion.iter().flat_map(MotionFacts::texts),
         );
         facts.tell(words().fact_links(), [self.links.join(", ")]);
         facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
@@ -84,7 +85,8 @@ impl Check {
         let unit = self.driver_unit();
         let stops = self.stops.iter();
         let stops = stops.map(|stop| stop.text(&limit_text(stop.at), unit));
-        facts.tell(words().fact_stops(), stops);
+        let unmet = self.unmet.iter().map(UnmetLimit::text);
+        facts.tell(words().fact_stops(), stops.chain(unmet));
         if !self.change_points.is_empty() {
             facts.tell(
                 words().fact_change(),
@@ -99,6 +101,7 @@ impl Check {
         facts.tell(words().fact_transmission(), angles);
         let conditions = self.condition.iter().map(|c| condition_text(c, unit));
         facts.tell(words().fact_condition(), conditions);
+        facts.tell(words().fact_figures(), self.figure_lines.iter().cloned());
         let dead = self.dead_knots.iter().map(|dead| {
             let unit = self.driver_unit();
             let at: Vec<String> = dead.at.iter().map(|at| place_text(*at, unit)).collect();

@@ -20,6 +20,8 @@ const DIGITS: usize = 6;
 const SOME: usize = 5;
 /// A place nearer to 0 than this part of the motion is 0.
 const SAME_PLACE: f64 = 1e-12;
+/// Turning places in a line.
+const MOST_TURNS: usize = 4;
 /// Of a tolerance.
 const FEW: usize = 3;
 
@@ -104,17 +106,7 @@ impl CycleReport {
     ) {
         let unit = &figure.quantity.unit;
         let bound = |at| figure.bound_at(at, self.range);
-        let stroke = match excursion.stroke() {
-            Ok(stroke) => {
-                let bound = bound(excursion.least.at) + bound(excursion.greatest.at);
-                format!(
-                    "{} {unit}",
-                    concise(stroke, known_digits(stroke, bound, ALL))
-                )
-            }
-            Err(_) if excursion.revolutions.abs() == 1.0 => words().turns_round_once().to_owned(),
-            Err(_) => words().turns_round_times(&concise(excursion.revolutions.abs(), FEW)),
-        };
+        let stroke = self.stroke_text(figure, excursion);
         facts.tell(&indented(label), [stroke]);
         let turns = excursion
             .turnings
@@ -141,6 +133,65 @@ impl CycleReport {
         facts.tell(&indented(words().label_fastest()), [fastest]);
         let hardest = self.rate_place(excursion.hardest, &rate_unit(&rate));
         facts.tell(&indented(words().label_hardest()), [hardest]);
+    }
+
+    /// How far a figure goes, or how often it turns round.
+    fn stroke_text(&self, figure: &FollowedFigure, excursion: &Excursion) -> String {
+        let unit = &figure.quantity.unit;
+        let bound = |at| figure.bound_at(at, self.range);
+        match excursion.stroke() {
+            Ok(stroke) => {
+                let bound = bound(excursion.least.at) + bound(excursion.greatest.at);
+                format!(
+                    "{} {unit}",
+                    concise(stroke, known_digits(stroke, bound, ALL))
+                )
+            }
+            Err(_) if excursion.revolutions.abs() == 1.0 => words().turns_round_once().to_owned(),
+            Err(_) => words().turns_round_times(&concise(excursion.revolutions.abs(), FEW)),
+        }
+    }
+
+    /// Every figure in a line: its stroke or swing, where it turns, and the ratio of times.
+    pub(super) fn lines(&self) -> impl Iterator<Item = String> {
+        self.figures.iter().map(|figure| {
+            let name = &figure.quantity.name;
+            match &figure.excursion {
+                Err(why) => format!("{name}: {}", self.none(*why)),
+                Ok(excursion) => format!("{name}: {}", self.line(figure, excursion)),
+            }
+        })
+    }
+
+    fn line(&self, figure: &FollowedFigure, excursion: &Excursion) -> String {
+        let unit = &figure.quantity.unit;
+        if excursion.is_level() {
+            let value = concise(excursion.greatest.value, ALL);
+            return words().stays_at(&format!("{value} {unit}"));
+        }
+        let stroke = self.stroke_text(figure, excursion);
+        let mut told = vec![match (excursion.stroke(), unit.as_str()) {
+            (Err(_), _) => stroke,
+            (Ok(_), "deg") => format!("{} {stroke}", words().label_swing()),
+            (Ok(_), _) => format!("{} {stroke}", words().label_stroke()),
+        }];
+        // Of many only the extremes.
+        let turnings = excursion.turnings.iter();
+        let extremes = [excursion.least.at, excursion.greatest.at];
+        let is_told = |turn: &&TurningPlace| {
+            excursion.turnings.len() <= MOST_TURNS || extremes.contains(&turn.place.at)
+        };
+        let bound = |at| figure.bound_at(at, self.range);
+        told.extend(
+            turnings
+                .filter(is_told)
+                .map(|turn| self.turn_text(turn, unit, bound(turn.place.at))),
+        );
+        if let Ok(ratio) = excursion.ratio {
+            let ratio = self.ratio_text(ratio);
+            told.push(format!("{} {ratio}", words().label_ratio()));
+        }
+        told.join("; ")
     }
 
     fn brief(&self, figure: &FollowedFigure) -> Vec<String> {

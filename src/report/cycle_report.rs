@@ -95,12 +95,27 @@ impl CycleReport {
         columns: &[Quantity],
         tolerance: Option<f64>,
     ) -> CycleReport {
-        let catalogue = Catalogue::new(scene);
         let wish = ExcursionWish {
             rates: true,
             dwells: true,
             tolerance,
         };
+        CycleReport::followed(scene, solver, columns, wish)
+    }
+
+    /// Strokes and swings of the usual columns alone, where they turn, and the ratios of times.
+    pub(super) fn strokes(scene: &Scene, solver: &Solver) -> CycleReport {
+        let columns = usual_columns(scene);
+        CycleReport::followed(scene, solver, &columns, ExcursionWish::default())
+    }
+
+    fn followed(
+        scene: &Scene,
+        solver: &Solver,
+        columns: &[Quantity],
+        wish: ExcursionWish,
+    ) -> CycleReport {
+        let catalogue = Catalogue::new(scene);
         let found = Excursion::of_all(solver, columns, wish);
         let bounds = limit_bounds(solver, columns);
         let figures = columns.iter().zip(found).zip(bounds);
@@ -137,8 +152,38 @@ impl CycleReport {
     }
 
     fn figure_json(&self, figure: &FollowedFigure) -> Value {
+        let mut all = self.properties_json(figure, &|_| true);
+        let Ok(excursion) = &figure.excursion else {
+            return all;
+        };
+        if let Some((tolerance, dwells)) = &excursion.dwells {
+            all["tolerance"] = json!(tolerance);
+            let dwells = dwells.iter().map(|d| {
+                json!({
+                    "from": d.from, "to": d.to, "way": d.way, "seconds": d.seconds,
+                    "there_and_back": d.there_and_back,
+                    "value": d.about.place.value,
+                })
+            });
+            all["dwells"] = dwells.collect();
+        }
+        all
+    }
+
+    /// Of every figure what [`CycleReport::strokes`] has found.
+    pub(super) fn strokes_json(&self) -> Vec<Value> {
+        let is_stroke = |name: &str| ["stroke", "least", "greatest", "ratio"].contains(&name);
+        let figures = self.figures.iter();
+        figures
+            .map(|figure| self.properties_json(figure, &is_stroke))
+            .collect()
+    }
+
+    /// The wanted properties of a figure, and where it turns.
+    fn properties_json(&self, figure: &FollowedFigure, wanted: &dyn Fn(&str) -> bool) -> Value {
         let mut all = json!({"name": figure.quantity.name, "unit": figure.quantity.unit});
-        for property in self.properties(figure) {
+        let properties = self.properties(figure).into_iter();
+        for property in properties.filter(|property| wanted(&property.name)) {
             all[&property.name] = match (property.value, property.at) {
                 (Ok(value), Some(at)) => json!({"value": value, "at": at + 0.0}),
                 (Ok(value), None) => json!(value),
@@ -157,17 +202,6 @@ impl CycleReport {
             })
         };
         all["turns"] = excursion.turnings.iter().map(turn).collect();
-        if let Some((tolerance, dwells)) = &excursion.dwells {
-            all["tolerance"] = json!(tolerance);
-            let dwells = dwells.iter().map(|d| {
-                json!({
-                    "from": d.from, "to": d.to, "way": d.way, "seconds": d.seconds,
-                    "there_and_back": d.there_and_back,
-                    "value": d.about.place.value,
-                })
-            });
-            all["dwells"] = dwells.collect();
-        }
         all
     }
 

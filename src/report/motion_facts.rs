@@ -1,13 +1,19 @@
 //! A driver's motion over time, as a whole.
 
+use super::check::unsigned_zero;
 use super::number::concise;
+use super::stop_facts::stop_name;
+use crate::quantity::{Catalogue, MotionLeaves};
 use crate::scene::Scene;
+use crate::solver::Solver;
 use crate::wording::words;
-use crate::{Input, MotionPeaks, StepLaw, TimedStep};
+use crate::{Input, LimitOf, MotionPeaks, StepLaw, TimedStep};
 use serde::Serialize;
 
 /// Significant digits of a time, a speed and an acceleration.
 const DIGITS: usize = 4;
+/// Of where and when it goes too far.
+const PLACES: usize = 9;
 
 /// A step of a motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,6 +24,26 @@ pub struct StepFacts {
     pub to: f64,
     /// How long it takes, in s.
     pub time: f64,
+    /// Of a trapezoid, the part of its time in which the speed grows, and falls again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ramp: Option<f64>,
+    /// Of a table, its knots: the time from the beginning of the step, in s, and the coordinate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub knots: Option<Vec<[f64; 2]>>,
+}
+
+/// Where a motion goes on though the mechanism does not.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeavingFacts {
+    /// When, in s.
+    pub time: f64,
+    /// The driver's coordinate, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub at: f64,
+    /// What stops it there; `None` where the mechanism cannot go on.
+    pub stop: Option<String>,
+    #[serde(skip)]
+    text: String,
 }
 
 /// A motion over time.
@@ -35,6 +61,8 @@ pub struct MotionFacts {
     pub acceleration: f64,
     /// When its speed first jumps, in s; `None` for one that goes on smoothly.
     pub jump: Option<f64>,
+    /// Where it first goes on beyond an end of the range; `None` for one that stays within.
+    pub leaves: Option<LeavingFacts>,
     /// What its speeds are in, but for the second.
     #[serde(skip)]
     unit: &'static str,
@@ -43,7 +71,7 @@ pub struct MotionFacts {
 impl MotionFacts {
     /// Of a scene's driver; `None` for one that runs by its speed.
     #[must_use]
-    pub fn of(scene: &Scene) -> Option<MotionFacts> {
+    pub fn of(scene: &Scene, solver: &Solver) -> Option<MotionFacts> {
         let law = scene.motion.as_ref()?;
         let driver = scene.mechanism.driver();
         let (scale, unit): (fn(f64) -> f64, _) = match driver.input {
@@ -61,8 +89,19 @@ impl MotionFacts {
             let begins = std::mem::replace(&mut from, step.to());
             StepFacts {
                 law: name(step, begins),
-                to: step.to(),
+                to: step.to() + 0.0,
                 time: step.time(),
+                ramp: match step {
+                    TimedStep::Law {
+                        law: StepLaw::Trapezoid { ramp },
+                        ..
+                    } => Some(*ramp),
+                    TimedStep::Law { .. } | TimedStep::Table(_) => None,
+                },
+                knots: match step {
+                    TimedStep::Table(spline) => Some(spline.knots().to_vec()),
+                    TimedStep::Law { .. } => None,
+                },
             }
         });
         Some(MotionFacts {
@@ -72,12 +111,23 @@ impl MotionFacts {
             speed: scale(speed),
             acceleration: scale(acceleration),
             jump,
+            leaves: MotionLeaves::of(law, solver).map(|leaves| LeavingFacts {
+                time: leaves.time,
+                at: leaves.at,
+                stop: leaves.stop.map(|stop| stop_name(scene, stop)),
+                text: leaves_text(scene, &leaves),
+            }),
             unit,
         })
     }
 
-    /// All of it in a sentence.
-    pub(super) fn text(&self) -> String {
+    /// All of it in a sentence, and in another where it goes too far.
+    pub(super) fn texts(&self) -> impl Iterator<Item = String> {
+        let leaves = self.leaves.as_ref().map(|leaves| leaves.text.clone());
+        [self.text()].into_iter().chain(leaves)
+    }
+
+    fn text(&self) -> String {
         let mut laws: Vec<&str> = Vec::new();
         for step in &self.steps {
             if step.law != DWELL && !laws.contains(&step.law) {
@@ -116,6 +166,24 @@ impl MotionFacts {
     }
 }
 
+/// Where a motion goes on though the mechanism does not, in words.
+pub(super) fn leaves_text(scene: &Scene, leaves: &MotionLeaves) -> String {
+    let catalogue = Catalogue::new(scene);
+    let unit = &catalogue.driver().unit;
+    let (time, at) = (concise(leaves.time, PLACES), concise(leaves.at, PLACES));
+    match leaves.stop {
+        None => words().motion_passes_end(&at, unit, &time),
+        Some(stop) => match scene.mechanism.limit(stop).of {
+            LimitOf::Table(_) => {
+                words().motion_passes_table(&at, unit, &time, scene.limit_name(stop))
+            }
+            LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Angle { .. } => {
+                words().motion_passes_stop(&at, unit, &time, scene.limit_name(stop))
+            }
+        },
+    }
+}
+
 const DWELL: &str = "dwell";
 
 /// What the scene file calls a step from a coordinate.
@@ -134,4 +202,55 @@ fn name(step: &TimedStep, from: f64) -> &'static str {
 
 fn figure(value: f64) -> String {
     concise(value, DIGITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::Check;
+
+    /// The rod's slide of [100, 380] is met at cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s), 32.0734 deg.
+    #[test]
+    fn a_motion_that_passes_a_stop_is_told_with_stop_place_and_time() {
+        let text = |limits: &str| {
+            format!(
+                "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\nmotion = [{{ law = \
+                 \"constant\", to = 20, time = 2 }}, {{ law = \"table\", knots = [[0, 20], [0.5, 30], [1, 60]] }}, \
+                 {{ law = \"trapezoid\", ramp = 0.2, to = 60, time = 1 }}]\n[links]\nr2 = {{ from = \"A\", to = \
+                 \"B\", length = 100 }}\nr3 = {{ from = \"B\", to = \"C\", length = 300 }}\n[slides]\nrod = {{ \
+                 point = \"C\", on = \"ground\", through = \"A\", angle = 0 }}\n[start]\nC = [350, 0]\n\
+                 [limits]\n{limits}"
+            )
+        };
+        let check = |limits: &str| {
+            let scene = Scene::parse(&text(limits), "test").unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let check = Check::new(&scene, &solver);
+            let told = check.to_text(true);
+            let words: Vec<&str> = told.split_whitespace().collect();
+            (words.join(" "), check.to_json())
+        };
+        let (told, json) = check("rod = [100, 380]\n");
+        assert!(
+            told.contains("goes on past the stop of rod: 32.0734124 deg, at 1.39632938 s"),
+            "{told}"
+        );
+        let leaves = &json["motion"]["leaves"];
+        assert_eq!(leaves["stop"], "rod");
+        let time = (60.0 - 32.073_412_392_109) / 20.0;
+        assert!(
+            (leaves["time"].as_f64().unwrap() - time).abs() < 1e-12,
+            "{leaves}"
+        );
+        let steps = &json["motion"]["steps"];
+        assert_eq!(steps[1]["knots"][1], serde_json::json!([0.5, 30.0]));
+        assert_eq!(steps[2]["ramp"], 0.2);
+        assert!(steps[0].get("ramp").is_none() && steps[0].get("knots").is_none());
+        let (told, json) = check("rod = [100, 500]\n");
+        assert!(!told.contains("goes on past"), "{told}");
+        assert!(json["motion"]["leaves"].is_null());
+        // Neither end of it is ever met.
+        assert!(told.contains("never met: rod from 100 to 500 mm"), "{told}");
+        assert_eq!(json["unmet"][0]["name"], "rod");
+    }
 }

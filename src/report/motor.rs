@@ -362,7 +362,7 @@ fn steps(turns: f64) -> u32 {
     steps
 }
 
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     let mut text = String::new();
     if let Some(value) = value.filter(|v| v.is_finite()) {
         shortest(value, &mut text);

@@ -24,18 +24,60 @@ pub struct StopFacts {
     is_table: bool,
 }
 
+/// A limit that the motion keeps without its stops.
+#[derive(Clone, Debug, Serialize)]
+pub struct UnmetLimit {
+    /// What is limited: a slide, a link, the driver, or the limit by its own name.
+    pub name: String,
+    /// Its lower and its upper end, in deg or the scene's unit.
+    pub ends: [f64; 2],
+    #[serde(skip)]
+    unit: &'static str,
+}
+
+/// The limits of which the motion meets neither end; a table's ends are no stops that anybody set.
+pub(super) fn unmet_limits(scene: &Scene, solver: &Solver) -> Vec<UnmetLimit> {
+    let is_met = |id: &LimitId| solver.motion().stops.iter().any(|stop| stop.limit == *id);
+    let limits = scene.mechanism.limit_ids().filter(|id| !is_met(id));
+    let unmet = limits.filter_map(|id| {
+        let limit = scene.mechanism.limit(id);
+        match limit.of {
+            LimitOf::Table(_) => None,
+            LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Angle { .. } => Some(UnmetLimit {
+                name: scene.limit_name(id).to_owned(),
+                ends: [limit.low, limit.high],
+                unit: unit_of(scene, limit.of),
+            }),
+        }
+    });
+    unmet.collect()
+}
+
+impl UnmetLimit {
+    /// In words.
+    pub(super) fn text(&self) -> String {
+        let [low, high] = self.ends.map(|end| concise(end, usize::MAX));
+        words().never_met(&self.name, &low, &high, self.unit)
+    }
+}
+
+/// The unit of the ends of a limit.
+fn unit_of(scene: &Scene, of: LimitOf) -> &'static str {
+    let is_angle = match of {
+        LimitOf::Driver | LimitOf::Table(_) => {
+            matches!(scene.mechanism.driver().input, Input::Turn(_))
+        }
+        LimitOf::Slide(_) => false,
+        LimitOf::Angle { .. } => true,
+    };
+    if is_angle { "deg" } else { scene.unit.symbol() }
+}
+
 /// The stops at which the motion ends, in order.
 #[must_use]
 pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     let facts = |stop: &EndStop| {
         let limit = scene.mechanism.limit(stop.limit);
-        let is_angle = match limit.of {
-            LimitOf::Driver | LimitOf::Table(_) => {
-                matches!(scene.mechanism.driver().input, Input::Turn(_))
-            }
-            LimitOf::Slide(_) => false,
-            LimitOf::Angle { .. } => true,
-        };
         StopFacts {
             name: scene.limit_name(stop.limit).to_owned(),
             at: stop.at,
@@ -44,7 +86,7 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
                 StrokeEnd::Greatest => limit.high,
             },
             is_table: matches!(limit.of, LimitOf::Table(_)),
-            unit: if is_angle { "deg" } else { scene.unit.symbol() },
+            unit: unit_of(scene, limit.of),
         }
     };
     solver.motion().stops.iter().map(facts).collect()
@@ -146,7 +188,10 @@ mod tests {
     #[test]
     fn what_turns_freely_has_none() {
         let (text, verdict, json) = told("rod = [100, 500]\n");
-        assert!(!text.contains("stops"), "{text}");
+        assert!(
+            text.contains("stops      never met: rod from 100 to 500 mm\n"),
+            "{text}"
+        );
         assert_eq!(verdict, ["turns fully", "turns fully"]);
         assert_eq!(json, serde_json::json!([]));
     }

@@ -1,14 +1,21 @@
 //! The motor over the period of a motion over time, to be read and as data.
 
+use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::motion_facts::leaves_text;
+use super::motor::{NOTHING, PARTS, cell};
 use super::number::{concise, significant};
 use crate::Input;
 use crate::page::{Content, Facts, Page, TextStyle};
-use crate::quantity::Catalogue;
+use crate::quantity::{Catalogue, Clock, state_word};
 use crate::scene::{Motor, Scene};
-use crate::study::motor::{MotorDemand, MotorFit, NoTimedDuty, TimedDuty, TimedPeak};
+use crate::solver::Solver;
+use crate::study::motor::{MotorDemand, MotorFit, NoTimedDuty, TimedDuty, TimedPart, TimedPeak};
 use crate::wording::words;
 use serde_json::{Value, json};
+use std::io;
 
+/// A period is written in so many steps.
+const STEPS: u32 = 360;
 const LABEL: usize = 18;
 const DIGITS: usize = 6;
 
@@ -19,6 +26,8 @@ pub struct TimedMotorReport {
     duty: TimedDuty,
     fit: MotorFit,
     turns: bool,
+    /// The driver's coordinate, as columns name it.
+    coordinate: String,
     /// The unit of the driver's coordinate, and that of lengths.
     units: [String; 2],
 }
@@ -31,6 +40,7 @@ impl TimedMotorReport {
             scene: scene.name.clone(),
             fit: duty.fit(motor),
             turns: matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            coordinate: Catalogue::new(scene).driver().header(),
             units: [
                 Catalogue::new(scene).driver().unit.clone(),
                 scene.unit.symbol().to_owned(),
@@ -47,6 +57,7 @@ impl TimedMotorReport {
         match why {
             NoTimedDuty::NothingActs => words().nothing_acts_on_it().into(),
             NoTimedDuty::Withheld(hidden) => hidden.text(unit),
+            NoTimedDuty::Leaves(leaves) => leaves_text(scene, leaves),
             NoTimedDuty::NoTorque(moment) => words().no_torque_on_the_way(moment.at, unit),
         }
     }
@@ -72,6 +83,7 @@ impl TimedMotorReport {
             self.tell_peaks(facts, duty.torque);
             facts.tell(&indented(words().label_mean()), [sized(duty.mean)]);
             facts.tell(&indented(words().label_rms()), [sized(duty.rms)]);
+            self.tell_parts(facts);
         });
         self.add_part(&mut page, format!("{} [W]", words().power()), |facts| {
             self.tell_peaks(facts, duty.power);
@@ -126,6 +138,82 @@ impl TimedMotorReport {
         }
     }
 
+    /// What of the torque goes into what acts, where that is more than one of them.
+    fn tell_parts(&self, facts: &mut Facts) {
+        let parts = &self.duty.parts;
+        let most = parts.iter().map(|part| part.rms).fold(0.0, f64::max);
+        let labels = [words().loads(), words().gravity(), words().inertia()];
+        let acting = labels.into_iter().zip(parts);
+        let acting = acting.filter(|(_, part)| part.rms > NOTHING * most);
+        let acting: Vec<(&str, &TimedPart)> = acting.collect();
+        if let [_, _, ..] = acting[..] {
+            for (label, part) in acting {
+                let [most, least] = part.torque.map(|peak| sized(peak.value));
+                let told = words().part_between(&least, &most, &sized(part.rms));
+                facts.tell(&indented(label), [told]);
+            }
+        }
+    }
+
+    /// The period step by step, as comma separated values: where the driver is and how fast, what it must do, its parts,
+    /// its power, the work done since the beginning, and what the ground feels. What does not exist there is empty.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn write_csv(
+        &self,
+        (clock, solver): (&Clock, &Solver),
+        dialect: CsvDialect,
+        out: &mut dyn io::Write,
+    ) -> io::Result<()> {
+        let mut csv = CsvSheet::new(dialect, out);
+        let [unit, speed] = self.effort_and_speed();
+        let effort = match self.turns {
+            true => "driver.torque",
+            false => "driver.force",
+        };
+        let rate = match self.turns {
+            true => "driver.omega",
+            false => "driver.rate",
+        };
+        let mut header = vec![
+            "time [s]".to_owned(),
+            self.coordinate.clone(),
+            format!("{rate} [{speed}]"),
+            format!("{effort} [{unit}]"),
+        ];
+        header.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
+        let rest = [
+            "driver.power [W]",
+            "driver.work [J]",
+            "ground.fx [N]",
+            "ground.fy [N]",
+            "ground.moment [N m]",
+            "state",
+        ];
+        header.extend(rest.map(str::to_owned));
+        csv.record(&header)?;
+        let scale = |rate: f64| match self.turns {
+            true => rate.to_radians(),
+            false => rate,
+        };
+        for instant in self.duty.instants(clock, solver, STEPS) {
+            let step = &instant.step;
+            let mut row = vec![cell(Some(instant.time)), cell(Some(instant.moment.at))];
+            row.push(cell(Some(scale(instant.moment.speed))));
+            row.push(cell(step.torque));
+            row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
+            row.push(cell(step.power));
+            row.push(cell(Some(instant.work)));
+            row.push(cell(step.ground.map(|(force, _)| force.x)));
+            row.push(cell(step.ground.map(|(force, _)| force.y)));
+            row.push(cell(step.ground.map(|(_, moment)| moment)));
+            row.push(state_word(step.condition).to_owned());
+            csv.record(&row)?;
+        }
+        csv.finish()
+    }
+
     /// The motor, as far as it is known.
     fn add_fit(&self, page: &mut Page) {
         let Some(is_enough) = self.fit.is_enough() else {
@@ -155,16 +243,25 @@ impl TimedMotorReport {
         let peak = |peak: TimedPeak| json!({"value": peak.value, "time": peak.time, "at": peak.at});
         let effort = if self.turns { "torque" } else { "force" };
         let [unit, speed] = self.effort_and_speed();
+        let mut all = json!({
+            "unit": unit,
+            "largest": peak(duty.torque[0]),
+            "least": peak(duty.torque[1]),
+            "mean": duty.mean,
+            "rms": duty.rms,
+        });
+        for (name, part) in PARTS.iter().zip(&duty.parts) {
+            all[*name] = json!({
+                "largest": peak(part.torque[0]),
+                "least": peak(part.torque[1]),
+                "mean": part.mean,
+                "rms": part.rms,
+            });
+        }
         json!({
             "scene": self.scene,
             "period": duty.period,
-            (effort): {
-                "unit": unit,
-                "largest": peak(duty.torque[0]),
-                "least": peak(duty.torque[1]),
-                "mean": duty.mean,
-                "rms": duty.rms,
-            },
+            (effort): all,
             "power": {
                 "largest": peak(duty.power[0]),
                 "least": peak(duty.power[1]),

@@ -52,7 +52,7 @@ impl Verdict {
         let unit = &catalogue.driver().unit;
         let range = range_part(scene, solver, unit);
         let class = solver.first_loop().map(LoopFacts::new);
-        let motion = MotionFacts::of(scene).map(|motion| {
+        let motion = MotionFacts::of(scene, solver).map(|motion| {
             let [long, short] = motion.in_short();
             VerdictPart { long, short }
         });

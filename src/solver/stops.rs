@@ -138,6 +138,14 @@ struct Sighting {
     rates: Option<[f64; 2]>,
 }
 
+/// A state in twice the digits.
+enum CloseState {
+    /// By the formulas of dyads.
+    Dyads(Box<State<Double>>),
+    /// By corrections to what was found in doubles.
+    Coupled(Box<Workspace<Double>>),
+}
+
 /// Follows the coordinate of a limit along the motion.
 struct LimitWatch<'s> {
     whole: &'s Solver,
@@ -321,7 +329,7 @@ impl<'s> LimitWatch<'s> {
     }
 
     /// The double nearest to where an end is met, by twice the digits from the numbers that are meant; `None`
-    /// where a coupled group or a series has a part in it.
+    /// where a series has a part in it.
     fn sharpened(
         &mut self,
         end: StrokeEnd,
@@ -329,11 +337,13 @@ impl<'s> LimitWatch<'s> {
         [inside, outside]: [f64; 2],
     ) -> Option<f64> {
         let exact = self.solver.exact.clone()?;
-        let is_closed = exact.closed == exact.engine.program.steps.len();
-        if !is_closed || self.solver.is_passing(found) {
+        if self.solver.is_passing(found) {
             return None;
         }
-        let mut close = exact.state::<Double>(self.solver.slides);
+        let mut close = match exact.closed == exact.engine.program.steps.len() {
+            true => CloseState::Dyads(Box::new(exact.state(self.solver.slides))),
+            false => CloseState::Coupled(Box::new(self.solver.twice())),
+        };
         let ulp = self.solver.engine.finest().max(f64::EPSILON * found.abs());
         let sense = (outside - inside).signum();
         let (low, high) = (inside.min(outside), inside.max(outside));
@@ -372,18 +382,26 @@ impl<'s> LimitWatch<'s> {
         exact: &Exact,
         end: StrokeEnd,
         at: f64,
-        close: &mut State<Double>,
+        close: &mut CloseState,
     ) -> Option<Double> {
-        self.solver.aim(at, &mut self.work);
-        let how = (
-            &self.work.state.signs[..],
-            self.solver.motion.stretched_at(at),
-        );
         let order = Order::Position;
-        if exact.run(exact.closed, Double::exactly(at), order, how, close) == Condition::NoAssembly
-        {
-            return None;
-        }
+        let close = match close {
+            CloseState::Dyads(close) => {
+                self.solver.aim(at, &mut self.work);
+                let how = (
+                    &self.work.state.signs[..],
+                    self.solver.motion.stretched_at(at),
+                );
+                let asked = Double::exactly(at);
+                let condition = exact.run(exact.closed, asked, order, how, close);
+                (condition != Condition::NoAssembly).then_some(&**close)
+            }
+            CloseState::Coupled(close) => {
+                let _ = self.solver.solve(at, order, &mut self.work);
+                let is_solved = self.solver.solve_twice(&self.work.state, order, close);
+                is_solved.then_some(&close.state)
+            }
+        }?;
         let limit = self.whole.mechanism.limit(self.id);
         let (value, sign) = match end {
             StrokeEnd::Least => (limit.low, Double::ONE),

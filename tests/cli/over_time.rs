@@ -201,6 +201,25 @@ fn the_motor_goes_through_the_period_of_the_motion() {
     let text = done(&["motor", &path, "--rated", "1"]);
     assert!(text.contains("period of 1.1 s"), "{text}");
     assert!(refused(2, &["motor", &path, "--from", "0", "--to", "9"]).contains("--from"));
+    // The same step by step: the torque, what of it goes into inertia, and what the work has come to.
+    let csv = done(&["motor", &path, "--format", "csv"]);
+    assert_eq!(
+        csv.lines().next().unwrap(),
+        "time [s],driver.angle [deg],driver.omega [rad/s],driver.torque [N m],driver.torque.load [N m],\
+         driver.torque.gravity [N m],driver.torque.inertia [N m],driver.power [W],driver.work [J],ground.fx [N],\
+         ground.fy [N],ground.moment [N m],state"
+    );
+    let steps = rows(&csv);
+    assert_eq!(steps.len(), 361);
+    let number = |row: &[String], i: usize| row[i].parse::<f64>().unwrap();
+    for row in &steps[..360] {
+        let exact = torque(number(row, 0));
+        assert!((number(row, 3) - exact).abs() < 1e-9 * most, "{row:?}");
+        assert!((number(row, 6) - exact).abs() < 1e-9 * most, "{row:?}");
+    }
+    // What was put in and came back is nothing.
+    let put_in = figure(["energy", "put_in"]);
+    assert!(number(&steps[360], 8).abs() < 1e-9 * put_in);
     let still = scene(
         "still.toml",
         &INDEXED.replace(", com = [0, 0], mass = 2", ""),

@@ -2,7 +2,9 @@
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Fault, Order, Range, Solver, State};
-use krank::{Body, Defect, Driver, Input, Limit, LimitOf, LinkId, Mechanism, SlideId, Vec2};
+use krank::{
+    Body, Defect, Double, Driver, Input, Limit, LimitOf, LinkId, Mechanism, SlideId, Vec2,
+};
 use proptest::prelude::*;
 
 /// Crank 100, rod 300, no offset; the slide is called `rod`.
@@ -387,6 +389,50 @@ fn every_kind_of_group_is_held_by_its_stops() {
     ] {
         let solver = stopped(preset(name), limits);
         assert_holds(&solver, slack);
+    }
+}
+
+/// In twice the digits the end of the limit lies between the doubles beside a stop, and nearer to the stop than to either.
+#[test]
+fn a_stop_behind_a_coupled_group_is_the_nearest_double() {
+    let plain = open(preset("stephenson-six-bar")).unwrap();
+    for limit in [[-5.0, 8.0], [-4.3, 7.1], [-3.7, 6.9], [-2.2, 5.5]] {
+        let [low, high] = limit;
+        let solver = stopped(
+            preset("stephenson-six-bar"),
+            &format!("r4 = [{low:?}, {high:?}]"),
+        );
+        assert_eq!(solver.motion().stops.len(), 2);
+        let of = solver.mechanism().limits()[0].of;
+        let LimitOf::Angle { link, .. } = of else {
+            panic!("it is an angle");
+        };
+        let (mut state, mut twice) = (plain.state(), plain.twice());
+        for stop in &solver.motion().stops {
+            // The typed decimal, to twice the digits.
+            let tenths = |end: f64| Double::exactly((10.0 * end).round()) / Double::exactly(10.0);
+            let off = |at: f64| {
+                let _ = plain.solve(at, Order::Position, &mut state);
+                assert!(plain.solve_twice(&state, Order::Position, &mut twice));
+                let angle = twice.angle(link).unwrap();
+                let ends = [low, high].map(|end| {
+                    let off = angle - tenths(end);
+                    let turns = Double::exactly(360.0 * (off.hi / 360.0).round());
+                    (off - turns).hi
+                });
+                if ends[0].abs() < ends[1].abs() {
+                    ends[0]
+                } else {
+                    ends[1]
+                }
+            };
+            let [before, here, behind] = [stop.at.next_down(), stop.at, stop.at.next_up()].map(off);
+            assert!(before * behind < 0.0, "{before:e} {here:e} {behind:e}");
+            assert!(
+                here.abs() <= before.abs().min(behind.abs()),
+                "{before:e} {here:e} {behind:e}"
+            );
+        }
     }
 }
 

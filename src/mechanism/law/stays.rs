@@ -1,6 +1,6 @@
 //! When a driver that moves by a law is at a coordinate.
 
-use super::{MotionLaw, TimedStep};
+use super::{MotionLaw, ROUNDING, TimedStep};
 
 /// Halvings of a stretch of time within which a coordinate is passed once.
 const HALVINGS: u32 = 60;
@@ -54,24 +54,49 @@ impl MotionLaw {
     /// When it is at a coordinate in its first period, from 0 s on.
     pub(super) fn stays(&self, coordinate: f64) -> Vec<Stay> {
         let mut stays = Vec::new();
-        for [mut before, mut after] in self.stretches() {
+        for [before, after] in self.stretches() {
             let [low, high] = [before, after].map(|time| self.coordinate(time));
             match (low == coordinate, high == coordinate) {
                 (true, true) => stays.push([before, after]),
                 (true, false) => stays.push([before; 2]),
                 (false, true) => stays.push([after; 2]),
                 (false, false) if (low < coordinate) == (high < coordinate) => {}
-                (false, false) => {
-                    for _ in 0..HALVINGS {
-                        let middle = 0.5 * (before + after);
-                        let is_past = (self.coordinate(middle) < coordinate) != (low < coordinate);
-                        *(if is_past { &mut after } else { &mut before }) = middle;
-                    }
-                    stays.push([after; 2]);
-                }
+                (false, false) => stays.push([self.crossing([before, after], coordinate); 2]),
             }
         }
         stays
+    }
+
+    /// When a stretch that begins on one side of a coordinate and ends on the other comes there.
+    fn crossing(&self, [mut before, mut after]: [f64; 2], coordinate: f64) -> f64 {
+        let is_below = self.coordinate(before) < coordinate;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + after);
+            let is_past = (self.coordinate(middle) < coordinate) != is_below;
+            *(if is_past { &mut after } else { &mut before }) = middle;
+        }
+        after
+    }
+
+    /// When a driver that begins between two coordinates first goes beyond one of them, and which that is; one that only
+    /// comes there, but for rounding, stays within.
+    #[must_use]
+    pub fn leaves(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+        let slack = ROUNDING * (high - low);
+        self.stretches().find_map(|stretch| {
+            let end = self.coordinate(stretch[1]);
+            let passed = match end {
+                _ if end > high + slack => high,
+                _ if end < low - slack => low,
+                _ => return None,
+            };
+            let begins_there = self.coordinate(stretch[0]) == passed;
+            let time = match begins_there {
+                true => stretch[0],
+                false => self.crossing(stretch, passed),
+            };
+            Some([time, passed])
+        })
     }
 
     /// The least and the greatest coordinate of its first period.
@@ -165,6 +190,25 @@ mod tests {
         near(law.first(60.0, [0.3, 2.0]).unwrap(), 0.875);
         assert_eq!(law.first(120.0, [0.6, 2.0]), Some(0.6));
         assert_eq!(law.first(60.0, [0.3, 0.8]), None);
+    }
+
+    #[test]
+    fn a_motion_that_passes_a_stop_does_so_at_a_time() {
+        let law = forth_and_back();
+        let [time, at] = law.leaves([-10.0, 60.0]).unwrap();
+        near(time, 0.25);
+        assert_eq!(at, 60.0);
+        assert_eq!(law.leaves([0.0, 120.0]), None);
+        let down = vec![
+            step(StepLaw::Constant, 90.0, 1.0),
+            step(StepLaw::Constant, -30.0, 1.0),
+            step(StepLaw::Constant, 0.0, 1.0),
+        ];
+        // It only touches the one and passes the other: 90 to 0 of 120 in 1 s.
+        let law = MotionLaw::new(0.0, down, false).unwrap();
+        let [time, at] = law.leaves([0.0, 90.0]).unwrap();
+        near(time, 1.75);
+        assert_eq!(at, 0.0);
     }
 
     #[test]

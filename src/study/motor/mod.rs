@@ -44,7 +44,7 @@ pub use guide::Passing;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
 pub use source::Step;
-pub use timed::{NoTimedDuty, TimedDuty, TimedPeak};
+pub use timed::{NoTimedDuty, TimedDuty, TimedInstant, TimedPart, TimedPeak};
 
 use crate::Vec2;
 

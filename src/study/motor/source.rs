@@ -46,15 +46,7 @@ impl CycleSource {
         let way = usize::from(back);
         let state = &mut states[way];
         let condition = self.solvers[way].solve(at, Order::Force, state);
-        let exists = |v: &f64| v.is_finite();
-        Step {
-            at,
-            condition,
-            torque: state.drive().filter(exists),
-            parts: state.drive_parts().filter(|p| p.iter().all(exists)),
-            power: state.power().filter(exists),
-            ground: state.frame_force().zip(state.frame_moment()),
-        }
+        Step::of(state, condition)
     }
 
     /// The cycle in equal steps of the way, its beginning and its end included.
@@ -69,6 +61,19 @@ impl CycleSource {
 }
 
 impl Step {
+    /// Of a state that was solved with its forces.
+    pub(super) fn of(state: &Workspace, condition: Condition) -> Step {
+        let exists = |v: &f64| v.is_finite();
+        Step {
+            at: state.at(),
+            condition,
+            torque: state.drive().filter(exists),
+            parts: state.drive_parts().filter(|p| p.iter().all(exists)),
+            power: state.power().filter(exists),
+            ground: state.frame_force().zip(state.frame_moment()),
+        }
+    }
+
     /// All figures; those that inertia takes part in without it, where the cycle is a slow one. `None`
     /// where the driver's do not exist; the ground's are then 0.
     pub(super) fn effort(&self, is_slow: bool) -> Option<Effort> {

@@ -6,10 +6,11 @@
 
 use crate::DriverMoment;
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
-use crate::quantity::{Clock, Hidden};
+use crate::quantity::{Clock, Hidden, MotionLeaves};
 use crate::scene::Motor;
 use crate::solver::{Order, Solver, Workspace};
 
+use super::source::Step;
 use super::{MotorDemand, MotorFit, marks};
 
 /// A value, when it is, and where the driver is then.
@@ -38,10 +39,37 @@ pub struct TimedDuty {
     pub mean: f64,
     /// The root of its mean square.
     pub rms: f64,
+    /// What of it goes into loads, gravity and inertia.
+    pub parts: [TimedPart; 3],
     /// The work of the driver in J where its power is positive, and what comes back where it is negative.
     pub energy: [f64; 2],
     /// What the means can be off by, as a part of the largest.
     pub error: f64,
+    pieces: Vec<TimedPiece>,
+}
+
+/// What the driver must do for one of what acts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedPart {
+    /// The largest torque and the least, in N m or N.
+    pub torque: [TimedPeak; 2],
+    /// The mean over time.
+    pub mean: f64,
+    /// The root of the mean square.
+    pub rms: f64,
+}
+
+/// What the driver must do at a moment of the period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedInstant {
+    /// In s from where the scene opens.
+    pub time: f64,
+    /// Where the driver is and how it goes on.
+    pub moment: DriverMoment,
+    /// What it must do.
+    pub step: Step,
+    /// The work that it has done since the beginning, in J.
+    pub work: f64,
 }
 
 /// Why there is nothing to tell of a period.
@@ -51,6 +79,8 @@ pub enum NoTimedDuty {
     NothingActs,
     /// Forces are withheld at this place.
     Withheld(Hidden),
+    /// The motion goes on beyond a stop, or where the mechanism cannot.
+    Leaves(MotionLeaves),
     /// There is no torque: the mechanism cannot be there, or stands at a dead point.
     NoTorque(DriverMoment),
 }
@@ -58,7 +88,9 @@ pub enum NoTimedDuty {
 const TORQUE: usize = 0;
 const POWER: usize = 1;
 const SPEED: usize = 2;
-const CHANNELS: usize = 3;
+/// Those of loads, gravity and inertia.
+const PARTS_OF_TORQUE: [usize; 3] = [3, 4, 5];
+const CHANNELS: usize = 6;
 /// Pieces of each step of the motion at the beginning.
 const PARTS: u32 = 4;
 const MOST_HALVINGS: u32 = 26;
@@ -71,6 +103,7 @@ const SAME: f64 = 1e-13;
 const CONVERGED: f64 = 1e-9;
 
 /// A part of the period on which everything is smooth.
+#[derive(Clone, Debug, PartialEq)]
 struct TimedPiece {
     from: f64,
     to: f64,
@@ -99,10 +132,15 @@ impl MomentSource<'_> {
         if let Some(hidden) = Hidden::of_forces(&self.state) {
             return Err(NoTimedDuty::Withheld(hidden));
         }
-        let found = self.state.drive().zip(self.state.power());
-        let found = found.filter(|(torque, power)| torque.is_finite() && power.is_finite());
-        let (torque, power) = found.ok_or(NoTimedDuty::NoTorque(moment))?;
-        Ok([torque, power, self.state.driver_speed()])
+        let state = &self.state;
+        let parts = state.drive_parts().unwrap_or_default();
+        let found = state.drive().zip(state.power());
+        let channels = found.map(|(torque, power)| {
+            let [load, gravity, inertia] = parts;
+            [torque, power, state.driver_speed(), load, gravity, inertia]
+        });
+        let exists = |channels: &[f64; CHANNELS]| channels.iter().all(|c| c.is_finite());
+        channels.filter(exists).ok_or(NoTimedDuty::NoTorque(moment))
     }
 
     fn piece(&mut self, from: f64, to: f64) -> Result<TimedPiece, NoTimedDuty> {
@@ -150,11 +188,20 @@ impl MomentSource<'_> {
         let (mut pieces, mut sizes, mut error) = (Vec::new(), [0.0_f64; CHANNELS], 0.0);
         while let Some((from, to, halvings)) = waiting.pop() {
             let piece = self.piece(from, to)?;
-            let mut worst = 0.0_f64;
             for (size, sum) in sizes.iter_mut().zip(&piece.sums) {
                 *size = size.max(sum.size());
-                if *size > 0.0 {
-                    worst = worst.max(sum.tail() / *size);
+            }
+            // Where parts cancel, rounding is what is left: all torques are measured alike.
+            let torques = PARTS_OF_TORQUE.iter().map(|&part| sizes[part]);
+            let torques = torques.fold(sizes[TORQUE], f64::max);
+            let mut worst = 0.0_f64;
+            for (channel, sum) in piece.sums.iter().enumerate() {
+                let size = match channel {
+                    POWER | SPEED => sizes[channel],
+                    _ => torques,
+                };
+                if size > 0.0 {
+                    worst = worst.max(sum.tail() / size);
                 }
             }
             let middle = 0.5 * (from + to);
@@ -175,10 +222,14 @@ impl TimedDuty {
     /// Goes through the period of a motion over time.
     ///
     /// # Errors
-    /// Where nothing acts, and where there is no torque.
+    /// Where nothing acts, where the motion leaves what the mechanism can do, and where there is no torque.
     pub fn new(clock: &Clock, solver: &Solver) -> Result<TimedDuty, NoTimedDuty> {
         if !solver.has_forces() {
             return Err(NoTimedDuty::NothingActs);
+        }
+        let leaves = clock.law().and_then(|law| MotionLeaves::of(law, solver));
+        if let Some(leaves) = leaves {
+            return Err(NoTimedDuty::Leaves(leaves));
         }
         let mut source = MomentSource {
             clock,
@@ -189,17 +240,64 @@ impl TimedDuty {
         let (pieces, error) = source.pieces()?;
         let period = pieces.last().map_or(0.0, |piece| piece.to);
         let peaks = |channel| peaks(&pieces, channel, clock, solver);
-        let means = means(&pieces, period);
+        let means_of = |channel| {
+            let [mean, square] = means(&pieces, channel, period);
+            [mean, square.max(0.0).sqrt()]
+        };
+        let [mean, rms] = means_of(TORQUE);
+        let parts = PARTS_OF_TORQUE.map(|channel| {
+            let [mean, rms] = means_of(channel);
+            let torque = peaks(channel);
+            TimedPart { torque, mean, rms }
+        });
         Ok(TimedDuty {
             period,
             torque: peaks(TORQUE),
             power: peaks(POWER),
             speed: peaks(SPEED),
-            mean: means[0],
-            rms: means[1].max(0.0).sqrt(),
+            mean,
+            rms,
+            parts,
             energy: energy(&pieces),
             error,
+            pieces,
         })
+    }
+
+    /// The period in equal steps, its beginning and its end included, as the solver that it was gone through with finds
+    /// them.
+    pub fn instants(
+        &self,
+        clock: &Clock,
+        solver: &Solver,
+        count: u32,
+    ) -> impl Iterator<Item = TimedInstant> {
+        let mut state = solver.state();
+        (0..=count).map(move |k| {
+            let time = self.period * (f64::from(k) / f64::from(count));
+            let moment = clock.moment(time, solver.motion().range);
+            solver.drive(&mut state, &moment);
+            let condition = solver.solve(moment.at, Order::Force, &mut state);
+            TimedInstant {
+                time,
+                moment,
+                step: Step::of(&state, condition),
+                work: self.work(time),
+            }
+        })
+    }
+
+    /// The work of the driver in J since the beginning of the period.
+    #[must_use]
+    pub fn work(&self, time: f64) -> f64 {
+        let begun = self.pieces.iter().take_while(|piece| piece.from < time);
+        begun
+            .map(|piece| {
+                let half = 0.5 * (piece.to - piece.from);
+                let t = ((time - piece.from) / half - 1.0).min(1.0);
+                piece.sums[POWER].integral().at(t) * half
+            })
+            .sum()
     }
 
     /// Whether the means can be believed.
@@ -254,11 +352,11 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
     })
 }
 
-/// The means of the torque and of its square.
-fn means(pieces: &[TimedPiece], period: f64) -> [f64; 2] {
+/// The means of a channel and of its square.
+fn means(pieces: &[TimedPiece], channel: usize, period: f64) -> [f64; 2] {
     let mut means = [0.0; 2];
     for piece in pieces {
-        let (sum, share) = (&piece.sums[TORQUE], 0.5 * (piece.to - piece.from) / period);
+        let (sum, share) = (&piece.sums[channel], 0.5 * (piece.to - piece.from) / period);
         means[0] += share * sum.integral().at(1.0);
         means[1] += share * sum.product(sum);
     }
@@ -413,6 +511,11 @@ mod tests {
         near(found.power[1].value, 6.0 * PI);
         near(found.mean_power(), 6.0 * PI);
         near(found.energy[0], 12.0 * PI);
+        let [load, gravity, inertia] = found.parts;
+        near(load.rms, 6.0);
+        assert_eq!([gravity.rms, inertia.rms], [0.0; 2]);
+        near(found.work(0.5), 3.0 * PI);
+        near(found.work(2.0), 12.0 * PI);
         let fit = found.fit(&Motor {
             rated: Some(5.0),
             speed: Some(4.0),

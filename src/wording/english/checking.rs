@@ -28,6 +28,7 @@ catalogue! {
         fact_stops = "stops";
         fact_change = "change";
         fact_near_miss = "near miss";
+        fact_figures = "strokes";
         fact_transmission = "angle";
         fact_condition = "condition";
         fact_forces = "forces";
@@ -155,6 +156,8 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "turns fully; the motion repeats after {period} {unit}";
         range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
+        never_met(name: &str, low: &str, high: &str, unit: &str) =
+            "never met: {name} from {low} to {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
             "{at} {unit}: {name} at {value}";
         table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: the table of {name} ends";

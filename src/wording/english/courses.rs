@@ -63,10 +63,15 @@ catalogue! {
         // The motor.
         over_a_period(seconds: &str) = "over a period of {seconds} s of the motion over time";
         at_a_time(value: &str, seconds: &str, place: &str) = "{value} at {seconds} s, {place}";
-        rows_of_motor_over_time =
-            "rows over time: krank sweep SCENE --time --columns driver.torque,driver.power";
+        part_between(least: &str, most: &str, rms: &str) = "{least} to {most}, RMS {rms}";
         only_at_one_speed(option: &str) =
             "`{option}` belongs to a cycle at one speed; this scene has a motion over time";
+        motion_passes_stop(at: &str, unit: &str, time: &str, name: &str) =
+            "the motion over time goes on past the stop of {name}: {at} {unit}, at {time} s";
+        motion_passes_table(at: &str, unit: &str, time: &str, name: &str) =
+            "the motion over time goes on past the end of the table of {name}: {at} {unit}, at {time} s";
+        motion_passes_end(at: &str, unit: &str, time: &str) =
+            "the motion over time goes on past {at} {unit}, at {time} s, where the mechanism cannot go on";
         no_torque_on_the_way(at: f64, unit: &str) =
             "the motion over time leads to {at} {unit}, where the mechanism cannot be or stands at a dead point";
     }

@@ -28,6 +28,7 @@ catalogue! {
         fact_stops = "dayamalar";
         fact_change = "değişim";
         fact_near_miss = "yakın geçiş";
+        fact_figures = "stroklar";
         fact_transmission = "açı";
         fact_condition = "koşul";
         fact_forces = "kuvvetler";
@@ -149,6 +150,8 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "tam döner; hareket {period} {unit} sonra yinelenir";
         range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
+        never_met(name: &str, low: &str, high: &str, unit: &str) =
+            "hiç ulaşılmıyor: {name}, {low} ile {high} {unit} arası";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
             "{at} {unit}: {name} {value} değerinde";
         table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: {name} tablosunun sonu";

@@ -63,10 +63,15 @@ catalogue! {
         // The motor.
         over_a_period(seconds: &str) = "zamana göre hareketin {seconds} s süren bir periyodunda";
         at_a_time(value: &str, seconds: &str, place: &str) = "{value}, {seconds} s anında, {place}";
-        rows_of_motor_over_time =
-            "zamana göre satırlar: krank sweep SAHNE --time --columns driver.torque,driver.power";
+        part_between(least: &str, most: &str, rms: &str) = "{least} ile {most} arası, RMS {rms}";
         only_at_one_speed(option: &str) =
             "`{option}` tek hızdaki bir döngü içindir; bu sahnenin zamana göre bir hareketi var";
+        motion_passes_stop(at: &str, unit: &str, time: &str, name: &str) =
+            "zamana göre hareket dayamanın ({name}) ötesine geçiyor: {at} {unit}, {time} s anında";
+        motion_passes_table(at: &str, unit: &str, time: &str, name: &str) =
+            "zamana göre hareket {name} tablosunun sonunun ötesine geçiyor: {at} {unit}, {time} s anında";
+        motion_passes_end(at: &str, unit: &str, time: &str) =
+            "zamana göre hareket {time} s anında {at} {unit} konumunun ötesine geçiyor; mekanizma oradan ileri gidemez";
         no_torque_on_the_way(at: f64, unit: &str) =
             "zamana göre hareket {at} {unit} konumuna götürüyor; mekanizma orada olamaz ya da ölü konumdadır";
     }
