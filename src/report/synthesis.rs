@@ -4,7 +4,8 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneTitles, Synthesis, Task, TaskDefect, TaskKind,
+    Candidate, MissedWish, Output, Partner, SceneGoals, SceneTitles, Synthesis, Task, TaskDefect,
+    TaskKind,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -14,6 +15,8 @@ use std::io;
 /// Digits of lengths, and of misses and angles.
 const DIGITS: usize = 6;
 pub(super) const FEW: usize = 3;
+/// Goals in a line of a scene's comment: those of one pose.
+const GOALS_OF_A_LINE: usize = 3;
 /// Defective ones that are told at most.
 const MOST_DEFECTIVE: usize = 10;
 
@@ -43,19 +46,41 @@ impl SynthesisReport<'_> {
         candidate: &Candidate,
         tolerance: Option<f64>,
     ) -> SceneTitles {
-        let unit = self.miss_unit();
-        let note = words().note_of_candidate(
-            &significant(candidate.figures.miss, FEW),
-            unit,
-            &significant(candidate.figures.transmission, FEW),
-        );
         SceneTitles {
             name: words().candidate_called(&self.file.name, number),
             source: words().candidate_made_by(&self.file.name),
-            note,
+            comments: self.comments(candidate),
             unit: self.file.unit.symbol().to_owned(),
             tolerance,
         }
+    }
+
+    /// What its scene tells of the numbers that stand in it, and how other ones still do the task.
+    fn comments(&self, candidate: &Candidate) -> Vec<String> {
+        let few = |figure: f64| significant(figure, FEW);
+        let figures = &candidate.figures;
+        let mut comments = vec![words().driven_as_written(&few(figures.miss), self.miss_unit())];
+        comments.push(words().transmission_as_written(
+            &few(figures.transmission),
+            &few(figures.transmission_throughout),
+        ));
+        if let Some(goals) = SceneGoals::of(&self.file.task, candidate) {
+            comments.push(words().kept_by_goals().to_owned());
+            comments.push(format!(
+                "  krank solve SCENE --vary {} \\",
+                goals.vary.join(",")
+            ));
+            let rows = goals.keep.chunks(GOALS_OF_A_LINE).map(|goals| {
+                let goals: Vec<String> = goals
+                    .iter()
+                    .map(|goal| format!("--keep '{goal}'"))
+                    .collect();
+                format!("    {} \\", goals.join(" "))
+            });
+            comments.extend(rows);
+            comments.push("    --goal ... -o better.toml".to_owned());
+        }
+        comments
     }
 
     /// As text for a person.
@@ -187,6 +212,7 @@ impl SynthesisReport<'_> {
                 "driver": candidate.at,
                 "full_turn": is_driven(candidate).then_some(figures.full_turn),
                 "transmission": told(figures.transmission),
+                "transmission_throughout": told(figures.transmission_throughout),
                 "ratio": told(figures.ratio),
                 "miss": told(figures.miss),
                 "rms": told(figures.rms),

@@ -38,6 +38,9 @@ pub struct CandidateFigures {
     /// The least transmission angle on the way, in degrees: from the first point to the last, over the whole range of a
     /// formula, over a whole turn of a closed path.
     pub transmission: f64,
+    /// The least transmission angle of the whole motion, over a whole turn or from stop to stop, in degrees: 0 where the
+    /// crank only swings, from dead point to dead point.
+    pub transmission_throughout: f64,
     /// The longest length over the shortest, the ground's among them.
     pub ratio: f64,
     /// By how much the led point, or the output, misses at worst of the points that it comes to; of a formula anywhere in
@@ -111,6 +114,13 @@ impl Candidate {
         let mut figures = CandidateFigures {
             full_turn: matches!(range, Range::Full { .. }),
             transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
+            transmission_throughout: least_transmission(
+                &proposal,
+                match range {
+                    Range::Full { .. } => (0.0, TURN),
+                    Range::Limited { low, high } => (low, high),
+                },
+            ),
             ratio: proposal.ratio(),
             ..CandidateFigures::default()
         };

@@ -6,6 +6,9 @@ use crate::angle::{degrees, unit};
 use crate::scene::toml_string;
 use std::fmt::{Arguments, Write as _};
 
+/// Points of a task that are figures of its scene.
+const MOST_FIGURES: usize = 24;
+
 /// What is said of a scene beside its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneTitles {
@@ -13,17 +16,18 @@ pub struct SceneTitles {
     pub name: String,
     /// Where it comes from.
     pub source: String,
-    /// What there is to know.
-    pub note: String,
+    /// What is told of these very numbers, line by line: it stands in comments, so that nothing reads it as being of others.
+    pub comments: Vec<String>,
     /// The unit of lengths, as scenes write it.
     pub unit: String,
     /// How far each length may be off; nothing where that is left open.
     pub tolerance: Option<f64>,
 }
 
-/// The text of the scene: crank `r2` from A to B, coupler `r3` from B to C, and rocker `r4` from C to D or slide `r4`; lengths
-/// are parameters. P is the point that is led, and comes to the task's points T1, T2 ... on the ground; of poses X lies on
-/// the body's x axis beside P, and comes to X1, X2 .... It opens at the first point.
+/// The text of the scene: crank `r2` from A to B, coupler `r3` from B to C, and rocker `r4` from C to D or slide `r4`; its
+/// lengths, pivots and led point are parameters. P is the point that is led, and comes to the task's points T1, T2 ... on
+/// the ground, from which it is the figure `miss1`, `miss2` ... away; of poses X lies on the body's x axis beside P, and
+/// comes to X1, X2 ..., and the figure `body` is the direction of that axis. It opens at the first point.
 ///
 /// `None` where the proposal has no place at all.
 #[must_use]
@@ -36,15 +40,36 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
         // Writing to a string never fails.
         let _ = writeln!(text, "{parts}");
     };
-    line(format_args!(
-        "[parameters]\ncrank   = {crank:?}\ncoupler = {coupler:?}"
-    ));
+    line(format_args!("[parameters]"));
+    let mut parameter = |name: &str, value: f64| line(format_args!("{name:<7} = {value:?}"));
+    parameter("crank", crank);
+    parameter("coupler", coupler);
     if let Some(rocker) = rocker {
-        line(format_args!("rocker  = {rocker:?}"));
+        parameter("rocker", rocker);
     }
-    line(format_args!("\n[ground]\nA = {}", pair(proposal.pivot)));
-    if let Partner::Rocker(d) = proposal.partner {
-        line(format_args!("D = {}", pair(d)));
+    let mut place = |[x, y]: [&str; 2], at: Vec2| {
+        parameter(x, at.x);
+        parameter(y, at.y);
+    };
+    place(["ax", "ay"], proposal.pivot);
+    match proposal.partner {
+        Partner::Rocker(d) => place(["dx", "dy"], d),
+        Partner::Slide(_) => place(["gx", "gy"], c),
+    }
+    let along = (c - b) * (1.0 / coupler);
+    let led = proposal.tracer.filter(|_| !marks.on_ground.is_empty());
+    if let Some(p) = led {
+        place(["px", "py"], (p - b).turned(along.conj()));
+    }
+    if let Partner::Slide(angle) = proposal.partner {
+        parameter("guide", angle);
+    }
+    if let Some(axis) = marks.axis {
+        parameter("lean", degrees(axis.turned(along.conj())));
+    }
+    line(format_args!("\n[ground]\nA = [\"ax\", \"ay\"]"));
+    if let Partner::Rocker(_) = proposal.partner {
+        line(format_args!("D = [\"dx\", \"dy\"]"));
     }
     if !marks.on_ground.is_empty() {
         line(format_args!("\n[marks]"));
@@ -59,37 +84,60 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
     line(format_args!(
         "\n[links]\nr2 = {{ from = \"A\", to = \"B\", length = \"crank\" }}"
     ));
-    let along = (c - b) * (1.0 / coupler);
-    let led = proposal.tracer.map_or(String::new(), |p| {
-        let place = |(name, offset): (&str, Vec2)| {
-            let seen = (p + offset - b).turned(along.conj());
-            format!("{name} = {}", pair(seen))
-        };
-        let places: Vec<String> = marks.on_body().map(place).collect();
-        format!(", points = {{ {} }}", places.join(", "))
-    });
+    let mut points = String::new();
+    if led.is_some() {
+        points += ", points = { P = [\"px\", \"py\"]";
+        if let Some(axis) = marks.axis {
+            let arm = axis.norm();
+            points +=
+                &format!(", X = [\"px + {arm:?} * cos(lean)\", \"py + {arm:?} * sin(lean)\"]");
+        }
+        points += " }";
+    }
     line(format_args!(
-        "r3 = {{ from = \"B\", to = \"C\", length = \"coupler\"{led} }}"
+        "r3 = {{ from = \"B\", to = \"C\", length = \"coupler\"{points} }}"
     ));
     match proposal.partner {
         Partner::Rocker(_) => line(format_args!(
             "r4 = {{ from = \"C\", to = \"D\", length = \"rocker\" }}"
         )),
-        Partner::Slide(angle) => line(format_args!(
-            "\n[slides]\nr4 = {{ point = \"C\", on = \"ground\", through = {}, angle = {angle:?} }}",
-            pair(c)
+        Partner::Slide(_) => line(format_args!(
+            "\n[slides]\nr4 = {{ point = \"C\", on = \"ground\", through = [\"gx\", \"gy\"], angle = \"guide\" }}",
         )),
+    }
+    let missed = (1..=task.points()).take_while(|_| led.is_some() && has_figures(task));
+    for k in missed {
+        if k == 1 {
+            line(format_args!("\n[figures]"));
+            if marks.axis.is_some() {
+                line(format_args!("body  = \"r3.angle + lean * 1 deg\""));
+            }
+        }
+        line(format_args!(
+            "miss{k} = \"hypot(P.x - T{k}.x, P.y - T{k}.y)\""
+        ));
     }
     line(format_args!("\n[start]\nC = {}", pair(c)));
     Some(text)
 }
 
+/// Whether each point of a task is a figure of its scene: of many points nobody reads them one by one.
+pub(super) fn has_figures(task: &Task) -> bool {
+    task.points() <= MOST_FIGURES
+}
+
 fn heading(titles: &SceneTitles) -> String {
     let mut text = String::new();
+    for comment in &titles.comments {
+        text += &format!("# {comment}\n");
+    }
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    let before = text.len();
     for (key, value) in [
         ("name", &titles.name),
         ("source", &titles.source),
-        ("note", &titles.note),
         ("unit", &titles.unit),
     ] {
         if !value.is_empty() {
@@ -99,7 +147,7 @@ fn heading(titles: &SceneTitles) -> String {
     if let Some(tolerance) = titles.tolerance {
         text += &format!("tolerance = {tolerance:?}\n");
     }
-    if !text.is_empty() {
+    if text.len() > before {
         text.push('\n');
     }
     text
@@ -138,12 +186,6 @@ impl TaskMarks {
                 axis: None,
             },
         }
-    }
-
-    /// The points of the body that come to them, from the led one.
-    fn on_body(&self) -> impl Iterator<Item = (&'static str, Vec2)> {
-        let led = (!self.on_ground.is_empty()).then_some(("P", Vec2::ZERO));
-        led.into_iter().chain(self.axis.map(|axis| ("X", axis)))
     }
 }
 

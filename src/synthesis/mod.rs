@@ -13,6 +13,7 @@
 //! functions  Freudenstein's equation with signed ratios
 //! paths      points on a curve of the coupler, with times and without; cognates
 //! machine    a proposal as a scene
+//! goals      the task as goals on that scene
 //! candidate  a proposal that was driven through its task: defects, figures, wishes
 //! ```
 //!
@@ -24,6 +25,7 @@ mod defects;
 #[cfg(test)]
 mod driven_functions;
 pub mod functions;
+mod goals;
 mod machine;
 mod paths;
 #[cfg(test)]
@@ -41,6 +43,7 @@ mod way;
 pub(crate) use candidate::is_inside;
 pub use candidate::{Candidate, CandidateFigures, MissedWish};
 pub use defects::TaskDefect;
+pub use goals::SceneGoals;
 pub use machine::{SceneTitles, scene_text};
 pub use paths::PathSearch;
 pub use proposal::{Partner, PosedDyad, Proposal, Proposals};

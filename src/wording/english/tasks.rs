@@ -112,8 +112,17 @@ catalogue! {
         point_missed(point: usize) = "it does not come to point {point}";
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
         candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
-        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
-            "Driven through its task: it misses by {miss} {unit} at most, with a transmission angle of at least {transmission} deg on the way.";
+        driven_as_written(miss: &str, unit: &str) =
+            "As written by krank synthesize it was driven through its task, which it misses by {miss} {unit} at most.";
+        transmission_as_written(way: &str, whole: &str) = {
+            match way == whole {
+                true => format!("The transmission angle is at least {way} deg, on the way through the task and elsewhere."),
+                false => format!(
+                    "The transmission angle is at least {way} deg on the way through the task; over the whole motion, as `krank check` and goals count it, {whole} deg."
+                ),
+            }
+        };
+        kept_by_goals = "With other numbers it does its task only where that is asked for:";
 
         // The list of what came of it.
         linkages = "linkages";

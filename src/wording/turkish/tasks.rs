@@ -105,8 +105,17 @@ catalogue! {
         point_missed(point: usize) = "{point} noktasına gelmiyor";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
-        note_of_candidate(miss: &str, unit: &str, transmission: &str) =
-            "Görevi boyunca sürüldü: en çok {miss} {unit} sapar, yoldaki bağlama açısı en az {transmission} derecedir.";
+        driven_as_written(miss: &str, unit: &str) =
+            "krank synthesize tarafından yazıldığı haliyle görevi boyunca sürüldü; ondan en çok {miss} {unit} sapar.";
+        transmission_as_written(way: &str, whole: &str) = {
+            match way == whole {
+                true => format!("Bağlama açısı, görevin yolunda da başka yerde de en az {way} derecedir."),
+                false => format!(
+                    "Bağlama açısı görevin yolunda en az {way} derecedir; `krank check` ve hedeflerin saydığı gibi bütün harekette {whole} derece."
+                ),
+            }
+        };
+        kept_by_goals = "Başka sayılarla görevini ancak bu istendiğinde yapar:";
 
         // The list of what came of it.
         linkages = "mekanizmalar";
