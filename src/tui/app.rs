@@ -10,6 +10,7 @@ mod driving;
 mod editing;
 mod export;
 mod filing;
+mod gathering;
 mod goals;
 mod helping;
 mod leaving;

@@ -184,6 +184,34 @@ fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
     assert_eq!(row(session.press(">")), ">*r3 length 302 mm 300");
 }
 
+/// A key that was hit by mistake, or that a slow line has split into its parts, begins with an Esc.
+#[test]
+fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
+    let mut session = session(120, 30);
+    session.press("6").find("r3 len").press("b Enter");
+    session.type_in("1000").press("Enter");
+    session.find("D x").press("Enter").type_in("1099");
+    session.press("Enter");
+    let line = session.press("Esc").last_line();
+    let told = "the edits that waited are dropped; u brings them back";
+    assert!(line.contains(told), "{line}");
+    assert_eq!(row(&mut session), "> D x 400 mm = 4 * a");
+    // What was edited since is taken back before.
+    session.find("r4 len").press("> u");
+    assert!(session.last_line().contains("r4 length taken back"));
+    let line = session.press("u").last_line();
+    assert!(line.contains("edits wait: b makes them together"), "{line}");
+    assert_eq!(row(session.find("D x")), ">+D x 1099 mm");
+    assert_eq!(row(session.find("r3 len")), ">+r3 length 1000 mm");
+    let line = session.press("b u").last_line();
+    assert!(line.contains("r3 length, D x taken back"), "{line}");
+    let line = session.press("u").last_line();
+    assert!(line.contains("no edit to take back"), "{line}");
+    // To gather nothing is nothing that could be had back.
+    let line = session.press("b Esc").last_line();
+    assert!(line.contains("edits are made at once again"), "{line}");
+}
+
 /// The stroke of an in-line slider-crank is twice its crank: the value under the cursor is found, and one key takes it
 /// back. What no value meets says how near it comes.
 #[test]

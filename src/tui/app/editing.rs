@@ -8,7 +8,6 @@ use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::edited::{self, Edited};
-use crate::tui::document::gathered::GatheredEdits;
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
@@ -26,66 +25,6 @@ impl App {
             SceneAction::Gather => self.gather(now),
             SceneAction::Goal => self.type_goal(),
         }
-    }
-
-    /// Gathers edits from now on, or makes those that were gathered, as one.
-    fn gather(&mut self, now: Duration) {
-        let Some(gathered) = self.document.editor.gathered.take() else {
-            self.document.editor.gathered = Some(GatheredEdits::default());
-            self.say_that_edits_wait();
-            return;
-        };
-        let values = gathered.list().iter().filter_map(|(name, text)| {
-            let value = self.document.editor.named(name)?;
-            Some((value.clone(), text.clone()))
-        });
-        let texts: Vec<_> = values.collect();
-        let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
-        let deed = Deed::Other(names.join(", "));
-        let count = texts.len();
-        if !self.put_all(texts, deed, now) {
-            // They wait on, to be corrected.
-            self.document.editor.gathered = Some(gathered);
-        } else if self.shell.message.is_none() {
-            self.shell.say(words().gathered_made(count));
-        }
-    }
-
-    fn say_that_edits_wait(&mut self) {
-        let key = self.shell.keymap.told(Action::Scene(SceneAction::Gather));
-        self.shell.say(words().edits_wait(&key));
-    }
-
-    /// Whether edits wait to be made together; then that is said. What follows from the text has to wait too.
-    pub(super) fn is_held_up(&mut self, action: Action) -> bool {
-        let gathered = self.document.editor.gathered.as_ref();
-        let waits = gathered.is_some_and(|gathered| !gathered.is_empty());
-        let takes_text = matches!(
-            action,
-            Action::Save
-                | Action::SaveAs
-                | Action::Undo
-                | Action::Redo
-                | Action::Open
-                | Action::Reload
-                | Action::NextPreset
-                | Action::PreviousPreset
-                | Action::Quit
-        );
-        let is_held_up = waits && takes_text && self.shell.mode == Mode::Normal;
-        if is_held_up {
-            self.say_that_edits_wait();
-        }
-        is_held_up
-    }
-
-    /// The edits that wait are dropped; false where none were to wait.
-    pub(super) fn drop_gathered(&mut self) -> bool {
-        let was = self.document.editor.gathered.take();
-        if was.is_some() {
-            self.shell.say(words().gathered_dropped());
-        }
-        was.is_some()
     }
 
     fn type_value(&mut self) {
@@ -292,9 +231,12 @@ impl App {
 
     /// Takes an edit back, or makes it again.
     pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
+        let is_undo = action == Action::Undo;
+        if is_undo && self.bring_gathered_back() {
+            return;
+        }
         let text = self.player.open_scene.scene().text();
         let history = &self.document.editor.history;
-        let is_undo = action == Action::Undo;
         let step = if is_undo {
             history.before(text)
         } else {

@@ -2,7 +2,7 @@
 //! it, and which differ from the file.
 
 use crate::scene::{Measure, Scene, Value};
-use crate::tui::document::gathered::GatheredEdits;
+use crate::tui::document::gathered::{DroppedEdits, GatheredEdits};
 use crate::tui::document::history::History;
 use std::collections::HashMap;
 
@@ -108,6 +108,8 @@ pub(crate) struct Editor {
     pub(crate) history: History,
     /// Edits that wait to be made together; none while each is made at once.
     pub(crate) gathered: Option<GatheredEdits>,
+    /// Those that were dropped last, to be had back.
+    dropped: Option<DroppedEdits>,
 }
 
 impl Editor {
@@ -122,7 +124,30 @@ impl Editor {
             chosen: Vec::new(),
             history: History::default(),
             gathered: None,
+            dropped: None,
         }
+    }
+
+    /// Gathers no more: what waited is dropped, but not forgotten, and is so much; `None` where nothing was gathered.
+    /// `text` is that of the scene.
+    pub(crate) fn drop_gathered(&mut self, text: &str) -> Option<usize> {
+        let edits = self.gathered.take()?;
+        let count = edits.len();
+        if count > 0 {
+            let text = text.to_owned();
+            self.dropped = Some(DroppedEdits { edits, text });
+        }
+        Some(count)
+    }
+
+    /// What was dropped waits again, where the scene has the text that it had then; whether it does.
+    pub(crate) fn bring_gathered_back(&mut self, text: &str) -> bool {
+        let dropped = self.dropped.take_if(|dropped| dropped.text == text);
+        let is_any = dropped.is_some();
+        if let Some(DroppedEdits { edits, .. }) = dropped {
+            self.gathered = Some(edits);
+        }
+        is_any
     }
 
     /// The file holds this text now.

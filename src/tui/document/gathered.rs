@@ -35,6 +35,14 @@ impl GatheredEdits {
     }
 }
 
+/// Edits that were dropped before they were made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct DroppedEdits {
+    pub(crate) edits: GatheredEdits,
+    /// That of the scene then: what is edited since is taken back before they are.
+    pub(crate) text: String,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -28,7 +28,7 @@ catalogue! {
                 count => format!("{count} edits made together"),
             }
         };
-        gathered_dropped = "the edits that waited are dropped";
+        gathered_dropped(key: &str) = "the edits that waited are dropped; {key} brings them back";
         start_follows = "[start] follows, so that this assembly stays";
 
         // Why an edit cannot be shown.

@@ -26,7 +26,7 @@ catalogue! {
                 count => format!("{count} değişiklik birlikte yapıldı"),
             }
         };
-        gathered_dropped = "bekleyen değişikliklerden vazgeçildi";
+        gathered_dropped(key: &str) = "bekleyen değişikliklerden vazgeçildi; {key} onları geri getirir";
         start_follows = "[start] da değişir, bu montaj biçimi kalsın diye";
 
         // Why an edit cannot be shown.

@@ -1,0 +1,85 @@
+//! Edits that are gathered, to be made together: neither of two may close without the other.
+
+use super::{App, Mode};
+use crate::tui::commands::action::{Action, SceneAction};
+use crate::tui::document::gathered::GatheredEdits;
+use crate::tui::document::history::Deed;
+use crate::wording::words;
+use std::time::Duration;
+
+impl App {
+    /// Gathers edits from now on, or makes those that were gathered, as one.
+    pub(super) fn gather(&mut self, now: Duration) {
+        let Some(gathered) = self.document.editor.gathered.take() else {
+            self.document.editor.gathered = Some(GatheredEdits::default());
+            self.say_that_edits_wait();
+            return;
+        };
+        let values = gathered.list().iter().filter_map(|(name, text)| {
+            let value = self.document.editor.named(name)?;
+            Some((value.clone(), text.clone()))
+        });
+        let texts: Vec<_> = values.collect();
+        let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
+        let deed = Deed::Other(names.join(", "));
+        let count = texts.len();
+        if !self.put_all(texts, deed, now) {
+            // They wait on, to be corrected.
+            self.document.editor.gathered = Some(gathered);
+        } else if self.shell.message.is_none() {
+            self.shell.say(words().gathered_made(count));
+        }
+    }
+
+    fn say_that_edits_wait(&mut self) {
+        let key = self.shell.keymap.told(Action::Scene(SceneAction::Gather));
+        self.shell.say(words().edits_wait(&key));
+    }
+
+    /// Whether edits wait to be made together; then that is said. What follows from the text has to wait too.
+    pub(super) fn is_held_up(&mut self, action: Action) -> bool {
+        let gathered = self.document.editor.gathered.as_ref();
+        let waits = gathered.is_some_and(|gathered| !gathered.is_empty());
+        let takes_text = matches!(
+            action,
+            Action::Save
+                | Action::SaveAs
+                | Action::Undo
+                | Action::Redo
+                | Action::Open
+                | Action::Reload
+                | Action::NextPreset
+                | Action::PreviousPreset
+                | Action::Quit
+        );
+        let is_held_up = waits && takes_text && self.shell.mode == Mode::Normal;
+        if is_held_up {
+            self.say_that_edits_wait();
+        }
+        is_held_up
+    }
+
+    /// The edits that wait are dropped, until they are asked back; false where none were to wait.
+    pub(super) fn drop_gathered(&mut self) -> bool {
+        let text = self.player.open_scene.scene().text();
+        let Some(dropped) = self.document.editor.drop_gathered(text) else {
+            return false;
+        };
+        self.shell.say(match dropped {
+            0 => words().gathered_made(0),
+            _ => words().gathered_dropped(&self.shell.keymap.told(Action::Undo)),
+        });
+        true
+    }
+
+    /// Edits that were dropped wait again, as far as nothing was edited since that is to be taken back first;
+    /// false where there are none.
+    pub(super) fn bring_gathered_back(&mut self) -> bool {
+        let text = self.player.open_scene.scene().text();
+        let is_back = self.document.editor.bring_gathered_back(text);
+        if is_back {
+            self.say_that_edits_wait();
+        }
+        is_back
+    }
+}
