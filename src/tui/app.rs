@@ -29,8 +29,8 @@ mod typing;
 mod writing;
 mod zooming;
 
-use super::Opened;
 use super::config::Config;
+use super::{Opened, Origin};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::report::{CsvDialect, PositionMethod, Verdict};
@@ -267,6 +267,12 @@ impl App {
         self.document
             .editor
             .is_changed(self.player.open_scene.scene())
+    }
+
+    /// Whether no file holds the scene as it is shown.
+    pub(crate) fn is_unsaved(&self) -> bool {
+        let is_new = matches!(self.player.open_scene.origin(), Origin::New(_));
+        is_new || self.is_changed()
     }
 
     pub(crate) fn view(&self) -> View {

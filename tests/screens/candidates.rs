@@ -112,6 +112,32 @@ fn one_is_taken_as_a_new_scene_and_the_others_are_found_again() {
     assert_told(&session.press("Esc").look(), &["hatch-2"]);
 }
 
+/// No file holds what was taken: whoever leaves it is asked, be it for another scene, or for good.
+#[test]
+fn one_that_was_taken_is_not_lost_unasked() {
+    let file = folder("candidates-taken").join("hatch.toml");
+    let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
+    session.press("Enter");
+    assert!(session.last_line().contains("hatch-1*"));
+    let told = "this linkage is in no file yet";
+    for (key, keys) in [("q", "q drop, quit"), ("n", "d drop, open")] {
+        let asked = session.press(key).look();
+        assert!(asked.contains(told) && asked.contains(keys), "{asked}");
+        session.press("Esc");
+        assert!(session.last_line().contains("hatch-1*"));
+    }
+    // Another of the same list loses none; one that was edited is asked about.
+    session.press("o Home Enter Down Enter");
+    assert!(session.last_line().contains("hatch-2*"));
+    session.press("6 >").press("o Home Enter Home Enter");
+    assert!(session.look().contains("unsaved edits"));
+    session.press("Esc q w Ctrl-U");
+    session.type_in(file.to_str().unwrap());
+    assert!(!session.workbench.press("Enter"), "written, and left");
+    let written = fs::read_to_string(&file).unwrap();
+    assert!(written.contains("Hatch, candidate 2"), "{written}");
+}
+
 /// What is edited is asked about before a candidate takes its place.
 #[test]
 fn edits_of_the_open_scene_are_not_lost() {

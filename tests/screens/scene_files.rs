@@ -216,6 +216,53 @@ fn edits_of_an_earlier_session_are_offered() {
     assert!(session.last_line().contains("these edits are deleted"));
 }
 
+/// What waited to be made when the program ended waits again.
+#[test]
+fn edits_that_waited_are_offered_too() {
+    let folder = folder("scene-waiting");
+    let begin = || {
+        let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
+        let mut session = Session::on(workbench.recovering_in(&folder), 80, 24);
+        session.paint();
+        session.pass(1.0);
+        session
+    };
+    let kept = || std::fs::read_dir(&folder).unwrap().count();
+    let mut session = begin();
+    session.press("6").find("r3 len").press("b Enter");
+    session.type_in("1000").press("Enter");
+    assert_eq!(kept(), 1);
+    session.find("D x").press(">");
+    assert!(!session.workbench.press("Ctrl-C"), "ended");
+    drop(session);
+    let mut session = begin();
+    let screen = session.press("c").look();
+    for part in ["waits: r3 length = 1000", "waits: D x = 402"] {
+        assert!(screen.contains(part), "{screen}");
+    }
+    let line = session.press("t").last_line();
+    assert!(line.contains("edits wait: b makes them together"), "{line}");
+    assert_eq!(session.find("r3 len").row(), ">+r3 length 1000 mm");
+    assert_eq!(session.find("D x").row(), ">+D x 402 mm");
+    // Dropped, they are where they were; had back, they are this session's again.
+    session.press("Esc");
+    assert_eq!(kept(), 1);
+    session.press("u");
+    assert_eq!(kept(), 2);
+    drop(session);
+    assert_eq!(kept(), 2);
+    let mut session = begin();
+    session.press("t").find("r3 len").press("Enter");
+    session.type_in("302").press("Enter b");
+    assert!(session.last_line().contains("2 edits made together"));
+    drop(session);
+    let screen = begin().press("c").look();
+    assert!(
+        screen.contains("length = 302") && !screen.contains("waits:"),
+        "{screen}"
+    );
+}
+
 /// Every crash leaves a generation, and who leaves them for later loses none.
 #[test]
 fn three_generations_are_offered_and_fit_any_screen() {

@@ -44,10 +44,9 @@ impl App {
         }
         match value.typed(typed) {
             Ok(text) => {
-                if let Some(gathered) = &mut self.document.editor.gathered {
-                    gathered.put(&value.name, text, &value.text());
-                    self.shell.mode = Mode::Normal;
-                } else if self.put(&value, text, Deed::Other(value.name.clone()), now) {
+                if self.put_by(&value, text.clone())
+                    || self.put(&value, text, Deed::Other(value.name.clone()), now)
+                {
                     self.shell.mode = Mode::Normal;
                 }
             }
@@ -61,13 +60,12 @@ impl App {
             return;
         };
         let by = steps * self.document.editor.notch().size();
-        if let Some(gathered) = &mut self.document.editor.gathered {
-            let waiting = gathered.text(&value.name).map(|text| value.with_text(text));
-            let from = waiting.as_ref().unwrap_or(&value);
-            if from.formula.is_none() {
-                gathered.put(&value.name, from.moved(by), &value.text());
-                return;
-            }
+        let gathered = self.document.editor.gathered.as_ref();
+        let waiting = gathered.and_then(|gathered| gathered.text(&value.name));
+        let waiting = waiting.map(|text| value.with_text(text));
+        let from = waiting.as_ref().unwrap_or(&value);
+        if from.formula.is_none() && self.put_by(&value, from.moved(by)) {
+            return;
         }
         if value.formula.is_some() {
             self.say_what_it_follows_from(&value);

@@ -1,6 +1,7 @@
 //! Edits that are gathered, to be made together: neither of two may close without the other.
 
-use super::{App, Mode};
+use super::{App, Mode, View};
+use crate::scene::Value;
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::gathered::GatheredEdits;
 use crate::tui::document::history::Deed;
@@ -29,6 +30,7 @@ impl App {
         } else if self.shell.message.is_none() {
             self.shell.say(words().gathered_made(count));
         }
+        self.keep();
     }
 
     fn say_that_edits_wait(&mut self) {
@@ -36,10 +38,36 @@ impl App {
         self.shell.say(words().edits_wait(&key));
     }
 
+    /// Another text waits for a value, where edits are gathered; false where they are not.
+    pub(super) fn put_by(&mut self, value: &Value, text: String) -> bool {
+        let Some(gathered) = &mut self.document.editor.gathered else {
+            return false;
+        };
+        gathered.put(&value.name, text, &value.text());
+        self.keep();
+        true
+    }
+
+    /// Edits of an earlier session wait as they did there, where they are made from.
+    pub(super) fn let_wait(&mut self, edits: GatheredEdits) {
+        if edits.is_empty() {
+            return;
+        }
+        self.look(View::Scene);
+        self.document.editor.gathered = Some(edits);
+        self.keep();
+        self.say_that_edits_wait();
+    }
+
+    /// Whether edits wait to be made together.
+    pub(super) fn is_waiting(&self) -> bool {
+        let gathered = self.document.editor.gathered.as_ref();
+        gathered.is_some_and(|gathered| !gathered.is_empty())
+    }
+
     /// Whether edits wait to be made together; then that is said. What follows from the text has to wait too.
     pub(super) fn is_held_up(&mut self, action: Action) -> bool {
-        let gathered = self.document.editor.gathered.as_ref();
-        let waits = gathered.is_some_and(|gathered| !gathered.is_empty());
+        let waits = self.is_waiting();
         let takes_text = matches!(
             action,
             Action::Save
@@ -65,6 +93,7 @@ impl App {
         let Some(dropped) = self.document.editor.drop_gathered(text) else {
             return false;
         };
+        self.keep();
         self.shell.say(match dropped {
             0 => words().gathered_made(0),
             _ => words().gathered_dropped(&self.shell.keymap.told(Action::Undo)),
@@ -78,6 +107,7 @@ impl App {
         let text = self.player.open_scene.scene().text();
         let is_back = self.document.editor.bring_gathered_back(text);
         if is_back {
+            self.keep();
             self.say_that_edits_wait();
         }
         is_back

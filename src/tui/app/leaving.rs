@@ -26,9 +26,19 @@ pub(crate) enum Pending {
 }
 
 impl App {
+    /// Whether something was edited that no file holds, be it made or not.
+    pub(super) fn has_edits(&self) -> bool {
+        self.is_changed() || self.is_waiting()
+    }
+
+    /// Whether something would be lost with the scene.
+    fn would_lose(&self) -> bool {
+        self.is_unsaved() || self.is_waiting()
+    }
+
     /// Leaves, or asks first where something would be lost.
     pub(super) fn quit(&mut self) -> Effect {
-        if !self.is_changed() {
+        if !self.would_lose() {
             return Effect::Quit;
         }
         self.player.playback.pause();
@@ -39,7 +49,7 @@ impl App {
 
     /// Shows another scene, or asks first where something would be lost.
     pub(crate) fn show(&mut self, opened: Opened) {
-        if !self.is_changed() {
+        if !self.would_lose() {
             self.show_now(opened);
             return;
         }
@@ -90,7 +100,7 @@ impl App {
         if self.shell.mode != Mode::Normal || self.pending.is_none() || self.document.storing {
             return effect;
         }
-        if self.is_changed() {
+        if self.would_lose() {
             self.pending = None;
             return effect;
         }

@@ -7,7 +7,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::document::Kept;
 use crate::tui::document::edited;
 use crate::tui::document::history::Deed;
-use crate::tui::document::recovery::{self, Others, Recovery};
+use crate::tui::document::recovery::{self, KeptEdits, Others, Recovery};
 use crate::tui::views::offer::list::Offer;
 use crate::wording::words;
 use std::path::Path;
@@ -71,7 +71,7 @@ impl App {
             return;
         }
         self.document.recovery = Some(Arc::new(Mutex::new(recovery)));
-        if self.is_changed() {
+        if self.has_edits() {
             self.keep();
         }
         let Some(offer) = Offer::of(others) else {
@@ -93,13 +93,15 @@ impl App {
         let text = self.player.open_scene.scene().text().to_owned();
         // Edits that were taken up are taken back.
         self.document.older &= self.is_changed();
+        let waiting = self.document.editor.gathered.clone().unwrap_or_default();
+        let edits = KeptEdits { text, waiting };
         let edits = self
-            .is_changed()
-            .then(|| (text, self.document.editor.saved().to_owned()));
+            .has_edits()
+            .then(|| (edits, self.document.editor.saved().to_owned()));
         self.clerk.give(move || {
             let mut kept = locked(&kept);
-            let said = match &edits {
-                Some((text, saved)) => kept.keep(text, saved, SystemTime::now()),
+            let said = match edits {
+                Some((edits, saved)) => kept.keep(edits, &saved, SystemTime::now()),
                 None => {
                     kept.rest();
                     None
@@ -111,7 +113,7 @@ impl App {
 
     /// The scene was saved: what was edited since is kept, and what was taken up goes.
     pub(super) fn keep_saved(&mut self) {
-        if !self.is_changed() {
+        if !self.has_edits() {
             self.release();
             return;
         }
@@ -177,7 +179,7 @@ impl App {
         let Some(found) = offer.chosen().cloned() else {
             return;
         };
-        match edited::reopened(&self.player.open_scene, &found.text) {
+        match edited::reopened(&self.player.open_scene, &found.edits.text) {
             Ok(edited) => {
                 self.shell.mode = Mode::Normal;
                 if let Some(kept) = self.document.recovery.clone() {
@@ -195,6 +197,7 @@ impl App {
                     true => words().older_edits_are_back(&key),
                     false => words().edits_are_back(&key),
                 });
+                self.let_wait(found.edits.waiting);
             }
             Err(why) => self.shell.say(words().edits_cannot_be_shown(&why)),
         }

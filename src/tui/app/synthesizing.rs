@@ -127,7 +127,14 @@ impl App {
         match opening::text(&text, Origin::New(name)) {
             Ok(opened) => {
                 self.leave_candidates(now);
-                self.show(opened);
+                // One that was taken from the list before, and not edited, stands in it still.
+                let list = self.candidates.as_mut();
+                let before = list.and_then(|list| list.taken.replace(self.scenes + 1));
+                let is_new = matches!(self.player.open_scene.origin(), Origin::New(_));
+                match is_new && before == Some(self.scenes) && !self.has_edits() {
+                    true => self.show_now(opened),
+                    false => self.show(opened),
+                }
             }
             // It was opened before, to be driven through the task.
             Err(faults) => self.shell.say(faults.first_words()),

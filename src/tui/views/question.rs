@@ -34,18 +34,22 @@ struct Asked {
 impl Asked {
     fn of(app: &App) -> Option<Asked> {
         match app.mode() {
-            Mode::Unsaved(asked) => Some(Asked::unsaved(asked)),
+            Mode::Unsaved(asked) => Some(Asked::unsaved(asked, app)),
             Mode::Confirm(asked) => Some(Asked::confirm(asked, app)),
             _ => None,
         }
     }
 
     /// What is to become of unsaved edits.
-    fn unsaved(asked: &Unsaved) -> Asked {
+    fn unsaved(asked: &Unsaved, app: &App) -> Asked {
         let escape = Key::Escape.to_string();
+        let unsaved = match app.is_unsaved() && !app.is_changed() {
+            true => words().in_no_file_yet(),
+            false => words().unsaved_edits(),
+        };
         let (text, keys) = match asked {
             Unsaved::Quit => (
-                words().unsaved_edits(),
+                unsaved,
                 vec![
                     ("w".to_owned(), words().save()),
                     ("q".to_owned(), words().drop_and_quit()),
@@ -53,7 +57,7 @@ impl Asked {
                 ],
             ),
             Unsaved::Open => (
-                words().unsaved_edits(),
+                unsaved,
                 vec![
                     ("w".to_owned(), words().save()),
                     ("d".to_owned(), words().drop_and_open()),

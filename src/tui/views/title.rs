@@ -40,7 +40,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     let title = app.open_scene().scene().title();
     let title = shown(&title, app.glyphs());
-    let title = if app.is_changed() {
+    let title = if app.is_unsaved() {
         title + " *"
     } else {
         title

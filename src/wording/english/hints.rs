@@ -42,12 +42,15 @@ catalogue! {
         value = "value";
 
         // What is asked for.
+        character_not_taken(c: char) = "{c} is not taken here";
+        no_more_characters(most: usize) = "no more than {most} characters are taken here";
         angle_in(unit: &str) = "angle [{unit}]: ";
         position_in(unit: &str) = "position [{unit}]: ";
         write_to = "write to: ";
         name = "name: ";
         value_in(name: &str, units: &str) = "{name} in {units}";
         unsaved_edits = "unsaved edits";
+        in_no_file_yet = "this linkage is in no file yet";
         read_over_edits = "read it over unsaved edits?";
     }
 }

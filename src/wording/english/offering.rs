@@ -20,6 +20,7 @@ catalogue! {
         open_elsewhere = "Open elsewhere";
         unsaved_edits_here = "Unsaved edits of this scene";
         the_edited_text = "The edited text";
+        edit_that_waits(name: &str, text: &str) = "waits: {name} = {text}";
         what_the_edits_change = "What the edits change";
         of_time(time: &str) = "of {time}";
         older_than_file = "older than the file";

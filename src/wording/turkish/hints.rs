@@ -42,12 +42,15 @@ catalogue! {
         value = "değer";
 
         // What is asked for.
+        character_not_taken(c: char) = "{c} burada alınmaz";
+        no_more_characters(most: usize) = "burada en çok {most} karakter alınır";
         angle_in(unit: &str) = "açı [{unit}]: ";
         position_in(unit: &str) = "konum [{unit}]: ";
         write_to = "dosya: ";
         name = "ad: ";
         value_in(name: &str, units: &str) = "{name}, birim {units}";
         unsaved_edits = "kaydedilmemiş değişiklik";
+        in_no_file_yet = "bu mekanizma henüz hiçbir dosyada yok";
         read_over_edits = "kaydedilmemiş değişikliklerin üstüne okunsun mu?";
     }
 }

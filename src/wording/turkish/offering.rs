@@ -22,6 +22,7 @@ catalogue! {
         open_elsewhere = "Başka yerde de açık";
         unsaved_edits_here = "Bu sahnenin kaydedilmemiş değişiklikleri";
         the_edited_text = "Değiştirilmiş metin";
+        edit_that_waits(name: &str, text: &str) = "bekliyor: {name} = {text}";
         what_the_edits_change = "Değişikliklerin yaptığı";
         of_time(time: &str) = "zamanı {time}";
         older_than_file = "dosyadan eski";

@@ -12,6 +12,7 @@ pub(crate) use record::SessionRun;
 use crate::files::{DraftFile, is_held, limited, make_private, open_to_read};
 use crate::scene::LARGEST_FILE;
 use crate::tui::Origin;
+use crate::tui::document::gathered::GatheredEdits;
 use crate::wording::words;
 use record::{LONGEST_HEAD, Record, sum};
 use std::fs::{self, File};
@@ -29,10 +30,19 @@ const MOST_READS: usize = 10;
 /// What the names of edits end with.
 const ENDS: &str = "edits";
 
+/// What is unsaved of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct KeptEdits {
+    /// The edited text.
+    pub(crate) text: String,
+    /// What waits to be made of it.
+    pub(crate) waiting: GatheredEdits,
+}
+
 /// Edits that an earlier session has left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Generation {
-    pub(crate) text: String,
+    pub(crate) edits: KeptEdits,
     /// When they were made: `2026-11-21 14:03 UTC`.
     pub(crate) time: String,
     /// Whether they were made on another text than the file has now.
@@ -59,6 +69,22 @@ pub(crate) struct Others {
     pub(crate) alive: Vec<Alive>,
     /// The latest first.
     pub(crate) left: Vec<Generation>,
+}
+
+impl KeptEdits {
+    /// An edited text of which nothing waits.
+    #[cfg(test)]
+    pub(crate) fn of(text: &str) -> KeptEdits {
+        KeptEdits {
+            text: text.to_owned(),
+            waiting: GatheredEdits::default(),
+        }
+    }
+
+    /// Whether they are any, beside this text.
+    fn change(&self, present: &str) -> bool {
+        self.text != present || !self.waiting.is_empty()
+    }
 }
 
 /// Where the edits of one scene are kept in this session.
@@ -135,7 +161,7 @@ impl Recovery {
             return;
         }
         let is_alive = held.unwrap_or_else(|| !record.session.is_gone());
-        match record.text {
+        match record.edits {
             _ if is_alive => {
                 if self.subject.is(&record.subject) {
                     others.alive.push(Alive {
@@ -147,9 +173,9 @@ impl Recovery {
             }
             // It had nothing to lose.
             None => drop(fs::remove_file(path)),
-            Some(text) if self.subject.is(&record.subject) && text != present => {
+            Some(edits) if self.subject.is(&record.subject) && edits.change(present) => {
                 others.left.push(Generation {
-                    text,
+                    edits,
                     time: record::stamp(record.time),
                     is_stale: record.base != sum(present.as_bytes()),
                     is_older: self.subject.written.is_some_and(|at| at > record.time),
@@ -161,12 +187,17 @@ impl Recovery {
         }
     }
 
-    /// Keeps the edited text; in words why it cannot, once.
-    pub(crate) fn keep(&mut self, text: &str, saved: &str, now: SystemTime) -> Option<String> {
+    /// Keeps edits; in words why it cannot, once.
+    pub(crate) fn keep(
+        &mut self,
+        edits: KeptEdits,
+        saved: &str,
+        now: SystemTime,
+    ) -> Option<String> {
         for taken in &mut self.taken {
-            taken.is_in |= taken.text == text;
+            taken.is_in |= taken.text == edits.text;
         }
-        match self.write(Some(text), saved, now) {
+        match self.write(Some(edits), saved, now) {
             Ok(()) => {
                 self.kept = true;
                 None
@@ -177,14 +208,14 @@ impl Recovery {
     }
 
     /// Puts the file of this session in the place of the one before.
-    fn write(&mut self, text: Option<&str>, saved: &str, now: SystemTime) -> io::Result<()> {
+    fn write(&mut self, edits: Option<KeptEdits>, saved: &str, now: SystemTime) -> io::Result<()> {
         make_private(&self.folder)?;
         let record = Record {
             subject: self.subject.clone(),
             session: self.session.clone(),
             base: sum(saved.as_bytes()),
             time: record::seconds(now),
-            text: text.map(str::to_owned),
+            edits,
         };
         let mut draft = DraftFile::private(&self.folder)?;
         draft.file.write_all(&record.bytes())?;

@@ -7,18 +7,23 @@
 //! base 8b1a9953c4611296           sum of the text that was edited
 //! session 4711 1795269780123 host process, start in ms, host
 //! time 1795269780
+//! waits 7233206c656e677468 333031  what waits to be made: a value and its text, in hexadecimal digits; any number
 //! edits                           or `none`
 //!
 //! text
 //! ```
 
+use super::KeptEdits;
 use super::subject::{Identity, RecoverySubject};
+use crate::tui::document::gathered::GatheredEdits;
 use rustix::system::uname;
 use std::fmt::Write;
 use std::fs;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 const MAGIC: &str = "krank-edits 2";
+/// With edits that wait. Who does not know them takes such a record for none of its own, and leaves it where it is.
+const MAGIC_WAITING: &str = "krank-edits 3";
 /// No head is longer.
 pub(super) const LONGEST_HEAD: usize = 16 << 10;
 /// The longest name of a host, in the name of a file.
@@ -72,7 +77,7 @@ pub(super) struct Record {
     /// In seconds since 1970.
     pub(super) time: u64,
     /// `None` where nothing was edited.
-    pub(super) text: Option<String>,
+    pub(super) edits: Option<KeptEdits>,
 }
 
 impl Record {
@@ -82,10 +87,15 @@ impl Record {
             start,
             host,
         } = &self.session;
-        let mut head = format!("{MAGIC}\nscene {} ", self.subject.sort);
-        for byte in &self.subject.name {
-            let _ = write!(head, "{byte:02x}");
-        }
+        let waiting = self.edits.as_ref().map(|edits| edits.waiting.list());
+        let waiting = waiting.unwrap_or_default();
+        let magic = if waiting.is_empty() {
+            MAGIC
+        } else {
+            MAGIC_WAITING
+        };
+        let (sort, name) = (&self.subject.sort, digits(&self.subject.name));
+        let mut head = format!("{magic}\nscene {sort} {name}");
         if let Some([device, number, made]) = self.subject.file {
             let _ = write!(head, "\nfile {device} {number} {made}");
         }
@@ -94,13 +104,20 @@ impl Record {
             "\nbase {:016x}\nsession {process} {start} {host}\ntime {}\n",
             self.base, self.time
         );
-        head += match self.text {
+        for (name, text) in waiting {
+            let [name, text] = [name, text].map(|text| digits(text.as_bytes()));
+            let _ = writeln!(head, "waits {name} {text}");
+        }
+        head += match self.edits {
             Some(_) => "edits\n\n",
             None => "none\n\n",
         };
         [
             head.as_bytes(),
-            self.text.as_deref().unwrap_or("").as_bytes(),
+            self.edits
+                .as_ref()
+                .map_or("", |edits| &edits.text)
+                .as_bytes(),
         ]
         .concat()
     }
@@ -109,7 +126,9 @@ impl Record {
     pub(super) fn read(bytes: &[u8]) -> Option<Record> {
         let (head, text) = std::str::from_utf8(bytes).ok()?.split_once("\n\n")?;
         let mut lines = head.lines();
-        (lines.next()? == MAGIC).then_some(())?;
+        [MAGIC, MAGIC_WAITING]
+            .contains(&lines.next()?)
+            .then_some(())?;
         let mut line = |key: &str| {
             let rest = lines.clone().next()?.strip_prefix(key)?.strip_prefix(' ')?;
             lines.next();
@@ -125,6 +144,16 @@ impl Record {
             host: session.next()?.to_owned(),
         };
         let time = line("time")?.parse().ok()?;
+        let mut waiting = GatheredEdits::default();
+        while let Some(waits) = line("waits") {
+            let (name, text) = waits.split_once(' ')?;
+            let text_of = |digits| String::from_utf8(of_digits(digits)?).ok();
+            waiting.put(&text_of(name)?, text_of(text)?, "");
+        }
+        let edits = || KeptEdits {
+            text: text.to_owned(),
+            waiting,
+        };
         let subject = RecoverySubject {
             sort: sort.into(),
             name: of_digits(name)?,
@@ -136,7 +165,7 @@ impl Record {
             session,
             base,
             time,
-            text: (lines.next()? == "edits").then(|| text.to_owned()),
+            edits: (lines.next()? == "edits").then(edits),
         })
     }
 }
@@ -144,6 +173,13 @@ impl Record {
 fn identity(text: &str) -> Option<Identity> {
     let numbers: Option<Vec<u64>> = text.split(' ').map(|number| number.parse().ok()).collect();
     numbers?.try_into().ok()
+}
+
+fn digits(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }
 
 fn of_digits(digits: &str) -> Option<Vec<u8>> {
@@ -207,10 +243,18 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_back() {
-        for (file, text) in [
+        let edits = |text: &str, waiting: &[(&str, &str)]| {
+            let mut edits = KeptEdits::of(text);
+            for (name, text) in waiting {
+                edits.waiting.put(name, (*text).to_owned(), "");
+            }
+            Some(edits)
+        };
+        for (file, edits) in [
             (None, None),
-            (Some([1, 2, 3]), Some("a\n\nb".to_owned())),
-            (Some([u64::MAX, 0, 0]), Some(String::new())),
+            (Some([1, 2, 3]), edits("a\n\nb", &[])),
+            (Some([u64::MAX, 0, 0]), edits("", &[("r3 length", "2 * a")])),
+            (None, edits("a", &[("\u{e4} x", "1\n\n2"), ("b", "3")])),
         ] {
             let record = Record {
                 subject: RecoverySubject {
@@ -222,7 +266,7 @@ mod tests {
                 session: SessionRun::begun(SystemTime::now()),
                 base: 7,
                 time: 99,
-                text,
+                edits,
             };
             assert_eq!(Record::read(&record.bytes()).unwrap(), record);
         }

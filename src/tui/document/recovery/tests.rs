@@ -28,7 +28,10 @@ fn edits_are_found_by_the_same_scene_alone() {
     let mut one = session(&folder.join("deep/er"), 1, &four_bar());
     let folder = folder.join("deep/er");
     assert_eq!(one.others("old"), Others::default());
-    assert_eq!(one.keep("new\nlines\n", "old", at(1_795_269_780)), None);
+    assert_eq!(
+        one.keep(KeptEdits::of("new\nlines\n"), "old", at(1_795_269_780)),
+        None
+    );
     let found = |origin: &Origin, present: &str| session(&folder, 9, origin).others(present);
     let alive = found(&four_bar(), "old");
     assert_eq!(alive.left, [], "it is another's, who is at work on them");
@@ -36,7 +39,7 @@ fn edits_are_found_by_the_same_scene_alone() {
     drop(one);
     let edits = found(&four_bar(), "old");
     assert_eq!(edits.alive, []);
-    assert_eq!(edits.left[0].text, "new\nlines\n");
+    assert_eq!(edits.left[0].edits.text, "new\nlines\n");
     assert_eq!(edits.left[0].time, "2026-11-21 14:03 UTC");
     assert!(!edits.left[0].is_stale && !edits.left[0].is_older);
     assert!(found(&four_bar(), "other").left[0].is_stale);
@@ -60,7 +63,7 @@ fn a_file_is_the_same_by_any_name() {
     let of = |path: PathBuf| Origin::File(path);
     drop({
         let mut one = session(&folder, 1, &of(file.clone()));
-        one.keep("new", "old", at(5));
+        one.keep(KeptEdits::of("new"), "old", at(5));
         one
     });
     let names = ["hard.toml", "soft.toml", "../x/../scene.toml"];
@@ -88,7 +91,11 @@ fn a_file_is_the_same_by_any_name() {
 fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     let folder = folder("recovery-three");
     for n in 1..=3 {
-        session(&folder, n, &four_bar()).keep(&format!("edit {n}"), "old", at(n * 60));
+        session(&folder, n, &four_bar()).keep(
+            KeptEdits::of(&format!("edit {n}")),
+            "old",
+            at(n * 60),
+        );
     }
     let mut next = session(&folder, 9, &four_bar());
     let texts = |recovery: &Recovery| -> Vec<String> {
@@ -98,16 +105,16 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Taken up and taken back, it is still there; saved, it is not.
     let newest = next.others("old").left.remove(0);
-    next.keep(&newest.text, "old", at(999));
-    next.take(newest.file, newest.text);
+    next.keep(KeptEdits::of(&newest.edits.text), "old", at(999));
+    next.take(newest.file, newest.edits.text);
     next.rest();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Something else that is edited and saved takes nothing of it away.
-    next.keep("another", "old", at(999));
+    next.keep(KeptEdits::of("another"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Made again, it goes with what is saved.
-    next.keep("edit 3", "old", at(999));
+    next.keep(KeptEdits::of("edit 3"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 2", "edit 1"], "others' edits stay");
     delete(&next.others("old").left[0].file);
@@ -119,12 +126,12 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
 #[test]
 fn what_is_edited_while_it_is_saved_stays_and_what_was_taken_up_goes() {
     let folder = folder("recovery-meanwhile");
-    session(&folder, 1, &four_bar()).keep("left", "old", at(60));
+    session(&folder, 1, &four_bar()).keep(KeptEdits::of("left"), "old", at(60));
     let mut next = session(&folder, 9, &four_bar());
     let left = next.others("old").left.remove(0);
-    next.keep(&left.text, "old", at(99));
-    next.take(left.file, left.text);
-    next.keep("newer", "left", at(100));
+    next.keep(KeptEdits::of(&left.edits.text), "old", at(99));
+    next.take(left.file, left.edits.text);
+    next.keep(KeptEdits::of("newer"), "left", at(100));
     next.drop_taken();
     drop(next);
     let found = session(&folder, 10, &four_bar()).others("left").left;
@@ -156,12 +163,12 @@ fn a_folder_that_cannot_be_written_is_said_once() {
     let folder = folder("recovery-none");
     fs::write(&folder, "a file").unwrap();
     let mut recovery = session(&folder, 1, &Origin::Stdin);
-    let said = recovery.keep("text", "old", at(0)).unwrap();
+    let said = recovery.keep(KeptEdits::of("text"), "old", at(0)).unwrap();
     assert!(
         said.starts_with("edits are not kept for recovery: "),
         "{said}"
     );
-    assert_eq!(recovery.keep("text", "old", at(0)), None);
+    assert_eq!(recovery.keep(KeptEdits::of("text"), "old", at(0)), None);
     fs::remove_file(folder).unwrap();
 }
 
@@ -178,11 +185,11 @@ fn looking_while_edits_are_kept_takes_none_away() {
     std::thread::scope(|scope| {
         let busy = scope.spawn(|| {
             for round in 0..500 {
-                assert_eq!(busy.keep("new", "old", at(round)), None);
+                assert_eq!(busy.keep(KeptEdits::of("new"), "old", at(round)), None);
                 assert!(busy.file().exists(), "in round {round}");
                 busy.rest();
             }
-            busy.keep("new", "old", at(500))
+            busy.keep(KeptEdits::of("new"), "old", at(500))
         });
         while !busy.is_finished() {
             assert_eq!(other.others("old").left, []);

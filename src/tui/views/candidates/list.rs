@@ -127,6 +127,8 @@ pub(crate) struct CandidateList {
     way: WayPlayed,
     /// What is drawn; `None` where that is still to be built.
     shown: Option<ShownCandidate>,
+    /// As which of the scenes that were shown one was taken last.
+    pub(crate) taken: Option<usize>,
 }
 
 impl CandidateList {
@@ -140,6 +142,7 @@ impl CandidateList {
             page: CandidatesPage::default(),
             way: WayPlayed::default(),
             shown: None,
+            taken: None,
         }
     }
 

@@ -43,7 +43,10 @@ impl Offer {
 
     /// Reads the text of the edits.
     pub(crate) fn look(&mut self) {
-        let lines = |chosen: &Generation| chosen.text.lines().map(str::to_owned).collect();
+        let lines = |chosen: &Generation| {
+            let lines = chosen.edits.text.lines().map(str::to_owned);
+            waiting(chosen).into_iter().chain(lines).collect()
+        };
         self.page = self.chosen().map(|chosen| OfferPage {
             title: words().the_edited_text(),
             lines: lines(chosen),
@@ -55,7 +58,7 @@ impl Offer {
     pub(crate) fn compare(&mut self, present: &str) {
         self.page = self.chosen().map(|chosen| OfferPage {
             title: words().what_the_edits_change(),
-            lines: difference(present, &chosen.text),
+            lines: [waiting(chosen), difference(present, &chosen.edits.text)].concat(),
             scroll: 0,
         });
     }
@@ -84,4 +87,11 @@ impl Offer {
         self.move_by(0);
         !self.others.left.is_empty()
     }
+}
+
+/// What waits to be made together, a line each.
+fn waiting(chosen: &Generation) -> Vec<String> {
+    let edits = chosen.edits.waiting.list().iter();
+    let lines = edits.map(|(name, text)| words().edit_that_waits(name, text));
+    lines.collect()
 }

@@ -58,7 +58,7 @@ pub(super) fn scene(app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let mark = if app.is_changed() { "*" } else { "" };
+    let mark = if app.is_unsaved() { "*" } else { "" };
     format!("{}{mark}", shown(&name, app.glyphs()))
 }
 
