@@ -212,6 +212,80 @@ fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
     assert!(line.contains("edits are made at once again"), "{line}");
 }
 
+/// The goals that the manual and the help of commands give as examples.
+fn goals_of_help() -> Vec<String> {
+    let text = [
+        include_str!("../../src/manual/english/views.md"),
+        include_str!("../../src/manual/english/designs.md"),
+        include_str!("../../src/manual/english/tutorial.md"),
+        include_str!("../../src/manual/english/synthesis.md"),
+        include_str!("../../src/wording/english/designs.rs"),
+    ];
+    let text = text.join("\n").replace('\n', " ");
+    let of_commands = text
+        .split("--goal ")
+        .skip(1)
+        .map(|rest| match rest.strip_prefix('\'') {
+            Some(quoted) => quoted.split('\'').next().unwrap(),
+            None => rest.split([' ', ',']).next().unwrap(),
+        });
+    let spans = text.split('`').skip(1).step_by(2);
+    let of_views = spans.filter(|span| span.contains(" = ") && span.contains(['.', ';']));
+    let goals = of_commands.chain(of_views).map(str::to_owned);
+    goals.filter(|goal| goal.contains(['=', '>'])).collect()
+}
+
+/// A line that took 60 characters took less than the manual's own example, and said nothing.
+#[test]
+fn every_goal_of_the_help_can_be_typed() {
+    let goals = goals_of_help();
+    let longest = "r4.angle.swing = 60; transmission >= 40 by r2.length, r4.length=200..300";
+    assert!(goals.iter().any(|goal| goal == longest), "{goals:?}");
+    assert!(goals.len() > 6, "{goals:?}");
+    for (cols, rows) in [(40, 12), (80, 24)] {
+        let mut session = four_bar(cols, rows);
+        session.press("6 @");
+        for goal in goals.iter().chain([&goals.join("; ")]) {
+            session.press("Ctrl-U").type_in(goal);
+            // Its end is seen, with the caret behind it.
+            let line = session.last_line();
+            let end: String = goal.chars().rev().take(24).collect();
+            let end: String = end.chars().rev().collect();
+            assert!(line.contains(end.trim()), "{goal}\n{line}");
+            assert!(!session.look().contains("taken here"));
+        }
+        session.press("Ctrl-U").type_in(longest).press("Enter");
+        let screen = session.look();
+        assert!(
+            screen.contains("it") && !screen.contains("goal  r4"),
+            "{screen}"
+        );
+    }
+}
+
+/// What is not taken is said, and what a text has for a minus is one.
+#[test]
+fn no_key_is_left_out_in_silence() {
+    let mut session = session(80, 24);
+    session.press("6").find("r4 len").press("Enter");
+    session.type_in("5\u{d7}50 \u{2212} 1").press("Enter");
+    assert_eq!(row(&mut session), ">*r4 length 249 mm 250");
+    let line = session.press("Enter \u{e4}").last_line();
+    assert!(
+        line.contains("\u{e4} is not taken here") || line.contains("a is not"),
+        "{line}"
+    );
+    let line = session.press("1").last_line();
+    assert!(!line.contains("is not taken"), "{line}");
+    session.press("Esc");
+    for keys in ["g", "2 /", ":", "? /", "6 @"] {
+        session.press(keys);
+        let screen = session.press("\u{20ac}").look();
+        assert!(screen.contains("is not taken here"), "{keys}\n{screen}");
+        session.press("Esc Esc");
+    }
+}
+
 /// The stroke of an in-line slider-crank is twice its crank: the value under the cursor is found, and one key takes it
 /// back. What no value meets says how near it comes.
 #[test]

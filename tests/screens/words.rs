@@ -1,6 +1,7 @@
 //! What is said in few words: the last line where it is short, names that are typed again, labels that
 //! stand where they belong.
 
+use crate::scene::Values;
 use crate::screen::{Session, four_bar, open, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -26,6 +27,31 @@ fn a_message_never_covers_a_part_of_the_angle() {
     rocker.press("g 3 9 Enter").press("[").press(", ,");
     let line = rocker.press(", , ,").last_line();
     assert_eq!(line, " motion  36.86989765 deg  dead point");
+}
+
+/// What has no room in the last line stands above it as a whole, and covers nothing that is typed.
+#[test]
+fn a_long_message_is_told_as_a_whole() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+        let mut session = four_bar(cols, rows);
+        session.press("6").find("r3 len").press("@");
+        let typed = "nowhere.at.all.is.this = 12";
+        session.type_in(typed).press("Enter");
+        let screen = session.look();
+        let words: Vec<&str> = screen.split_whitespace().collect();
+        let told = words.join(" ");
+        assert!(session.last_line().contains(typed), "{screen}");
+        assert!(told.contains("nowhere") && !told.contains(".."), "{screen}");
+        // With the next key it is gone.
+        session.press("Backspace");
+        assert_ne!(session.look(), screen);
+        let verdict = screen.lines().nth(rows as usize - 2).unwrap().to_owned();
+        let after = session.look();
+        let after = after.lines().nth(rows as usize - 2).unwrap();
+        if cols < 120 {
+            assert_ne!(after, verdict);
+        }
+    }
 }
 
 /// The list of plots tells its keys on the smallest screen, too.

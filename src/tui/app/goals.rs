@@ -17,7 +17,7 @@ const DECIMALS: usize = 3;
 impl App {
     pub(super) fn type_goal(&mut self) {
         if self.document.editor.value().is_some() {
-            self.shell.mode = Mode::Goal(EditLine::for_words());
+            self.shell.mode = Mode::Goal(EditLine::for_goal());
         }
     }
 

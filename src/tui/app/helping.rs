@@ -37,6 +37,7 @@ impl App {
         };
         let is_topic = help.topic().is_some();
         let line = help.typed()?;
+        self.shell.message = None;
         match key {
             Key::Backspace if line.text().is_empty() => help.leave_search(),
             Key::Escape => help.leave_search(),

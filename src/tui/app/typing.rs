@@ -3,6 +3,7 @@
 use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
+use crate::tui::commands::line::EditLine;
 use crate::tui::views::tour::screens;
 use crate::wording::words;
 use std::time::Duration;
@@ -19,6 +20,7 @@ impl App {
                 Some(action) => self.update(action, now),
                 None => self.nothing_meant(key),
             });
+        self.say_what_is_refused();
         self.shell.before.take_if(|before| before.is_past);
         self.look_at_file(now, false);
         let effect = match self.attend(now) {
@@ -52,6 +54,14 @@ impl App {
         Effect::Show
     }
 
+    /// What a line did not take is said, and not left out in silence.
+    fn say_what_is_refused(&mut self) {
+        let line = self.shell.mode.line();
+        if let Some(why) = line.and_then(EditLine::take_refusal) {
+            self.shell.say(why);
+        }
+    }
+
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
         if let Mode::Pick(picker) = &mut self.shell.mode {
@@ -68,6 +78,7 @@ impl App {
             }
             _ => {}
         }
+        self.say_what_is_refused();
         // What is found now may have fewer lines.
         self.scroll_by(0);
     }

@@ -1,13 +1,15 @@
 //! A line that is typed.
 
 use crate::document::{ascii_letter, is_harmful};
+use crate::expression;
 use crate::scene::with_point;
 use crate::tui::commands::key::Key;
+use crate::wording::words;
 
 /// Longer than any number that means something.
 const LONGEST_NUMBER: usize = 24;
-/// Longer than any formula that is typed for a value.
-const LONGEST_FORMULA: usize = 200;
+/// Longer than any goals, and than any guesses, that are typed.
+const LONGEST_GOAL: usize = 4000;
 /// The longest path that the system takes.
 const LONGEST_NAME: usize = 4095;
 /// Longer than what anybody types to find a name.
@@ -23,6 +25,17 @@ pub(crate) struct EditLine {
     /// In bytes.
     longest: usize,
     takes: Takes,
+    /// Why something was not taken since the line was edited last.
+    refusal: Option<Refusal>,
+}
+
+/// Why a character is not taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Refusal {
+    /// The line does not take such characters.
+    Character(char),
+    /// The line has as many as it takes.
+    Length(usize),
 }
 
 /// What may be typed.
@@ -43,13 +56,14 @@ impl EditLine {
             text: String::new(),
             longest: LONGEST_NUMBER,
             takes: Takes::Plain,
+            refusal: None,
         }
     }
 
     /// An empty line for a number or a formula.
     pub(crate) fn for_value() -> EditLine {
         EditLine {
-            longest: LONGEST_FORMULA,
+            longest: expression::LONGEST,
             ..EditLine::for_number()
         }
     }
@@ -57,15 +71,23 @@ impl EditLine {
     /// An empty line for words that are searched for.
     pub(crate) fn for_words() -> EditLine {
         EditLine {
-            text: String::new(),
             longest: LONGEST_WORDS,
             takes: Takes::Words,
+            ..EditLine::for_number()
+        }
+    }
+
+    /// An empty line for goals.
+    pub(crate) fn for_goal() -> EditLine {
+        EditLine {
+            longest: LONGEST_GOAL,
+            ..EditLine::for_number()
         }
     }
 
     /// A line for guesses, with those in it that hold.
     pub(crate) fn for_guess(guess: &str) -> EditLine {
-        let mut line = EditLine::for_words();
+        let mut line = EditLine::for_goal();
         guess.chars().for_each(|c| line.push(c));
         line
     }
@@ -73,9 +95,9 @@ impl EditLine {
     /// A line for the name of a file, with a proposal in it.
     pub(crate) fn for_file(proposal: &str) -> EditLine {
         let mut line = EditLine {
-            text: String::new(),
             longest: LONGEST_NAME,
             takes: Takes::Any,
+            ..EditLine::for_number()
         };
         proposal.chars().for_each(|c| line.push(c));
         line
@@ -84,9 +106,8 @@ impl EditLine {
     /// An empty line for a name that is sought.
     pub(crate) fn for_search() -> EditLine {
         EditLine {
-            text: String::new(),
             longest: LONGEST_SOUGHT,
-            takes: Takes::Plain,
+            ..EditLine::for_number()
         }
     }
 
@@ -94,19 +115,41 @@ impl EditLine {
         &self.text
     }
 
-    /// Appends a character; what is not printable or no longer fits is left out.
+    /// Appends a character. What cannot be read here, or no longer fits, is left out, which is remembered; what is no
+    /// character at all is left out.
     pub(crate) fn push(&mut self, c: char) {
         let c = match self.takes {
-            Takes::Words => ascii_letter(c).unwrap_or(c),
-            Takes::Plain | Takes::Any => c,
+            Takes::Words => ascii_letter(c).unwrap_or_else(|| ascii_sign(c)),
+            Takes::Plain => ascii_sign(c),
+            Takes::Any => c,
         };
-        let is_seen = match self.takes {
+        if is_harmful(c) {
+            return;
+        }
+        let is_taken = match self.takes {
             Takes::Plain | Takes::Words => c == ' ' || c.is_ascii_graphic(),
-            Takes::Any => !is_harmful(c),
+            Takes::Any => true,
         };
-        if is_seen && self.text.len() + c.len_utf8() <= self.longest {
+        if !is_taken {
+            self.refuse(Refusal::Character(c));
+        } else if self.text.len() + c.len_utf8() > self.longest {
+            self.refuse(Refusal::Length(self.longest));
+        } else {
             self.text.push(c);
         }
+    }
+
+    /// The first of several reasons is told.
+    fn refuse(&mut self, why: Refusal) {
+        self.refusal.get_or_insert(why);
+    }
+
+    /// In words why something was not taken, once.
+    pub(crate) fn take_refusal(&mut self) -> Option<String> {
+        self.refusal.take().map(|why| match why {
+            Refusal::Character(c) => words().character_not_taken(c),
+            Refusal::Length(most) => words().no_more_characters(most),
+        })
     }
 
     /// Takes a key that edits the line; false for every other.
@@ -136,6 +179,18 @@ impl EditLine {
     }
 }
 
+/// For signs of arithmetic those that formulas are written with, and a plain blank for every other: who pastes a number
+/// from a text often has these.
+fn ascii_sign(c: char) -> char {
+    match c {
+        '\u{2212}' | '\u{2013}' => '-',
+        '\u{d7}' | '\u{22c5}' | '\u{b7}' => '*',
+        '\u{f7}' => '/',
+        c if c.is_whitespace() => ' ',
+        c => c,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,9 +214,41 @@ mod tests {
     #[test]
     fn nothing_unprintable_gets_in_and_nothing_endless() {
         let mut line = EditLine::for_number();
-        "\u{1b}1\u{e4}2\n".chars().for_each(|c| line.push(c));
+        "\u{1b}1\u{e4}2\u{fc}".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
+        let told = line.take_refusal();
+        assert_eq!(told.as_deref(), Some("\u{e4} is not taken here"));
+        assert_eq!(line.take_refusal(), None);
         (0..1000).for_each(|_| line.push('9'));
         assert_eq!(line.text().len(), LONGEST_NUMBER);
+        let told = line.take_refusal();
+        assert_eq!(
+            told.as_deref(),
+            Some("no more than 24 characters are taken here")
+        );
+    }
+
+    /// A minus of a text was dropped, and the number stood there without its sign.
+    #[test]
+    fn signs_of_texts_are_those_of_formulas() {
+        assert_eq!(number("\u{2212}5"), Some(-5.0));
+        assert_eq!(number("\u{2013}5\u{a0}deg\n"), Some(-5.0));
+        let mut line = EditLine::for_value();
+        "5\u{d7}2 \u{f7} a".chars().for_each(|c| line.push(c));
+        assert_eq!(line.text(), "5*2 / a");
+        assert_eq!(line.take_refusal(), None);
+    }
+
+    #[test]
+    fn goals_and_formulas_are_as_long_as_they_may_be() {
+        for (mut line, most) in [
+            (EditLine::for_goal(), 1000),
+            (EditLine::for_guess(""), 1000),
+            (EditLine::for_value(), expression::LONGEST),
+        ] {
+            (0..most).for_each(|_| line.push('1'));
+            assert_eq!(line.text().len(), most);
+            assert_eq!(line.take_refusal(), None);
+        }
     }
 }

@@ -37,13 +37,15 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
     let [scene, driver, state] = status::in_short(app);
     let message = shown(app.message().unwrap_or_default(), app.glyphs());
-    for (y, line) in (0..).zip([&scene, &driver, &state, &*message]) {
-        put(y, line);
+    let told = status::broken(&message, area.width.into());
+    let lines = [scene, driver, state].into_iter().chain(told);
+    for (y, line) in (0..area.height.saturating_sub(1)).zip(lines) {
+        put(y, &line);
     }
     if *app.mode() == Mode::Normal {
         let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);
         put(area.height - 1, &more);
     } else {
-        status::render(app, row(area, area.height - 1), buffer);
+        let _ = status::line(app, row(area, area.height - 1), buffer);
     }
 }

@@ -95,8 +95,8 @@ pub(crate) fn area(app: &App) -> Rect {
     whole(app.size())
 }
 
-/// What a slow line is to show first: the last line, which answers a key, and then what lies over the
-/// view.
+/// What a slow line is to show first: the last line, which answers a key, with what was said above it, and then what
+/// lies over the view.
 pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let area = whole(app.size());
     if !has_room(app.size()) {
@@ -110,7 +110,13 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
         Mode::Palette(_) => palette::placed(body(area)),
         _ => Rect::ZERO,
     };
-    [row(area, area.height - 1), overlay]
+    let last = row(area, area.height - 1);
+    let told = status::placed_above(app, area);
+    let answer = match told.is_empty() {
+        true => last,
+        false => last.union(told),
+    };
+    [answer, overlay]
 }
 
 /// The whole screen, into a buffer that is empty.
@@ -139,12 +145,12 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     }
     if let Mode::Pick(picker) = app.mode() {
         picker::render(app, picker, area, buffer);
-        status::render(app, row(area, area.height - 1), buffer);
+        status::render(app, area, buffer);
         return;
     }
     if let (Mode::Candidates, Some(list)) = (app.mode(), app.candidates()) {
         candidates::render(app, list, area, buffer);
-        status::render(app, row(area, area.height - 1), buffer);
+        status::render(app, area, buffer);
         return;
     }
     tabs::render(app, row(area, 0), buffer);
@@ -160,7 +166,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         _ => {}
     }
     verdict::render(app, row(area, area.height - 2), buffer);
-    status::render(app, row(area, area.height - 1), buffer);
+    status::render(app, area, buffer);
 }
 
 /// The panes, with their titles and the lines between them.

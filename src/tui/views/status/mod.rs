@@ -1,5 +1,5 @@
 //! The last line: mode, scene, driver, state, what it cost and its largest bound; then the keys that
-//! matter now, as far as there is room.
+//! matter now, as far as there is room. A message that has no room in it stands above.
 //!
 //! ```text
 //!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
@@ -9,9 +9,10 @@
 mod facts;
 mod hints;
 mod prompts;
+mod told;
 mod writer;
 
-use super::{columns, cut};
+use super::{columns, cut, row};
 use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
@@ -20,6 +21,8 @@ use crate::wording::words;
 pub(super) use facts::mode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use told::ToldAbove;
+pub(super) use told::broken;
 use writer::Writer;
 
 /// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
@@ -32,17 +35,39 @@ const ROOM_FOR_GAPS: u16 = 60;
 /// Columns of the hints that are worth more than the cost of a state.
 const HINTS: u16 = 26;
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+/// The last line of a screen, and above it what was said that has no room in it.
+pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer) {
+    if let Some(message) = line(app, row(screen, screen.height - 1), buffer) {
+        ToldAbove::of(&message, app, screen).render(buffer);
+    }
+}
+
+/// Where the message stands that has no room in the last line; nowhere where there is none.
+pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
+    if app.message().is_none() {
+        return Rect::ZERO;
+    }
+    let last = row(screen, screen.height - 1);
+    let untold = line(app, last, &mut Buffer::empty(last));
+    untold.map_or(Rect::ZERO, |message| {
+        ToldAbove::of(&message, app, screen).place
+    })
+}
+
+/// The line alone. Gives the message that has no room in it.
+pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String> {
     let mut line = Writer::new(area, buffer);
     line.say(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
-    if prompts::render(app, &mut line) {
-        return;
+    if !prompts::render(app, &mut line) {
+        let narrow = area.width < ROOM_FOR_GAPS;
+        let is_told = app
+            .message()
+            .is_some_and(|message| with_message(app, narrow, message, &mut line));
+        if !is_told {
+            with_hints(app, narrow, &mut line);
+        }
     }
-    let narrow = area.width < ROOM_FOR_GAPS;
-    match app.message() {
-        Some(message) => with_message(app, narrow, message, &mut line),
-        None => with_hints(app, narrow, &mut line),
-    }
+    line.untold()
 }
 
 /// Scene, driver and state, as a screen tells them that has room for nothing else.
@@ -51,9 +76,8 @@ pub(super) fn in_short(app: &App) -> [String; 3] {
     [facts::scene(app), facts::driver_in_time(app), state.into()]
 }
 
-/// What matters most of the state, then what was said.
-fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
-    line.gap(1);
+/// What matters most of the state, then what was said; false, and nothing is written, where that has no room.
+fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -> bool {
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
     let driver = studied.unwrap_or_else(|| facts::driver_in_time(app));
@@ -64,9 +88,13 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     };
     let why = if is_missing { columns(state) + 2 } else { 0 };
     let needed = why + columns(&shown(message, app.glyphs()));
-    let spare = line.room().checked_sub(needed);
+    let Some(spare) = line.room().checked_sub(needed + 1) else {
+        line.leave_untold(message);
+        return false;
+    };
+    line.gap(1);
     // A part of a figure would be another figure: it stands whole, or not at all.
-    if spare >= Some(columns(&driver) + 2) || (is_missing && spare.is_none()) {
+    if spare >= columns(&driver) + 2 {
         line.say(&driver, ScreenPart::Text);
         line.gap(2);
     }
@@ -75,9 +103,8 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
         line.say(state, part);
         line.gap(2);
     }
-    if spare.is_some() || !is_missing {
-        line.tell(message, app);
-    }
+    line.tell(message, app);
+    true
 }
 
 /// Scene, driver and state, then the keys that matter now.

@@ -33,8 +33,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::Copy => how_much(line),
         Mode::Palette(_) => {
             line.gap(1);
-            line.hint(&Key::Enter.to_string(), words().do_it());
-            line.hint(&Key::Escape.to_string(), words().back());
+            keys(words().do_it(), words().back(), app, line);
         }
         Mode::Normal | Mode::Help(_) | Mode::Tour(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {
             return false;
@@ -52,15 +51,8 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     };
     line.gap(1);
     line.say(&what, ScreenPart::Text);
-    line.say(typed.text(), ScreenPart::Text);
-    line.say(" ", ScreenPart::Caret);
-    line.gap(3);
-    if let Some(message) = app.message() {
-        line.tell(message, app);
-        return;
-    }
-    line.hint(&Key::Enter.to_string(), words().go());
-    line.hint(&Key::Escape.to_string(), words().cancel());
+    line.typed(typed.text());
+    end(words().go(), words().cancel(), app, line);
 }
 
 /// How a goal is typed: of the value under the cursor, where no other is named.
@@ -76,22 +68,16 @@ fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
         line.say(" ", ScreenPart::Caret);
         line.say(example, ScreenPart::Quiet);
     } else {
-        line.say(typed.text(), ScreenPart::Text);
-        line.say(" ", ScreenPart::Caret);
+        line.typed(typed.text());
     }
     end(words().take(), words().cancel(), app, line);
 }
 
-/// Where the name of a file is typed; of a long one its end is seen.
+/// Where the name of a file is typed.
 fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().write_to(), ScreenPart::Text);
-    let room = usize::from(line.room().saturating_sub(1));
-    let text = shown(typed.text(), app.glyphs());
-    let skipped = text.chars().count().saturating_sub(room);
-    let seen: String = text.chars().skip(skipped).collect();
-    line.say(&seen, ScreenPart::Text);
-    line.say(" ", ScreenPart::Caret);
+    line.typed(&shown(typed.text(), app.glyphs()));
     end(words().writing(), words().cancel(), app, line);
 }
 
@@ -99,16 +85,14 @@ fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().name(), ScreenPart::Text);
-    line.say(typed.text(), ScreenPart::Text);
-    line.say(" ", ScreenPart::Caret);
+    line.typed(typed.text());
     end(words().keep(), words().back(), app, line);
 }
 
 /// Which value is typed: it stands in its row.
 fn value(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    if let Some(message) = app.message() {
-        line.tell(message, app);
+    if app.message().is_some_and(|message| line.tell(message, app)) {
         return;
     }
     if let Some(value) = app.editor().value() {
@@ -138,12 +122,18 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         true => 0,
         false => keys.iter().flatten().map(needed).sum(),
     };
+    let longest = line.room().saturating_sub(hints + 1);
+    let fits = |message: &&str| columns(&shown(message, app.glyphs())) <= longest;
+    let told = app.message().filter(fits);
+    if let (None, Some(message)) = (told, app.message()) {
+        line.leave_untold(message);
+    }
     let title = match app.preview() {
         Some(Preview::Scene(sample)) => sample.scene.title(),
         _ => String::new(),
     };
     let (words, part) = match app.preview() {
-        _ if let Some(message) = app.message() => (message, ScreenPart::Warning),
+        _ if let Some(message) = told => (message, ScreenPart::Warning),
         Some(Preview::Scene(_)) => (title.as_str(), ScreenPart::Text),
         Some(Preview::Fault(fault)) => (fault.what.as_str(), ScreenPart::Warning),
         Some(Preview::Unseen(why)) => (why.as_str(), ScreenPart::Quiet),
@@ -153,7 +143,6 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         Some(Preview::Folder(_)) => (words().a_folder(), ScreenPart::Quiet),
         None => ("", ScreenPart::Quiet),
     };
-    let longest = line.room().saturating_sub(hints + 1);
     let words = cut(&shown(words, app.glyphs()), longest.into());
     line.say(&words, part);
     line.gap(2);
@@ -168,8 +157,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     let Some(list) = app.candidates() else {
         return;
     };
-    if let Some(message) = app.message() {
-        line.tell(message, app);
+    if app.message().is_some_and(|message| line.tell(message, app)) {
         return;
     }
     let key = |action| app.keymap().told(action);
@@ -239,17 +227,20 @@ fn how_much(line: &mut Writer<'_>) {
 /// What was said to the offer in the middle of the screen.
 fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    match app.message() {
-        Some(message) => line.tell(message, app),
-        None => line.say(words().edits_by_others(), ScreenPart::Quiet),
+    if !app.message().is_some_and(|message| line.tell(message, app)) {
+        line.say(words().edits_by_others(), ScreenPart::Quiet);
     }
 }
 
 /// Says behind a line that is typed in what is wrong with it, or what its keys do.
 fn end(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(3);
-    if let Some(message) = app.message() {
-        line.tell(message, app);
+    keys(enter, escape, app, line);
+}
+
+/// What was said, or what keys do.
+fn keys(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
+    if app.message().is_some_and(|message| line.tell(message, app)) {
         return;
     }
     line.hint(&Key::Enter.to_string(), enter);

@@ -12,6 +12,8 @@ pub(super) struct Writer<'a> {
     buffer: &'a mut Buffer,
     x: u16,
     area: Rect,
+    /// What was said and has no room in the line.
+    untold: Option<String>,
 }
 
 impl<'a> Writer<'a> {
@@ -20,6 +22,7 @@ impl<'a> Writer<'a> {
             buffer,
             x: area.x,
             area,
+            untold: None,
         }
     }
 
@@ -52,18 +55,34 @@ impl<'a> Writer<'a> {
         self.x = self.x.saturating_add(columns);
     }
 
-    /// A message, over what stands before it if there is no room behind.
-    pub(super) fn tell(&mut self, message: &str, app: &App) {
-        let message = shown(message, app.glyphs());
-        let latest = self.area.right().saturating_sub(columns(&message));
-        let latest = latest.max(self.area.x);
-        if latest < self.x {
-            // It covers, but does not run into what it does not cover.
-            self.x = latest.saturating_sub(1).max(self.area.x);
-            self.say(" ", ScreenPart::Text);
-            self.x = latest;
+    /// A message, as a whole; false where there is no room for that, and it is left to be told above the line.
+    pub(super) fn tell(&mut self, message: &str, app: &App) -> bool {
+        let told = shown(message, app.glyphs());
+        if columns(&told) > self.room() {
+            self.leave_untold(message);
+            return false;
         }
-        self.say(&message, ScreenPart::Warning);
+        self.say(&told, ScreenPart::Warning);
+        true
+    }
+
+    /// This has no room in the line.
+    pub(super) fn leave_untold(&mut self, message: &str) {
+        self.untold = Some(message.to_owned());
+    }
+
+    /// What has no room in the line.
+    pub(super) fn untold(self) -> Option<String> {
+        self.untold
+    }
+
+    /// The end of what is typed that has room, with the caret behind it.
+    pub(super) fn typed(&mut self, text: &str) {
+        let room = usize::from(self.room().saturating_sub(1));
+        let skipped = text.chars().count().saturating_sub(room);
+        let seen: String = text.chars().skip(skipped).collect();
+        self.say(&seen, ScreenPart::Text);
+        self.say(" ", ScreenPart::Caret);
     }
 
     /// A key and what it does; nothing where there is no room for both.

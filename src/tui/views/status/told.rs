@@ -1,0 +1,66 @@
+//! What was said, where the last line has no room for the whole of it: it stands in as many lines as it takes above that
+//! one, over the verdict first, until the next key. Nothing that is typed or asked is covered.
+//!
+//! ```text
+//!  r3 length = 2 * b: there is no parameter `b`; parameters: a, rod, stroke,
+//!  width
+//!  edit  r3 length in mm, cm, m, in   Enter take  Esc cancel
+//! ```
+
+use crate::page::{cut, wrapped};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::player::open_scene::shown;
+use crate::tui::views::print;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::widgets::{Clear, Widget};
+
+/// Blanks before and behind the lines.
+const INDENT: u16 = 1;
+
+/// Lines above the last one of a screen, and where they stand.
+pub(in crate::tui::views) struct ToldAbove {
+    lines: Vec<String>,
+    pub(in crate::tui::views) place: Rect,
+}
+
+impl ToldAbove {
+    /// A message on a screen, whose first line stays as it is.
+    pub(super) fn of(message: &str, app: &App, screen: Rect) -> ToldAbove {
+        let width = usize::from(screen.width.saturating_sub(2 * INDENT)).max(1);
+        let mut lines = broken(&shown(message, app.glyphs()), width);
+        let most = usize::from(screen.height.saturating_sub(2));
+        if lines.len() > most {
+            lines.truncate(most);
+            if let Some(last) = lines.last_mut() {
+                *last = cut(&format!("{last} ..."), width);
+            }
+        }
+        let height = u16::try_from(lines.len()).unwrap_or(u16::MAX);
+        let place = Rect {
+            y: screen.bottom().saturating_sub(1 + height),
+            height,
+            ..screen
+        };
+        ToldAbove { lines, place }
+    }
+
+    pub(in crate::tui::views) fn render(&self, buffer: &mut Buffer) {
+        Clear.render(self.place, buffer);
+        for (y, line) in (self.place.top()..).zip(&self.lines) {
+            let (x, room) = (self.place.x + INDENT, self.place.width - INDENT);
+            print(buffer, x, y, room, line, theme::part(ScreenPart::Warning));
+        }
+    }
+}
+
+/// The words of a text in lines; one that is longer than a line, as a path may be, goes on in the next.
+pub(in crate::tui::views) fn broken(text: &str, width: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    for line in wrapped(text, width) {
+        let all: Vec<char> = line.chars().collect();
+        lines.extend(all.chunks(width.max(1)).map(String::from_iter));
+    }
+    lines
+}
