@@ -31,7 +31,7 @@ pub use subject::{Aspect, Share, Subject};
 pub use units::{known_unit, other_units, rate_unit, unit_factor};
 pub use value::{bound, state_word, value};
 
-use crate::expression::{LengthScale, Revolution};
+use crate::expression::{Cut, LengthScale, Revolution};
 use crate::solver::{Demand, Order, State};
 use crate::{Ball, Dual, Number};
 use std::sync::Arc;
@@ -152,6 +152,17 @@ impl Quantity {
             FigureSource::Derived(derived) => {
                 derived.kind().revolution == Some(Revolution::Wrapped)
             }
+        }
+    }
+
+    /// How it jumps where a direction that it is made of passes a full turn.
+    pub(crate) fn cut(&self) -> Cut {
+        match &self.source {
+            FigureSource::Solved(subject, aspect) => match aspect.kind(*subject).revolution {
+                Some(Revolution::Wrapped | Revolution::Counted) => Cut::ByTurns,
+                None => Cut::Nowhere,
+            },
+            FigureSource::Derived(derived) => derived.cut(),
         }
     }
 

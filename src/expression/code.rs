@@ -43,7 +43,7 @@ pub(crate) enum Op {
 
 impl Op {
     /// How many figures it takes.
-    fn takes(self) -> usize {
+    pub(super) fn takes(self) -> usize {
         match self {
             Op::Number(_) | Op::Pi | Op::Leaf(_) => 0,
             Op::Add

@@ -8,6 +8,7 @@
 
 mod code;
 mod compile;
+mod cuts;
 mod dimension;
 mod evaluate;
 mod evaluated;
@@ -21,6 +22,7 @@ mod tree;
 
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
+pub(crate) use cuts::Cut;
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
 pub(crate) use evaluated::{Evaluated, MeasuredNumber};

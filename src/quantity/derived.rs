@@ -1,7 +1,7 @@
 //! Figures that are made of others.
 
 use super::{Aspect, Subject};
-use crate::expression::{Code, Kind, Op, Part};
+use crate::expression::{Code, Cut, Kind, Op, Part};
 use crate::{Ball, Dual, Number};
 
 /// How a figure is made of figures that the solver finds.
@@ -110,6 +110,16 @@ impl Derived {
 }
 
 impl Derived {
+    /// How it jumps where a direction in it passes a full turn.
+    pub(super) fn cut(&self) -> Cut {
+        self.code.cut(|leaf| {
+            let Leaf {
+                subject, aspect, ..
+            } = &self.leaves[usize::from(leaf)];
+            aspect.kind(*subject).revolution.is_some()
+        })
+    }
+
     /// Whether any of its steps can turn over.
     pub(super) fn has_sides(&self) -> bool {
         self.code.has_sides()

@@ -311,6 +311,7 @@ pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> St
         NoFigure::DriverTurnsBack => told.driver_does_not_come_round().into(),
         NoFigure::NoRate => told.no_rate_known().into(),
         NoFigure::Unbounded(at) => told.rate_unbounded(&place(at)),
+        NoFigure::Jumps(at) => told.figure_jumps(&place(at)),
         NoFigure::NoLimit => told.no_limit().into(),
         NoFigure::NoDyad => told.no_dyad().into(),
         NoFigure::NoCoupledGroup => told.no_coupled_group().into(),

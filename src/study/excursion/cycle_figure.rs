@@ -3,6 +3,7 @@
 //! Behind the name of a column stands what is asked of it: `C.x.stroke`, `swing.ratio`, `r4.angle.greatest.at`,
 //! `C.x@60`. Of the mechanism as a whole there are `range`, `transmission` and `condition`.
 
+use crate::expression::Cut;
 use crate::nearest::nearest;
 use crate::quantity::{Catalogue, FigureSource, Quantity, Subject, demand, rate_unit};
 use crate::wording::words;
@@ -132,13 +133,13 @@ impl CycleFigure {
         self.column().is_some_and(|of| demand([of]).0.forces)
     }
 
-    /// Whether it is a direction, or a place in a turn: whole turns away it is the same.
+    /// Whether it is a direction, a sum of such, or a place in a turn: whole turns away it is the same.
     pub(crate) fn is_round(&self) -> bool {
-        self.is_direction() || self.is_place() && self.unit == "deg"
+        self.comes_round() || self.is_place() && self.unit == "deg"
     }
 
-    /// Whether it is a direction.
-    pub(super) fn is_direction(&self) -> bool {
+    /// Whether it is a direction or a sum of such.
+    pub(super) fn comes_round(&self) -> bool {
         let CycleFigureSource::Of(of, property) = &self.source else {
             return false;
         };
@@ -146,7 +147,7 @@ impl CycleFigure {
             property,
             FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest
         );
-        is_value && of.is_direction()
+        is_value && of.cut() == Cut::ByTurns
     }
 
     /// Whether it is a coordinate of the driver at which something is.

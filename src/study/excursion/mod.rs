@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! sampler       figures and their slopes by the driver's coordinate, anywhere and along the motion
+//! breaks        where a figure jumps because a direction in it passes a full turn
 //! turning       where a figure turns: roots of its slope, and none of them between two samples is lost
 //! quickest      where a rate is largest
 //! strokes       from the turning places: which way takes how long, and where the figure stays
@@ -16,6 +17,9 @@
 //! taken to go one way where the cubic through both values and slopes does, with a margin; where that does not, the
 //! stretch is halved, down to a thousandth.
 
+#[cfg(test)]
+mod break_tests;
+mod breaks;
 mod cycle_figure;
 mod evaluated;
 mod quickest;
@@ -31,6 +35,8 @@ pub use evaluated::CycleFigures;
 pub(crate) use seam::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
+use crate::angle::TURN;
+use crate::expression::Cut;
 use crate::quantity::Quantity;
 use crate::solver::{Range, Solver};
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
@@ -78,6 +84,8 @@ pub enum NoFigure {
     NoRate,
     /// Its rate does not exist at this coordinate: towards a dead point it grows beyond all bounds.
     Unbounded(f64),
+    /// It jumps at this coordinate, where a direction that its formula is made of passes a full turn.
+    Jumps(f64),
     /// The driver turns fully: there is no limit.
     NoLimit,
     /// No dyad has a transmission angle, or none of this name.
@@ -107,12 +115,12 @@ pub const USUAL_DWELL: f64 = 0.01;
 /// What a figure does over the whole motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Excursion {
-    /// Its smallest value. Of a direction that comes back, counted without a jump at 360 deg: the greatest is at
-    /// least 0 and below 360, the least may be negative.
+    /// Its smallest value. A direction that comes back, and a sum of such, is counted without jumps by full turns, from
+    /// its greatest value as it is in a state: the least of a direction may be negative.
     pub least: FigurePlace,
     /// Its greatest value.
     pub greatest: FigurePlace,
-    /// How often a direction turns round in one period of the motion, with its sense; 0 where it comes back.
+    /// How often a direction, or a sum of such, turns round in one period of the motion, with its sense; 0 where it comes back.
     pub revolutions: f64,
     /// Every place at which it turns, by the driver's coordinate: of a limited range the ends, too.
     pub turnings: Vec<TurningPlace>,
@@ -182,7 +190,7 @@ impl Excursion {
             greatest,
         } = Turnings::find(sampler, column, sampled)?;
         let range = sampler.range();
-        let revolutions = sampled.revolutions(range);
+        let revolutions = sampled.revolutions(range, sampler.cut(column));
         let size = sampler
             .size(column)
             .max(greatest.value.abs().max(least.value.abs()));
@@ -212,8 +220,8 @@ impl Excursion {
             let hardest = sampler.hardest(column, sampled, is_level);
             excursion.hardest = hardest.map(within);
         }
-        if sampler.is_direction(column) && revolutions == 0.0 {
-            excursion.count_from_nought();
+        if sampler.cut(column) == Cut::ByTurns && revolutions == 0.0 {
+            excursion.count_from_state(sampler.value(column, greatest.at));
         }
         for turning in &mut excursion.turnings {
             turning.place = reduced(turning.place, range);
@@ -224,10 +232,10 @@ impl Excursion {
         Ok(excursion)
     }
 
-    /// Counts a direction so that its greatest value is at least 0 and below a full turn.
-    fn count_from_nought(&mut self) {
-        let turn = crate::angle::TURN;
-        let off = turn * (self.greatest.value / turn).floor();
+    /// Counts what jumps by full turns so that it is at its greatest what it is in a state.
+    fn count_from_state(&mut self, greatest: Option<f64>) {
+        let turns = (self.greatest.value - greatest.unwrap_or(0.0)) / TURN;
+        let off = TURN * turns.round();
         let turnings = self.turnings.iter_mut().map(|turning| &mut turning.place);
         let dwells = self.dwells.iter_mut().flat_map(|(_, dwells)| dwells);
         let dwells = dwells.map(|dwell| &mut dwell.about.place);
@@ -240,9 +248,17 @@ impl Excursion {
 
 /// A place within the first period.
 fn reduced(place: FigurePlace, range: Range) -> FigurePlace {
-    let at = match range {
+    FigurePlace {
+        at: first_period(place.at, range),
+        ..place
+    }
+}
+
+/// A coordinate within the first period.
+fn first_period(at: f64, range: Range) -> f64 {
+    match range {
         Range::Full { period } => {
-            let at = place.at.rem_euclid(period);
+            let at = at.rem_euclid(period);
             // What is less than a rounding before the seam is at it.
             if period - at <= 1e-12 * period {
                 0.0
@@ -250,7 +266,6 @@ fn reduced(place: FigurePlace, range: Range) -> FigurePlace {
                 at
             }
         }
-        Range::Limited { .. } => place.at,
-    };
-    FigurePlace { at, ..place }
+        Range::Limited { .. } => at,
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::NoFigure;
 use crate::angle::{self, TURN, radians};
+use crate::expression::Cut;
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{Driver, Input, LANES, Lanes};
@@ -58,6 +59,7 @@ pub(super) struct SampledFigure {
 
 /// A figure and those that are its rates.
 struct SlopedFigure {
+    cut: Cut,
     by_degree: Vec<Quantity>,
     /// What each is multiplied by for the slope of the figure by the coordinate.
     factors: [f64; 3],
@@ -146,8 +148,9 @@ impl MotionSampler {
         self.source
     }
 
-    pub(super) fn is_direction(&self, column: usize) -> bool {
-        self.columns[column].by_degree[0].is_direction()
+    /// How a figure jumps where a direction in it passes a full turn.
+    pub(super) fn cut(&self, column: usize) -> Cut {
+        self.columns[column].cut
     }
 
     /// The size of what a figure comes from, by which its rounding is judged.
@@ -205,12 +208,12 @@ impl MotionSampler {
         Some(value * self.columns[column].factors[degree])
     }
 
-    /// A figure with its slope; NaN for what does not exist. A direction is counted from another one.
+    /// A figure with its slope; NaN for what does not exist. What jumps by full turns is counted from a value beside.
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
-        let value = match self.is_direction(column) {
-            true => angle::beside(beside, value),
-            false => value,
+        let value = match self.cut(column) {
+            Cut::ByTurns => angle::beside(beside, value),
+            Cut::Nowhere | Cut::Otherwise => value,
         };
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
         FigureSample { at, value, slope }
@@ -232,7 +235,7 @@ impl MotionSampler {
             }
         }
         for (column, sampled) in self.columns.iter().zip(&mut sampled) {
-            if column.by_degree[0].is_direction() {
+            if column.cut == Cut::ByTurns {
                 sampled.unwrap_turns();
             }
         }
@@ -296,6 +299,7 @@ impl SlopedFigure {
             1.0
         };
         SlopedFigure {
+            cut: figure.cut(),
             by_degree,
             factors: [1.0, unit / pace, unit / (pace * pace)],
         }
@@ -313,7 +317,7 @@ impl SampledFigure {
         }
     }
 
-    /// Counts a direction on, without a jump where it passes 360 degrees.
+    /// Counts on what jumps by full turns, without these.
     fn unwrap_turns(&mut self) {
         for k in 1..self.at.len() {
             let before = self.sample(k - 1);
@@ -326,11 +330,13 @@ impl SampledFigure {
         }
     }
 
-    /// How often it has turned round when the motion repeats.
-    pub(super) fn revolutions(&self, range: Range) -> f64 {
+    /// How often it has turned round when the motion repeats; 0 of what jumps by no full turns.
+    pub(super) fn revolutions(&self, range: Range, cut: Cut) -> f64 {
         let values = &self.by_degree[0];
-        match (range, values.first(), values.last()) {
-            (Range::Full { .. }, Some(first), Some(last)) => ((last - first) / TURN).round() + 0.0,
+        match (range, cut, values.first(), values.last()) {
+            (Range::Full { .. }, Cut::ByTurns, Some(first), Some(last)) => {
+                ((last - first) / TURN).round() + 0.0
+            }
             _ => 0.0,
         }
     }

@@ -38,10 +38,10 @@ impl FigureSeams {
 }
 
 impl CycleFigure {
-    /// After how much it is the same again: a direction after a turn, a place in a motion that comes round after that.
+    /// After how much it is the same again: a direction, and a sum of such, after a turn, a place in a motion that comes round after that.
     fn period(&self, range: Range) -> Option<f64> {
         match range {
-            _ if self.is_direction() => Some(TURN),
+            _ if self.comes_round() => Some(TURN),
             Range::Full { period } if self.is_place() => Some(period),
             Range::Full { .. } | Range::Limited { .. } => None,
         }

@@ -5,17 +5,20 @@ use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 
-fn opened(text: &str) -> (Scene, Solver) {
+pub(super) fn opened(text: &str) -> (Scene, Solver) {
     let scene = Scene::parse(text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     (scene, solver)
 }
 
-fn preset(name: &str) -> (Scene, Solver) {
+pub(super) fn preset(name: &str) -> (Scene, Solver) {
     opened(presets::find(name).unwrap().text)
 }
 
-fn figures((scene, solver): &(Scene, Solver), names: &[&str]) -> Vec<Result<f64, NoFigure>> {
+pub(super) fn figures(
+    (scene, solver): &(Scene, Solver),
+    names: &[&str],
+) -> Vec<Result<f64, NoFigure>> {
     let catalogue = Catalogue::new(scene);
     let parsed = names
         .iter()
@@ -35,7 +38,7 @@ fn excursion((scene, solver): &(Scene, Solver), name: &str, tolerance: Option<f6
         .unwrap()
 }
 
-fn close(found: &[Result<f64, NoFigure>], wanted: &[f64], within: f64) {
+pub(super) fn close(found: &[Result<f64, NoFigure>], wanted: &[f64], within: f64) {
     assert_eq!(found.len(), wanted.len());
     for (found, wanted) in found.iter().zip(wanted) {
         let found = found.unwrap();
@@ -47,7 +50,7 @@ fn close(found: &[Result<f64, NoFigure>], wanted: &[f64], within: f64) {
 }
 
 /// A slider-crank whose guide lies `offset` beside the crank's pivot.
-fn slider_crank(crank: f64, rod: f64, offset: f64) -> (Scene, Solver) {
+pub(super) fn slider_crank(crank: f64, rod: f64, offset: f64) -> (Scene, Solver) {
     opened(&format!(
         "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"crank\"\nangle = 60\nspeed = \"10 rad/s\"\n\
          [links]\ncrank = {{ from = \"A\", to = \"B\", length = {crank} }}\n\

@@ -35,6 +35,7 @@ impl Turnings {
         if let Some(gap) = sampled.gap() {
             return Err(gap);
         }
+        sampler.check_for_jumps(column, sampled)?;
         let candidates = match sampler.has_slope(column) {
             true => by_slope(sampler, column, sampled),
             false => by_values(sampler, column, sampled),
@@ -51,7 +52,7 @@ impl Turnings {
             false => UNDONE_BY_VALUES,
         };
         let finest = undone * (greatest.value - least.value);
-        let goes_round = sampled.revolutions(sampler.range()) == 0.0;
+        let goes_round = sampled.revolutions(sampler.range(), sampler.cut(column)) == 0.0;
         Ok(Turnings {
             places: match sampler.range() {
                 Range::Full { .. } if goes_round => around(&candidates, finest),

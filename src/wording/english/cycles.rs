@@ -19,6 +19,7 @@ catalogue! {
         driver_does_not_come_round = "the driver turns back before it has gone round";
         no_rate_known = "its rate is no figure of a state";
         rate_unbounded(at: &str) = "it grows beyond all bounds towards {at}";
+        figure_jumps(at: &str) = "it jumps at {at}, where a direction in its formula passes a full turn";
         no_limit = "the driver turns fully";
         no_dyad = "no dyad has a transmission angle";
         no_coupled_group = "no group is solved by iteration";

@@ -19,6 +19,7 @@ catalogue! {
         driver_does_not_come_round = "tahrik turunu tamamlamadan geri dönüyor";
         no_rate_known = "hızı bir konumun büyüklüğü değil";
         rate_unbounded(at: &str) = "{at} konumuna doğru sınırsız büyüyor";
+        figure_jumps(at: &str) = "{at} konumunda sıçrıyor: formülündeki bir yön orada tam turu geçiyor";
         no_limit = "tahrik tam dönüyor";
         no_dyad = "bağlama açısı olan ikili grup yok";
         no_coupled_group = "yinelemeyle çözülen grup yok";
