@@ -27,6 +27,8 @@ pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
 pub(crate) use evaluated::{Evaluated, MeasuredNumber};
 pub(crate) use parser::{is_unit, parse};
+#[cfg(test)]
+pub(crate) use tree::functions;
 pub(crate) use tree::{ExpressionTree, is_function};
 
 use std::ops::Range;

@@ -106,11 +106,14 @@ impl MathFunction {
     }
 }
 
+/// What a formula may call, by name.
+pub(crate) fn functions() -> impl Iterator<Item = &'static str> {
+    MathFunction::ALL.into_iter().map(MathFunction::name)
+}
+
 /// Whether a word is what a formula may call.
 pub(crate) fn is_function(word: &str) -> bool {
-    MathFunction::ALL
-        .iter()
-        .any(|function| function.name() == word)
+    functions().any(|name| name == word)
 }
 
 impl ExpressionTree {

@@ -52,6 +52,19 @@ fn heads(text: &str) -> Vec<String> {
     heads.flat_map(|pair| words(pair[0])).collect()
 }
 
+/// What a formula may call is told of where formulas are, all of it.
+#[test]
+fn every_function_is_told_of() {
+    for language in Language::ALL {
+        language.speak();
+        let text = find("scene").unwrap().text(String::new);
+        let words: Vec<&str> = text.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+        for function in crate::expression::functions() {
+            assert!(words.contains(&function), "{function} in {language:?}");
+        }
+    }
+}
+
 /// Every word of a topic is shown at every width.
 #[test]
 fn no_word_is_lost() {
