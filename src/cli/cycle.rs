@@ -6,23 +6,37 @@ use super::failure::Failure;
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use super::sweep::figures;
-use crate::quantity::Catalogue;
+use super::sweep::{entries, figures};
+use crate::quantity::{Catalogue, Quantity};
 use crate::report::{CycleReport, usual_columns};
+use crate::scene::Scene;
 
 pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let columns = match args.columns.is_empty() {
         true => usual_columns(&scene),
-        false => figures(&mut Catalogue::new(&scene), &args.columns)?,
+        false => named_columns(&scene, &args.columns)?,
     };
     tell_of_near_misses(&scene, &solver, screen);
     let report = CycleReport::new(&scene, &solver, &columns, args.dwell);
+    let report = report.with_bounds(args.bounds);
     let output = args.output.output.as_deref();
     match args.format {
         OutputFormat::Text => write_text(output, &report.to_text(screen.ascii)),
         OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json())),
         OutputFormat::Csv => write_to(output, |out| report.write_csv(dialect, out)),
     }
+}
+
+/// The columns that the patterns name; the driver's coordinate, too, which tables have anyway.
+fn named_columns(scene: &Scene, patterns: &[String]) -> Result<Vec<Quantity>, Failure> {
+    let mut catalogue = Catalogue::new(scene);
+    let found = figures(&mut catalogue, patterns)?;
+    let driver = catalogue.driver();
+    let mut all = patterns.iter().flat_map(|list| entries(list));
+    let driver = all
+        .any(|pattern| pattern.trim() == driver.name)
+        .then(|| driver.clone());
+    Ok(driver.into_iter().chain(found).collect())
 }

@@ -2,7 +2,8 @@
 
 use super::check_page::{condition_text, place_text};
 use super::cycle_report::{CycleReport, FollowedFigure, WorstPlace};
-use super::number::{concise, known_digits, significant};
+use super::entry::{seen, seen_bound};
+use super::number::{concise, known_digits, significant, upwards};
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::quantity::{Quantity, rate_unit};
 use crate::scene::Scene;
@@ -18,6 +19,8 @@ const ALL: usize = 9;
 const DIGITS: usize = 6;
 /// Of a dwell.
 const SOME: usize = 5;
+/// Of a bound.
+const BOUND_DIGITS: usize = 2;
 /// A place nearer to 0 than this part of the motion is 0.
 const SAME_PLACE: f64 = 1e-12;
 /// Turning places in a line.
@@ -42,6 +45,9 @@ impl CycleReport {
             Range::Full { .. } => words().cycle_goes_round(&speed, &self.range_text),
             Range::Limited { .. } => words().cycle_of_range(&speed, &self.range_text),
         });
+        if self.is_timed {
+            page.text_below(words().cycle_leaves_motion_out().to_owned());
+        }
         if self.figures.is_empty() {
             page.text_below(words().nothing_to_follow().to_owned());
         }
@@ -88,9 +94,8 @@ impl CycleReport {
         match &figure.excursion {
             Err(why) => facts.tell(&indented(label), [self.none(*why)]),
             Ok(excursion) if excursion.is_level() => {
-                let value = concise(excursion.greatest.value, ALL);
-                let unit = &figure.quantity.unit;
-                let told = words().stays_at(&format!("{value} {unit}"));
+                let value = self.value_text(figure, excursion.greatest);
+                let told = words().stays_at(&value);
                 facts.tell(&indented(label), [told]);
             }
             Ok(excursion) => self.tell((figure, excursion), label, &mut facts),
@@ -105,13 +110,12 @@ impl CycleReport {
         facts: &mut Facts,
     ) {
         let unit = &figure.quantity.unit;
-        let bound = |at| figure.bound_at(at, self.range);
         let stroke = self.stroke_text(figure, excursion);
         facts.tell(&indented(label), [stroke]);
         let turns = excursion
             .turnings
             .iter()
-            .map(|turn| self.turn_text(turn, unit, bound(turn.place.at)));
+            .map(|turn| self.turn_text(turn, figure));
         facts.tell(&indented(words().label_turns()), turns);
         let ratio = match excursion.ratio {
             Ok(ratio) => Some(self.ratio_text(ratio)),
@@ -121,7 +125,9 @@ impl CycleReport {
         facts.tell(&indented(words().label_ratio()), ratio);
         if let Some((tolerance, dwells)) = &excursion.dwells {
             let tolerance = format!("{} {unit}", concise(*tolerance, FEW));
-            let told = dwells.iter().map(|d| self.dwell_text(d, &tolerance));
+            let told = dwells
+                .iter()
+                .map(|d| self.dwell_text(d, &tolerance, figure));
             let mut told: Vec<String> = told.collect();
             if told.is_empty() {
                 told.push(words().never_dwells().to_owned());
@@ -138,14 +144,12 @@ impl CycleReport {
     /// How far a figure goes, or how often it turns round.
     fn stroke_text(&self, figure: &FollowedFigure, excursion: &Excursion) -> String {
         let unit = &figure.quantity.unit;
-        let bound = |at| figure.bound_at(at, self.range);
         match excursion.stroke() {
             Ok(stroke) => {
-                let bound = bound(excursion.least.at) + bound(excursion.greatest.at);
-                format!(
-                    "{} {unit}",
-                    concise(stroke, known_digits(stroke, bound, ALL))
-                )
+                let ends = [excursion.least.at, excursion.greatest.at];
+                let limits: f64 = ends.map(|at| self.limit_bound(figure, at)).iter().sum();
+                let value = concise(stroke, known_digits(stroke, limits, ALL));
+                self.bounded(format!("{value} {unit}"), figure.stroke_bound(excursion))
             }
             Err(_) if excursion.revolutions.abs() == 1.0 => words().turns_round_once().to_owned(),
             Err(_) => words().turns_round_times(&concise(excursion.revolutions.abs(), FEW)),
@@ -166,8 +170,8 @@ impl CycleReport {
     fn line(&self, figure: &FollowedFigure, excursion: &Excursion) -> String {
         let unit = &figure.quantity.unit;
         if excursion.is_level() {
-            let value = concise(excursion.greatest.value, ALL);
-            return words().stays_at(&format!("{value} {unit}"));
+            let value = self.value_text(figure, excursion.greatest);
+            return words().stays_at(&value);
         }
         let stroke = self.stroke_text(figure, excursion);
         let mut told = vec![match (excursion.stroke(), unit.as_str()) {
@@ -181,12 +185,8 @@ impl CycleReport {
         let is_told = |turn: &&TurningPlace| {
             excursion.turnings.len() <= MOST_TURNS || extremes.contains(&turn.place.at)
         };
-        let bound = |at| figure.bound_at(at, self.range);
-        told.extend(
-            turnings
-                .filter(is_told)
-                .map(|turn| self.turn_text(turn, unit, bound(turn.place.at))),
-        );
+        let turnings = turnings.filter(is_told);
+        told.extend(turnings.map(|turn| self.turn_text(turn, figure)));
         if let Ok(ratio) = excursion.ratio {
             let ratio = self.ratio_text(ratio);
             told.push(format!("{} {ratio}", words().label_ratio()));
@@ -235,13 +235,44 @@ impl CycleReport {
         lines.collect()
     }
 
-    fn turn_text(&self, turn: &TurningPlace, unit: &str, bound: f64) -> String {
-        let value = turn.place.value;
-        let value = format!("{} {unit}", concise(value, known_digits(value, bound, ALL)));
+    /// A value that is told with its place: no more digits of it than are known at a limit, and 0 where it is no more
+    /// than its bound.
+    fn value_text(&self, figure: &FollowedFigure, place: FigurePlace) -> String {
+        let bound = figure.bound_at(place.at);
+        let value = seen(place.value, bound);
+        let digits = known_digits(value, self.limit_bound(figure, place.at), ALL);
+        let text = format!("{} {}", concise(value, digits), figure.quantity.unit);
+        self.bounded(text, seen_bound(place.value, bound))
+    }
+
+    /// A value, and its bound where bounds are asked for.
+    fn bounded(&self, value: String, bound: Option<f64>) -> String {
+        match (self.with_bounds, bound) {
+            (false, _) => value,
+            (true, Some(bound)) => format!("{value} +- {}", upwards(bound, BOUND_DIGITS)),
+            (true, None) => format!("{value} +- ?"),
+        }
+    }
+
+    /// By how much a figure may be off at a limit of the motion; 0 elsewhere, infinite where no bound can be proved.
+    fn limit_bound(&self, figure: &FollowedFigure, at: f64) -> f64 {
+        match self.range {
+            Range::Limited { low, high } if at == low || at == high => {
+                figure.bound_at(at).unwrap_or(f64::INFINITY)
+            }
+            Range::Limited { .. } | Range::Full { .. } => 0.0,
+        }
+    }
+
+    fn turn_text(&self, turn: &TurningPlace, figure: &FollowedFigure) -> String {
+        let value = self.value_text(figure, turn.place);
         let at = place_text(turn.place.at, &self.driver.unit);
-        let told = match turn.is_peak {
-            true => words().peak_at(&value, &at),
-            false => words().dip_at(&value, &at),
+        let until = turn.until.map(|at| place_text(at, &self.driver.unit));
+        let told = match (turn.is_peak, until) {
+            (true, None) => words().peak_at(&value, &at),
+            (false, None) => words().dip_at(&value, &at),
+            (true, Some(until)) => words().peak_between(&value, &at, &until),
+            (false, Some(until)) => words().dip_between(&value, &at, &until),
         };
         match turn.is_limit {
             true => words().limit_of_driver(&told),
@@ -262,7 +293,7 @@ impl CycleReport {
         words().slow_by_quick(&value, &ways[0], &ways[1], ratio.rises_slowly)
     }
 
-    fn dwell_text(&self, dwell: &DwellStretch, tolerance: &str) -> String {
+    fn dwell_text(&self, dwell: &DwellStretch, tolerance: &str, figure: &FollowedFigure) -> String {
         let unit = &self.driver.unit;
         let way = format!("{} {unit}", significant(dwell.way, SOME));
         let way = match dwell.seconds {
@@ -275,7 +306,8 @@ impl CycleReport {
             false => significant(at, SOME),
         };
         let [from, to] = [dwell.from, dwell.to].map(place);
-        let of = concise(dwell.about.place.value, SOME);
+        let about = dwell.about.place;
+        let of = concise(seen(about.value, figure.bound_at(about.at)), SOME);
         let way = match dwell.there_and_back {
             true => words().way_there_and_back(&way),
             false => way,
@@ -298,15 +330,20 @@ impl CycleReport {
     }
 }
 
-/// The most telling properties of one figure in a few short lines.
+/// What one figure does over the motion: its most telling properties in a few short lines, and all of it.
 #[cfg_attr(
     not(feature = "tui"),
     allow(dead_code, reason = "said in the workbench")
 )]
-pub(crate) fn brief_cycle(scene: &Scene, solver: &Solver, quantity: &Quantity) -> Vec<String> {
+pub(crate) fn brief_cycle(
+    scene: &Scene,
+    solver: &Solver,
+    quantity: &Quantity,
+) -> (Vec<String>, Page) {
     let report = CycleReport::of_columns(scene, solver, std::slice::from_ref(quantity), None);
     let figures = report.figures.iter();
-    figures.flat_map(|figure| report.brief(figure)).collect()
+    let lines = figures.flat_map(|figure| report.brief(figure)).collect();
+    (lines, report.page())
 }
 
 fn indented(label: &str) -> String {

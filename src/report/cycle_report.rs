@@ -30,20 +30,23 @@ pub struct FollowedFigure {
     pub quantity: Quantity,
     /// What it does.
     pub excursion: Result<Excursion, NoFigure>,
-    /// By how much it may be off at the limits of the motion, the lower and the upper one: where these are dead points,
-    /// by the root of what rounding makes of the driver's coordinate. 0 where the driver turns fully; infinite where no
-    /// bound can be proved.
-    pub limit_bounds: [f64; 2],
+    /// The driver's coordinates at which it is told what it is, and by how much it may be off there: at a limit that is a
+    /// dead point by the root of what rounding makes of the coordinate. `None` where no bound can be proved.
+    pub bounds: Vec<(f64, Option<f64>)>,
 }
 
 impl FollowedFigure {
-    /// By how much its value at a place may be off, where that is a limit.
-    pub(super) fn bound_at(&self, at: f64, range: Range) -> f64 {
-        match range {
-            Range::Limited { low, .. } if at == low => self.limit_bounds[0],
-            Range::Limited { high, .. } if at == high => self.limit_bounds[1],
-            Range::Limited { .. } | Range::Full { .. } => 0.0,
-        }
+    /// By how much its value at a place that is told may be off.
+    pub(super) fn bound_at(&self, at: f64) -> Option<f64> {
+        let told = self.bounds.iter().find(|(place, _)| *place == at);
+        told.and_then(|(_, bound)| *bound)
+    }
+
+    /// By how much its stroke may be off.
+    pub(super) fn stroke_bound(&self, excursion: &Excursion) -> Option<f64> {
+        let [least, greatest] = [excursion.least, excursion.greatest];
+        excursion.stroke().ok()?;
+        Some((self.bound_at(least.at)? + self.bound_at(greatest.at)?).next_up())
     }
 }
 
@@ -62,7 +65,14 @@ pub struct CycleReport {
     /// The driver's coordinate and its unit.
     pub(super) driver: Quantity,
     pub(super) speed: f64,
+    /// Whether the scene has a motion over time, which is not followed here.
+    pub(super) is_timed: bool,
+    /// Whether bounds are told.
+    pub(super) with_bounds: bool,
 }
+
+/// Of which properties a bound is known.
+const BOUNDED: [&str; 3] = ["stroke", "least", "greatest"];
 
 /// A property of a figure: its name, its value and unit, and the driver's coordinate where it has a place.
 struct Property {
@@ -70,6 +80,7 @@ struct Property {
     value: Result<f64, NoFigure>,
     unit: String,
     at: Option<f64>,
+    bound: Option<f64>,
 }
 
 impl CycleReport {
@@ -117,12 +128,12 @@ impl CycleReport {
     ) -> CycleReport {
         let catalogue = Catalogue::new(scene);
         let found = Excursion::of_all(solver, columns, wish);
-        let bounds = limit_bounds(solver, columns);
+        let bounds = bounds(solver, columns, &found);
         let figures = columns.iter().zip(found).zip(bounds);
-        let figures = figures.map(|((quantity, excursion), limit_bounds)| FollowedFigure {
+        let figures = figures.map(|((quantity, excursion), bounds)| FollowedFigure {
             quantity: quantity.clone(),
             excursion,
-            limit_bounds,
+            bounds,
         });
         CycleReport {
             figures: figures.collect(),
@@ -133,6 +144,17 @@ impl CycleReport {
             range_text: range_text(solver.motion().range, catalogue.driver()),
             driver: catalogue.driver().clone(),
             speed: scene.mechanism.driver().speed,
+            is_timed: scene.motion.is_some(),
+            with_bounds: false,
+        }
+    }
+
+    /// The same with what the error of strokes and of values at turns does not exceed.
+    #[must_use]
+    pub fn with_bounds(self, with_bounds: bool) -> CycleReport {
+        CycleReport {
+            with_bounds,
+            ..self
         }
     }
 
@@ -189,17 +211,25 @@ impl CycleReport {
                 (Ok(value), None) => json!(value),
                 (Err(why), _) => json!({"none": self.reason(why, Language::English)}),
             };
+            if self.with_bounds && BOUNDED.contains(&property.name.as_str()) {
+                all[format!("{}.bound", property.name)] = json!(property.bound);
+            }
         }
         let Ok(excursion) = &figure.excursion else {
             return all;
         };
         let turn = |turn: &crate::study::TurningPlace| {
-            json!({
+            let mut told = json!({
                 "at": turn.place.at + 0.0,
+                "until": turn.until.map(|at| at + 0.0),
                 "value": turn.place.value,
                 "greatest": turn.is_peak,
                 "limit": turn.is_limit,
-            })
+            });
+            if self.with_bounds {
+                told["bound"] = json!(figure.bound_at(turn.place.at));
+            }
+            told
         };
         all["turns"] = excursion.turnings.iter().map(turn).collect();
         all
@@ -212,7 +242,9 @@ impl CycleReport {
     pub fn write_csv(&self, dialect: CsvDialect, out: &mut dyn io::Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, out);
         let header = ["figure", "property", "value", "unit", "at", "reason"];
-        csv.record(header.map(str::to_owned))?;
+        let bounds = self.with_bounds;
+        let header = header.into_iter().chain(bounds.then_some("bound"));
+        csv.record(&header.map(str::to_owned).collect::<Vec<_>>())?;
         let number = |value: Option<f64>| {
             let mut text = String::new();
             if let Some(value) = value.filter(|v| v.is_finite()) {
@@ -226,14 +258,18 @@ impl CycleReport {
             for property in all {
                 let reason = property.value.err();
                 let reason = reason.map(|why| self.reason(why, Language::English));
-                csv.record(&[
+                let cells = [
                     figure.quantity.name.clone(),
                     property.name,
                     number(property.value.ok()),
                     property.unit,
                     number(property.at),
                     reason.unwrap_or_default(),
-                ])?;
+                ];
+                let cells = cells
+                    .into_iter()
+                    .chain(bounds.then(|| number(property.bound)));
+                csv.record(&cells.collect::<Vec<_>>())?;
             }
         }
         let angles = self.transmission.iter();
@@ -245,6 +281,7 @@ impl CycleReport {
             let [least, at] = [least, at].map(|value| number(Some(value)));
             let cells = [name.to_owned(), group.clone(), least, unit.to_owned(), at];
             let cells = cells.into_iter().chain([String::new()]);
+            let cells = cells.chain(bounds.then(String::new));
             csv.record(cells.collect::<Vec<_>>())?;
         }
         csv.finish()
@@ -264,12 +301,18 @@ impl CycleReport {
             unit: unit.to_owned(),
             value: place.map(|place| place.value),
             at: place.ok().map(|place| place.at),
+            bound: None,
+        };
+        let bounded = |name: &str, place: Result<FigurePlace, NoFigure>| Property {
+            bound: place.ok().and_then(|place| figure.bound_at(place.at)),
+            ..placed(name, unit, place)
         };
         let plain = |name: &str, unit: &str, value: Result<f64, NoFigure>| Property {
             name: name.to_owned(),
             unit: unit.to_owned(),
             value,
             at: None,
+            bound: None,
         };
         let of = |find: &dyn Fn(&Excursion) -> Result<FigurePlace, NoFigure>| {
             excursion.as_ref().map_err(|&why| why).and_then(find)
@@ -278,9 +321,12 @@ impl CycleReport {
             excursion.as_ref().map_err(|&why| why).and_then(find)
         };
         vec![
-            plain("stroke", unit, number(&Excursion::stroke)),
-            placed("least", unit, of(&|e| e.stroke().map(|_| e.least))),
-            placed("greatest", unit, of(&|e| e.stroke().map(|_| e.greatest))),
+            Property {
+                bound: excursion.as_ref().ok().and_then(|e| figure.stroke_bound(e)),
+                ..plain("stroke", unit, number(&Excursion::stroke))
+            },
+            bounded("least", of(&|e| e.stroke().map(|_| e.least))),
+            bounded("greatest", of(&|e| e.stroke().map(|_| e.greatest))),
             plain("ratio", "", number(&|e| e.ratio.map(|r| r.value))),
             plain("dwell", &self.driver.unit, number(&longest_dwell)),
             placed("fastest", &rate, of(&|e| e.fastest)),
@@ -306,6 +352,7 @@ pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> St
         NoFigure::TurnsRound => told.turns_round().into(),
         NoFigure::NeverTurns => told.never_turns().into(),
         NoFigure::Stands => told.figure_stands().into(),
+        NoFigure::Rests => told.figure_rests().into(),
         NoFigure::ThereAndBack => told.there_and_back_alike().into(),
         NoFigure::DriverStands => told.driver_has_no_speed().into(),
         NoFigure::DriverTurnsBack => told.driver_does_not_come_round().into(),
@@ -340,24 +387,39 @@ pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     names.filter_map(|name| catalogue.find(&name)).collect()
 }
 
-/// By how much columns may be off at the limits of the motion.
-fn limit_bounds(solver: &Solver, columns: &[Quantity]) -> Vec<[f64; 2]> {
-    let mut bounds = vec![[0.0; 2]; columns.len()];
-    let Range::Limited { low, high } = solver.motion().range else {
-        return bounds;
-    };
+/// By how much columns may be off where they turn, and at their extremes.
+fn bounds(
+    solver: &Solver,
+    columns: &[Quantity],
+    found: &[Result<Excursion, NoFigure>],
+) -> Vec<Vec<(f64, Option<f64>)>> {
     let (wanted, order) = demand(columns);
     let solver = solver.only(&wanted);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    for (end, at) in [low, high].into_iter().enumerate() {
-        if solver.solve(at, order, &mut state) != Condition::NoAssembly {
-            solver.enclose(&mut state, order, &mut enclosure);
+    let mut bound = |column: &Quantity, at: f64| {
+        if solver.solve(at, order, &mut state) == Condition::NoAssembly {
+            return None;
         }
-        for (column, bounds) in columns.iter().zip(&mut bounds) {
-            bounds[end] = column.bound(&state, &enclosure).unwrap_or(f64::INFINITY);
-        }
-    }
-    bounds
+        solver.enclose(&mut state, order, &mut enclosure);
+        column.bound(&state, &enclosure)
+    };
+    let places = |excursion: &Excursion| {
+        let ends = [excursion.least, excursion.greatest];
+        let turnings = excursion.turnings.iter().map(|turning| turning.place);
+        let mut places: Vec<f64> = ends.into_iter().chain(turnings).map(|p| p.at).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        places
+    };
+    let figures = columns.iter().zip(found);
+    let figures = figures.map(|(column, excursion)| {
+        let places = excursion.as_ref().map(places).unwrap_or_default();
+        places
+            .into_iter()
+            .map(|at| (at, bound(column, at)))
+            .collect()
+    });
+    figures.collect()
 }
 
 /// Every dyad where its transmission angle is furthest from 90 degrees.
@@ -385,13 +447,21 @@ fn longest_dwell(excursion: &Excursion) -> Result<f64, NoFigure> {
     ways.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
 }
 
-/// Every place where a figure turns.
+/// Every place where a figure turns, and until where it stays there.
 fn turning_rows(figure: &FollowedFigure) -> impl Iterator<Item = Property> {
     let turnings = figure.excursion.iter().flat_map(|found| &found.turnings);
-    turnings.zip(1..).map(|(turning, number)| Property {
-        name: format!("turn.{number}"),
-        value: Ok(turning.place.value),
-        unit: figure.quantity.unit.clone(),
-        at: Some(turning.place.at),
+    turnings.zip(1..).flat_map(|(turning, number)| {
+        let row = |name: String, at: f64| Property {
+            name,
+            value: Ok(turning.place.value),
+            unit: figure.quantity.unit.clone(),
+            at: Some(at),
+            bound: figure.bound_at(turning.place.at),
+        };
+        let until = turning.until;
+        let until = until.map(|at| row(format!("turn.{number}.until"), at));
+        [Some(row(format!("turn.{number}"), turning.place.at)), until]
+            .into_iter()
+            .flatten()
     })
 }

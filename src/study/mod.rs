@@ -30,7 +30,7 @@ pub use design::{
 };
 pub use excursion::{
     CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionWish, FigurePlace, NoFigure,
-    TimeRatio, TurningPlace, USUAL_DWELL, UnknownCycleFigure,
+    TimeRatio, TurningPlace, USUAL_DWELL, UnknownCycleFigure, changing,
 };
 pub use exercise::{Exercise, ExerciseMaker, ExerciseTitles};
 pub use findings::{

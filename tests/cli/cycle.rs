@@ -126,3 +126,61 @@ fn a_link_that_turns_evenly_has_no_acceleration() {
     assert!(text.contains("fastest      1.00000 rad/s"), "{text}");
     assert!(text.contains("hardest      0 rad/s^2"), "{text}");
 }
+
+/// The rack of a steering stands in the middle at 0, but for rounding.
+#[test]
+fn rounding_is_told_as_nought() {
+    let text = done(&["cycle", "ackermann"]);
+    assert!(!text.contains("e-1"), "{text}");
+    let bounds = done(&["cycle", "ackermann", "--bounds"]);
+    assert!(bounds.contains(" +- "), "{bounds}");
+}
+
+/// Its bound stands beside each value at a turn, and that of a stroke is no less than both.
+#[test]
+fn bounds_are_those_of_each_value() {
+    let told = ["cycle", "four-bar", "--columns", "C.x", "--bounds"];
+    let found = json(&done(&[&told[..], &["--format", "json"]].concat()));
+    let figure = &found["figures"][0];
+    let bound = |of: &serde_json::Value| of["bound"].as_f64().unwrap();
+    let turns = figure["turns"].as_array().unwrap();
+    assert!(
+        turns
+            .iter()
+            .all(|turn| bound(turn) > 0.0 && bound(turn) < 1e-9)
+    );
+    let sum: f64 = turns.iter().map(bound).sum();
+    assert!(figure["stroke.bound"].as_f64().unwrap() >= sum, "{figure}");
+    let csv = done(&[&told[..], &["--format", "csv"]].concat());
+    assert!(
+        csv.starts_with("figure,property,value,unit,at,reason,bound\n"),
+        "{csv}"
+    );
+    let text = done(&told);
+    assert_eq!(text.matches(" +- ").count(), 3, "{text}");
+}
+
+/// The driver's coordinate has a column of its own in tables; here it is asked for like others.
+#[test]
+fn the_driver_is_followed_where_it_is_named() {
+    let text = done(&["cycle", "four-bar", "--columns", "driver.angle"]);
+    assert!(text.contains("driver.angle [deg]"), "{text}");
+    assert!(text.contains("turns round once in a period"), "{text}");
+    assert!(text.contains("15.0000 rad/s"), "{text}");
+}
+
+/// A quotient of speeds whose divisor passes 0 has a reason; a figure that rests tells from where to where.
+#[test]
+fn poles_and_rests_are_told() {
+    let text = done(&["cycle", "four-bar", "--columns", "MA = r2.omega / r4.omega"]);
+    assert!(
+        text.contains("none: it grows beyond all bounds towards 36.4"),
+        "{text}"
+    );
+    let text = done(&["cycle", "four-bar", "--columns", "f = max(B.y, 50 mm)"]);
+    assert!(
+        text.contains("least 50 mm from 150 deg to 30 deg"),
+        "{text}"
+    );
+    assert!(text.contains("none: it rests at an extreme"), "{text}");
+}

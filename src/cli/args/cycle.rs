@@ -15,6 +15,9 @@ pub(in crate::cli) struct CycleArgs {
     #[arg(help = words().dwell_of_cycle())]
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) dwell: Option<f64>,
+    #[arg(help = words().bounds_of_cycle())]
+    #[arg(long)]
+    pub(in crate::cli) bounds: bool,
     #[arg(help = words().how_to_write_cycle())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(in crate::cli) format: OutputFormat,

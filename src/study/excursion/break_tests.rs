@@ -1,7 +1,7 @@
-//! What directions make of a figure where they pass a full turn.
+//! Where figures break: directions in them pass a full turn, or they grow beyond all bounds.
 
 use super::NoFigure;
-use super::tests::{close, figures, opened};
+use super::tests::{close, excursion, figures, opened};
 use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
@@ -81,4 +81,124 @@ fn what_jumps_by_less_than_a_turn_has_no_stroke() {
     let sides = [half(at - 1e-9), half(at + 1e-9)];
     assert!((sides[0] - sides[1]).abs() > 179.0, "{at} {sides:?}");
     assert_eq!(found[1..], [Err(NoFigure::Jumps(0.0)); 3]);
+}
+
+/// 1 / (x - a) and its like have no greatest value; beside x they have one.
+#[test]
+fn a_pole_is_no_greatest_value() {
+    let scene = beside_a_line(
+        "gain = \"r2.omega / r4.omega\"\nodd = \"1 / (C.x - 300 mm)\"\neven = \"1 / (C.x - 300 mm)^2\"\n\
+         size = \"abs(1 / (C.x - 300 mm))\"\nroot = \"1 / sqrt(abs(C.x / (300 mm) - 1))\"\n\
+         slope = \"tan(r2.angle)\"\nnear = \"1 / ((C.x - 300 mm)^2 + 0.0001 mm^2)\"\n\
+         none = \"C.x - 300 mm\"\npush = \"C.ax / (C.x - 300 mm)\"\n\
+         pull = \"C.ax / (C.x - 300 mm)^2\"\n",
+    );
+    let pole = |name: &str| match figures(&scene, &[name])[0] {
+        Err(NoFigure::Unbounded(at)) => at,
+        other => panic!("{name}: {other:?}"),
+    };
+    let value = |name: &str, at: f64| figures(&scene, &[&format!("{name}@{at}")])[0].unwrap();
+    // The rocker turns back where its speed is nought.
+    let back = figures(&scene, &["r4.angle.least.at"])[0].unwrap();
+    assert!((pole("gain.greatest") - back).abs() < 1e-8, "{back}");
+    for name in ["odd", "even", "size", "root", "push", "pull"] {
+        let at = pole(&format!("{name}.stroke"));
+        assert!((value("C.x", at) - 300.0).abs() < 1e-6, "{name} {at}");
+    }
+    assert!((pole("slope.least") - 90.0).abs() < 1e-8);
+    close(&figures(&scene, &["near.greatest"]), &[1e4], 1e-9);
+    assert!(figures(&scene, &["none.stroke"])[0].is_ok());
+}
+
+/// The crank-rocker with a torque of -40 N m on the rocker, times a factor over the crank's angle.
+fn loaded(over: &str) -> (Scene, Solver) {
+    let text = presets::find("four-bar").unwrap().text;
+    opened(&format!(
+        "{text}\n[[loads]]\nlink = \"r4\"\ntorque = -40\nover = {over}\n"
+    ))
+}
+
+/// 40 N m times the ratio of both speeds is what the crank must do: of a load of a fifth of a degree, at its peak.
+#[test]
+fn a_narrow_load_is_not_lost() {
+    let scene = loaded("[[0, 0], [80.1, 0], [80.2, 1], [80.3, 0], [360, 0]]");
+    let names = [
+        "driver.torque.greatest",
+        "driver.torque.greatest.at",
+        "driver.torque.least",
+        "r4.omega@80.2",
+    ];
+    let found: Vec<f64> = figures(&scene, &names)
+        .into_iter()
+        .map(Result::unwrap)
+        .collect();
+    assert!((found[0] - 13.1799).abs() < 1e-4, "{found:?}");
+    assert!(
+        (found[0] - 40.0 * found[3] / 15.0).abs() < 1e-9,
+        "{found:?}"
+    );
+    assert!(
+        (found[1] - 80.2).abs() < 1e-9 && found[2].abs() < 1e-12,
+        "{found:?}"
+    );
+}
+
+/// Up to 100 deg the rocker's speed grows: the crank must do most just before the load is gone.
+#[test]
+fn both_sides_of_a_jump_are_looked_at() {
+    let scene = loaded("[[0, 0], [80, 0], [80, 1], [100, 1], [100, 0], [360, 0]]");
+    let names = [
+        "driver.torque.greatest",
+        "driver.torque.greatest.at",
+        "r4.omega@100",
+    ];
+    let found: Vec<f64> = figures(&scene, &names)
+        .into_iter()
+        .map(Result::unwrap)
+        .collect();
+    assert!(
+        (found[0] - 40.0 * found[2] / 15.0).abs() < 1e-8,
+        "{found:?}"
+    );
+    assert!((found[1] - 100.0).abs() < 1e-8, "{found:?}");
+    // A load of two turns is followed for both of them.
+    let scene = loaded("[[0, 0], [440, 0], [440, 1], [460, 1], [460, 0], [720, 0]]");
+    let later = figures(
+        &scene,
+        &["driver.torque.greatest", "driver.torque.greatest.at"],
+    );
+    close(&later, &[found[0], 460.0], 1e-8);
+}
+
+/// max(x, a) stays at a while x is below it: nobody can say when it turns.
+#[test]
+fn what_rests_at_an_extreme_has_no_time_ratio() {
+    let scene = beside_a_line("level = \"max(B.y, 50 mm)\"\nlow = \"min(B.y, 150 mm)\"\n");
+    assert_eq!(figures(&scene, &["level.ratio"]), [Err(NoFigure::Rests)]);
+    assert!(figures(&scene, &["low.ratio"])[0].is_ok());
+    let found = excursion(&scene, "level", None);
+    let rests = found
+        .turnings
+        .iter()
+        .find(|turning| !turning.is_peak)
+        .unwrap();
+    // B.y = 100 sin q is 50 at 30 and at 150 deg.
+    assert!((rests.place.at - 150.0).abs() < 1e-9, "{rests:?}");
+    assert!((rests.until.unwrap() - 30.0).abs() < 1e-9, "{rests:?}");
+    close(&figures(&scene, &["level.least.at"]), &[150.0], 1e-9);
+    let peak = found
+        .turnings
+        .iter()
+        .find(|turning| turning.is_peak)
+        .unwrap();
+    assert_eq!(peak.until, None);
+}
+
+/// A ripple of the figure within the tolerance of its dwell is one dwell.
+#[test]
+fn a_dwell_is_told_once() {
+    let scene = beside_a_line("ripple = \"max(B.y, 50 mm) + 0.1 mm * cos(5 * r2.angle)\"\n");
+    let (_, dwells) = excursion(&scene, "ripple", Some(0.5)).dwells.unwrap();
+    let low = dwells.iter().filter(|dwell| dwell.about.place.value < 60.0);
+    assert_eq!(low.count(), 1, "{dwells:?}");
 }

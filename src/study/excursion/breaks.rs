@@ -1,9 +1,20 @@
-//! Where a figure jumps because a direction in it passes a full turn.
+//! Where a figure breaks: it jumps because a direction in it passes a full turn, or it grows beyond all bounds.
 
-use super::sampler::{MotionSampler, SampledFigure};
+use super::sampler::{BESIDE, MotionSampler, SampledFigure};
 use super::{NoFigure, first_period};
 use crate::expression::Cut;
 use crate::solver::Range;
+
+/// Halvings of a stretch towards a place that may be a pole, and those after which it is seen that it is none.
+const TOWARDS: u32 = 32;
+const SEEN: u32 = 12;
+/// By how much a figure grows on these halvings, at least, where it grows beyond all bounds: less than a root would.
+const GROWN: f64 = 4096.0;
+const GROWN_SOON: f64 = 8.0;
+/// Halvings of the way to a place, from each of which to the next a figure grows by so much where it has a pole.
+const NEARER: [i32; 3] = [10, 20, 27];
+/// So much larger than a sample farther on is what may be a pole.
+const HIGH: f64 = 256.0;
 
 /// A change by less than this part of the figure's size is no jump.
 const LEVEL: f64 = 1e-9;
@@ -11,6 +22,68 @@ const LEVEL: f64 = 1e-9;
 const HALVINGS: u32 = 60;
 
 impl MotionSampler {
+    /// A place between samples where a figure goes through infinity has no greatest value.
+    pub(super) fn check_for_poles(
+        &mut self,
+        column: usize,
+        sampled: &SampledFigure,
+    ) -> Result<(), NoFigure> {
+        // A direction is bounded.
+        if self.cut(column) == Cut::ByTurns {
+            return Ok(());
+        }
+        for k in 1..sampled.at.len() {
+            let [a, b] = [k - 1, k].map(|k| (sampled.at[k], sampled.by_degree[0][k]));
+            if (a.1 < 0.0) != (b.1 < 0.0)
+                && let Some(at) = self.pole_between(column, [a, b])
+            {
+                return Err(NoFigure::Unbounded(first_period(at, self.range())));
+            }
+        }
+        Ok(())
+    }
+
+    /// Where a figure changes its sign though it comes from far away and goes there.
+    fn pole_between(&mut self, column: usize, [mut a, mut b]: [(f64, f64); 2]) -> Option<f64> {
+        let nearer = |a: (f64, f64), b: (f64, f64)| a.1.abs().min(b.1.abs());
+        let first = nearer(a, b);
+        for halving in 1..=TOWARDS {
+            let at = 0.5 * (a.0 + b.0);
+            let Some(value) = self.value(column, at) else {
+                return (nearer(a, b) > GROWN_SOON * first).then_some(at);
+            };
+            match (value < 0.0) == (a.1 < 0.0) {
+                true => a = (at, value),
+                false => b = (at, value),
+            }
+            if halving == SEEN && nearer(a, b) <= GROWN_SOON * first {
+                return None;
+            }
+        }
+        (nearer(a, b) > GROWN * first).then_some(0.5 * (a.0 + b.0))
+    }
+
+    /// Whether a figure grows beyond all bounds towards a place at which it may have no value, from either side.
+    pub(super) fn is_pole(&mut self, column: usize, at: f64, step: f64) -> bool {
+        if self.cut(column) == Cut::ByTurns {
+            return false;
+        }
+        let mut size = |at: f64| self.value(column, at).map(f64::abs);
+        let here = size(at).unwrap_or(f64::INFINITY);
+        [-step, step].into_iter().any(|side| {
+            let mut beside = |halvings: i32| size(at + side * f64::from(-halvings).exp2());
+            let Some(far) = beside(0).filter(|far| here > HIGH * far) else {
+                return false;
+            };
+            let nearer = NEARER.map(|halvings| beside(halvings).unwrap_or(0.0));
+            let sizes = [far].into_iter().chain(nearer);
+            sizes
+                .clone()
+                .zip(sizes.skip(1))
+                .all(|(far, near)| near > GROWN_SOON * far)
+        })
+    }
+
     /// What jumps by something else than full turns has no stroke: nobody can say what it would be without the jump.
     pub(super) fn check_for_jumps(
         &mut self,
@@ -24,7 +97,9 @@ impl MotionSampler {
         let size = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let last = sampled.at.len() - 1;
         let mut jump = None;
-        for k in 1..=last {
+        // Both sides of a load that jumps are no farther from each other.
+        let sides = 4.0 * BESIDE * (sampled.at[last] - sampled.at[0]);
+        for k in (1..=last).filter(|&k| sampled.at[k] - sampled.at[k - 1] > sides) {
             let ends = [k - 1, k].map(|k| (sampled.at[k], values[k]));
             jump = jump.or_else(|| self.jump_between(column, ends, LEVEL * size));
         }

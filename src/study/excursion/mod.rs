@@ -3,8 +3,9 @@
 //!
 //! ```text
 //! sampler       figures and their slopes by the driver's coordinate, anywhere and along the motion
-//! breaks        where a figure jumps because a direction in it passes a full turn
+//! breaks        where a figure jumps as a direction in it passes a full turn, or grows beyond all bounds
 //! turning       where a figure turns: roots of its slope, and none of them between two samples is lost
+//! plateau       from where to where it stays at the value at which it turns
 //! quickest      where a rate is largest
 //! strokes       from the turning places: which way takes how long, and where the figure stays
 //! cycle_figure  the names of all that, as goals and columns have them: `C.x.stroke`, `swing.ratio`
@@ -22,6 +23,7 @@ mod break_tests;
 mod breaks;
 mod cycle_figure;
 mod evaluated;
+mod plateau;
 mod quickest;
 mod sampler;
 mod seam;
@@ -58,6 +60,8 @@ pub struct TurningPlace {
     pub is_peak: bool,
     /// Where, and at which value.
     pub place: FigurePlace,
+    /// Until which coordinate it stays at that value, if it does: it turns behind that.
+    pub until: Option<f64>,
     /// Whether it turns because the driver does, at an end of the range.
     pub is_limit: bool,
 }
@@ -74,6 +78,8 @@ pub enum NoFigure {
     NeverTurns,
     /// It does not move.
     Stands,
+    /// It stays at an extreme for a while: nobody can say when it turns.
+    Rests,
     /// The driver goes there and back by the same way: both take as long.
     ThereAndBack,
     /// The driver stands still, so that nothing has a rate.
@@ -82,7 +88,7 @@ pub enum NoFigure {
     DriverTurnsBack,
     /// Its rate is no figure of a state.
     NoRate,
-    /// Its rate does not exist at this coordinate: towards a dead point it grows beyond all bounds.
+    /// It grows beyond all bounds towards this coordinate: a quotient where its divisor is 0, or a rate at a dead point.
     Unbounded(f64),
     /// It jumps at this coordinate, where a direction that its formula is made of passes a full turn.
     Jumps(f64),
@@ -225,6 +231,7 @@ impl Excursion {
         }
         for turning in &mut excursion.turnings {
             turning.place = reduced(turning.place, range);
+            turning.until = turning.until.map(|at| first_period(at, range));
         }
         excursion
             .turnings
@@ -244,6 +251,26 @@ impl Excursion {
             place.value -= off;
         }
     }
+}
+
+/// Which of some figures change over the motion; what has no value anywhere counts among them.
+#[must_use]
+pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
+    let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
+    let sampled = sampler.along_motion();
+    let changes = |(column, sampled): (usize, &SampledFigure)| {
+        let values = sampled.by_degree[0]
+            .iter()
+            .filter(|value| value.is_finite());
+        let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
+            [low.min(value), high.max(value)]
+        });
+        let size = ends
+            .iter()
+            .fold(sampler.size(column), |most, end| most.max(end.abs()));
+        !(ends[1] - ends[0]).is_finite() || ends[1] - ends[0] > LEVEL * size
+    };
+    sampled.iter().enumerate().map(changes).collect()
 }
 
 /// A place within the first period.

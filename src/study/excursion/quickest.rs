@@ -125,10 +125,9 @@ impl MotionSampler {
             if !is_peak {
                 continue;
             }
-            let step = sampled.at[last] - sampled.at[last - 1];
             let behind = match k.checked_sub(1) {
                 Some(k) => sampled.at[k],
-                None if goes_round => sampled.at[0] - step,
+                None if goes_round => sampled.before_first(),
                 None => sampled.at[0],
             };
             let ahead = sampled.at.get(k + 1).copied().unwrap_or(sampled.at[last]);
@@ -144,7 +143,7 @@ impl MotionSampler {
             }
         }
         for at in self.near_misses() {
-            let found = self.beside_a_miss(column, at, sampled.at[1] - sampled.at[0], rate);
+            let found = self.beside_a_miss(column, at, sampled.step(), rate);
             best = if found.1 > best.1 { found } else { best };
         }
         Ok(place(best))

@@ -1,11 +1,11 @@
 //! Figures and their slopes by the driver's coordinate.
 
-use super::NoFigure;
 use crate::angle::{self, TURN, radians};
 use crate::expression::Cut;
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
-use crate::{Driver, Input, LANES, Lanes};
+use crate::study::motor::{load_bends, repeats};
+use crate::{Driver, Input, LANES, Lanes, Mechanism};
 
 /// Places in a turn, or in a limited range.
 const PLACES: usize = 360;
@@ -13,6 +13,8 @@ const PLACES: usize = 360;
 const MOST_PLACES: usize = 36_000;
 /// A limit may be a dead point, which has no rates; they are looked at from this far inside, as a part of the range.
 const INSIDE: f64 = 1e-9;
+/// As a part of the motion, how far beside a place at which a load may jump the figure is looked at.
+pub(super) const BESIDE: f64 = 1e-12;
 
 /// At which speed of the driver rates are slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +75,9 @@ pub(super) struct MotionSampler {
     state: Workspace,
     lanes: Workspace<Lanes>,
     source: SlopeSource,
+    range: Range,
+    /// Where a load bends or jumps, or an input begins to follow its driver in another way.
+    marks: Vec<f64>,
     /// As the scene has it.
     driver: Driver,
     reach: f64,
@@ -101,6 +106,12 @@ impl MotionSampler {
         let columns = figures.map(|figure| SlopedFigure::new(figure, highest, pace));
         let columns: Vec<SlopedFigure> = columns.collect();
         let (wanted, order) = demand(columns.iter().flat_map(|column| &column.by_degree));
+        let (range, marks) = match order {
+            Order::Force => loaded(solver),
+            Order::Position | Order::Velocity | Order::Acceleration => {
+                (solver.motion().range, Vec::new())
+            }
+        };
         let only = solver.only(&wanted);
         let solver = match source {
             SlopeSource::Geometry | SlopeSource::Steady => only.at_speed(speed, 0.0),
@@ -112,14 +123,25 @@ impl MotionSampler {
             state: solver.state(),
             lanes: solver.lanes(),
             source,
+            marks: [marks, knots(mechanism, range)].concat(),
+            range,
             driver: *driver,
             reach: mechanism.reach(),
             solver,
         }
     }
 
+    /// That of the motion; of forces over as many periods as it takes until the loads repeat, too.
     pub(super) fn range(&self) -> Range {
-        self.solver.motion().range
+        self.range
+    }
+
+    /// Where a place is looked at: a load that does not repeat begins anew with the motion.
+    fn coordinate(&self, at: f64) -> f64 {
+        match (self.order, self.range) {
+            (Order::Force, Range::Full { period }) => at.rem_euclid(period),
+            _ => at,
+        }
     }
 
     /// The driver as the scene has it.
@@ -202,6 +224,7 @@ impl MotionSampler {
     pub(super) fn degree(&mut self, column: usize, degree: usize, at: f64) -> Option<f64> {
         let figure = self.columns[column].by_degree.get(degree)?;
         let order = figure.order();
+        let at = self.coordinate(at);
         let condition = self.solver.solve(at, order, &mut self.state);
         let exists = condition != Condition::NoAssembly;
         let value = exists.then(|| figure.value(&self.state))??;
@@ -221,7 +244,7 @@ impl MotionSampler {
 
     /// Every column along the whole motion.
     pub(super) fn along_motion(&mut self) -> Vec<SampledFigure> {
-        let places = places(self.range());
+        let places = places(self.range, &self.marks);
         let columns = self.columns.iter();
         let mut sampled: Vec<SampledFigure> = columns
             .map(|column| SampledFigure {
@@ -244,6 +267,7 @@ impl MotionSampler {
 
     /// One place, for all columns.
     fn read(&mut self, at: f64, to: &mut [SampledFigure]) {
+        let at = self.coordinate(at);
         let condition = self.solver.solve(at, self.order, &mut self.state);
         for (column, to) in self.columns.iter().zip(to) {
             let figures = column.by_degree.iter().zip(column.factors);
@@ -262,6 +286,7 @@ impl MotionSampler {
         };
         let mut at = [last; LANES];
         at[..block.len()].copy_from_slice(block);
+        let at = at.map(|at| self.coordinate(at));
         if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
             return false;
         }
@@ -342,10 +367,22 @@ impl SampledFigure {
     }
 
     /// Where it has no value, if anywhere.
-    pub(super) fn gap(&self) -> Option<NoFigure> {
+    pub(super) fn gap(&self) -> Option<f64> {
         let values = &self.by_degree[0];
         let missing = values.iter().position(|value| !value.is_finite())?;
-        Some(NoFigure::Gap(self.at[missing]))
+        Some(self.at[missing])
+    }
+
+    /// How far it is from one place to the next, in the mean.
+    pub(super) fn step(&self) -> f64 {
+        let last = self.at.len() - 1;
+        (self.at[last] - self.at[0]) / last as f64
+    }
+
+    /// The place before the first one of a motion that repeats: the last but one, a period before.
+    pub(super) fn before_first(&self) -> f64 {
+        let last = self.at.len() - 1;
+        self.at[0] - (self.at[last] - self.at[last - 1])
     }
 }
 
@@ -354,10 +391,47 @@ fn lesser(a: f64, b: f64) -> f64 {
     if a.abs() < b.abs() { a } else { b }
 }
 
-/// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns; the last place
-/// of a period is the first one of the next.
-fn places(range: Range) -> Vec<f64> {
-    match range {
+/// Over how far a motion is followed until its loads repeat, too, and where on it they bend or jump: on both sides.
+fn loaded(solver: &Solver) -> (Range, Vec<f64>) {
+    let range = match solver.motion().range {
+        Range::Full { period } => {
+            let times = repeats(solver.mechanism(), Range::Full { period });
+            Range::Full {
+                period: period * f64::from(times.unwrap_or(1)),
+            }
+        }
+        limited @ Range::Limited { .. } => limited,
+    };
+    let beside = BESIDE * (range.ends().1 - range.ends().0);
+    let bends = load_bends(solver, range);
+    let sides = bends.iter().flat_map(|&at| [at - beside, at, at + beside]);
+    (range, sides.collect())
+}
+
+/// The knots of tables by which inputs follow the driver.
+fn knots(mechanism: &Mechanism, range: Range) -> Vec<f64> {
+    let (low, high) = range.ends();
+    let tables = mechanism.timed().iter().filter_map(|timed| timed.table());
+    let knots = tables.flat_map(|table| {
+        let period = table.period().unwrap_or(f64::INFINITY);
+        let rounds = table.knots().iter().map(move |knot| (knot[0], period));
+        rounds.flat_map(move |(at, period)| {
+            let first = match period.is_finite() {
+                true => at - period * ((at - low) / period).floor(),
+                false => at,
+            };
+            let rounds = (0..u32::MAX)
+                .map(move |k| first + if k == 0 { 0.0 } else { period * f64::from(k) });
+            rounds.take_while(move |&at| at <= high)
+        })
+    });
+    knots.collect()
+}
+
+/// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns, and at the marks; the
+/// last place of a period is the first one of the next.
+fn places(range: Range, marks: &[f64]) -> Vec<f64> {
+    let mut places: Vec<f64> = match range {
         Range::Full { period } => {
             #[expect(
                 clippy::cast_possible_truncation,
@@ -366,14 +440,24 @@ fn places(range: Range) -> Vec<f64> {
             )]
             let count = (PLACES * (period / TURN).round() as usize).clamp(PLACES, MOST_PLACES);
             let place = |k: usize| period * ((k as f64 + 0.5) / count as f64);
-            (0..=count).map(place).collect()
+            let first = place(0);
+            let marks = marks.iter().map(|at| match at.rem_euclid(period) {
+                at if at < first => at + period,
+                at => at,
+            });
+            (0..=count).map(place).chain(marks).collect()
         }
         Range::Limited { low, high } => {
             let inside = INSIDE * (high - low);
             let place = |k: usize| low + (high - low) * ((k as f64 + 0.5) / PLACES as f64);
             let between = (0..PLACES).map(place);
             let first = [low, low + inside].into_iter();
-            first.chain(between).chain([high - inside, high]).collect()
+            let marks = marks.iter().copied().filter(|&at| low < at && at < high);
+            let ends = [high - inside, high];
+            first.chain(between).chain(ends).chain(marks).collect()
         }
-    }
+    };
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
 }

@@ -56,6 +56,9 @@ impl Excursion {
         if self.revolutions != 0.0 {
             return Err(NoFigure::TurnsRound);
         }
+        if self.rests() {
+            return Err(NoFigure::Rests);
+        }
         let extremes = self.extremes();
         let Some(&(first, _)) = extremes.first() else {
             return Err(NoFigure::NeverTurns);
@@ -108,47 +111,57 @@ impl Excursion {
 
     /// Where it is at its least and at its greatest value, by coordinate.
     fn extremes(&self) -> Vec<(f64, ExtremeEnd)> {
-        let near = SAME * (self.greatest.value - self.least.value);
-        let end = |turning: &TurningPlace| {
-            let FigurePlace { at, value } = turning.place;
-            let ends = [
-                (self.least.value, ExtremeEnd::Least),
-                (self.greatest.value, ExtremeEnd::Greatest),
-            ];
-            let mut ends = ends.into_iter();
-            let is_at = ends.find(|(extreme, _)| (value - extreme).abs() <= near);
-            is_at.map(|(_, end)| (at, end))
-        };
+        let end = |turning: &TurningPlace| Some((turning.place.at, self.end_at(turning)?));
         self.turnings.iter().filter_map(end).collect()
     }
 
-    /// Every stretch on which it stays within a tolerance of a turning place, on the side on which it turns; a
-    /// stretch within a longer one is not told.
+    /// Whether it stays at its least or at its greatest value for a while.
+    fn rests(&self) -> bool {
+        let stays = |turning: &&TurningPlace| turning.until.is_some();
+        let mut staying = self.turnings.iter().filter(stays);
+        staying.any(|turning| self.end_at(turning).is_some())
+    }
+
+    /// Which extreme it is at where it turns.
+    fn end_at(&self, turning: &TurningPlace) -> Option<ExtremeEnd> {
+        let near = SAME * (self.greatest.value - self.least.value);
+        let ends = [
+            (self.least.value, ExtremeEnd::Least),
+            (self.greatest.value, ExtremeEnd::Greatest),
+        ];
+        let mut ends = ends.into_iter();
+        let is_at = ends.find(|(extreme, _)| (turning.place.value - extreme).abs() <= near);
+        is_at.map(|(_, end)| end)
+    }
+
+    /// Every stretch on which it stays within a tolerance of a turning place, on the side on which it turns, as the driver
+    /// goes; what lies more than half within a longer one is not told.
     pub(super) fn dwelling(
         &self,
         sampler: &mut MotionSampler,
         column: usize,
         tolerance: f64,
     ) -> Vec<DwellStretch> {
-        let count = self.turnings.len();
-        let mut found: Vec<DwellStretch> = Vec::new();
-        for about in 0..count {
-            if let Some(stretch) = self.dwell_about(about, sampler, column, tolerance) {
-                found.push(stretch);
+        let turnings = 0..self.turnings.len();
+        let found =
+            turnings.filter_map(|about| self.dwell_about(about, sampler, column, tolerance));
+        let mut found: Vec<DwellStretch> = found.collect();
+        let width = |dwell: &DwellStretch| dwell.to - dwell.from;
+        found.sort_by(|a, b| width(b).total_cmp(&width(a)));
+        let period = match sampler.range() {
+            Range::Full { period } => Some(period),
+            Range::Limited { .. } => None,
+        };
+        let mut told: Vec<DwellStretch> = Vec::new();
+        for dwell in found {
+            let is_new =
+                |longer: &DwellStretch| 2.0 * shared(&dwell, longer, period) <= width(&dwell);
+            if told.iter().all(is_new) {
+                told.push(dwell);
             }
         }
-        let is_within = |a: &DwellStretch, b: &DwellStretch| {
-            let span = |d: &DwellStretch| (d.from, d.to);
-            let ((low, high), (from, to)) = (span(a), span(b));
-            let shift = match sampler.range() {
-                Range::Full { period } => period * ((low - from) / period).floor(),
-                Range::Limited { .. } => 0.0,
-            };
-            from + shift <= low && high <= to + shift && to - from > high - low
-        };
-        let all = found.clone();
-        found.retain(|stretch| !all.iter().any(|other| is_within(stretch, other)));
-        found
+        told.sort_by(|a, b| a.about.place.at.total_cmp(&b.about.place.at));
+        told
     }
 
     fn dwell_about(
@@ -241,6 +254,19 @@ impl Excursion {
             Range::Limited { .. } => (rounds == 0.0).then_some(place),
         }
     }
+}
+
+/// How much of the driver's way two dwells share, the longer one last.
+fn shared(dwell: &DwellStretch, longer: &DwellStretch, period: Option<f64>) -> f64 {
+    let common =
+        |shift: f64| (dwell.to + shift).min(longer.to) - (dwell.from + shift).max(longer.from);
+    let Some(period) = period else {
+        return common(0.0).max(0.0);
+    };
+    // Once round, one begins before the other, and a second time within it.
+    let near = period * ((longer.from - dwell.from) / period).floor();
+    let shifts = [near, near + period];
+    shifts.into_iter().map(|by| common(by).max(0.0)).sum()
 }
 
 /// Where a figure passes a value between two neighbouring turning places.

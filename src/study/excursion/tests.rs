@@ -26,7 +26,11 @@ pub(super) fn figures(
     CycleFigures::new(parsed.collect(), None).of(solver)
 }
 
-fn excursion((scene, solver): &(Scene, Solver), name: &str, tolerance: Option<f64>) -> Excursion {
+pub(super) fn excursion(
+    (scene, solver): &(Scene, Solver),
+    name: &str,
+    tolerance: Option<f64>,
+) -> Excursion {
     let quantity = Catalogue::new(scene).find(name).unwrap();
     let wish = ExcursionWish {
         rates: true,

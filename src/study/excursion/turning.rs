@@ -1,7 +1,7 @@
 //! Where a figure turns.
 
 use super::sampler::{FigureSample, MotionSampler, SampledFigure};
-use super::{FigurePlace, NoFigure, TurningPlace};
+use super::{FigurePlace, NoFigure, TurningPlace, first_period};
 use crate::numeric::{Unsettled, lowest, root, turns};
 use crate::solver::Range;
 
@@ -32,14 +32,28 @@ impl Turnings {
         column: usize,
         sampled: &SampledFigure,
     ) -> Result<Turnings, NoFigure> {
-        if let Some(gap) = sampled.gap() {
-            return Err(gap);
+        let step = sampled.step();
+        if let Some(at) = sampled.gap() {
+            return Err(match sampler.is_pole(column, at, step) {
+                true => NoFigure::Unbounded(at),
+                false => NoFigure::Gap(at),
+            });
         }
+        sampler.check_for_poles(column, sampled)?;
         sampler.check_for_jumps(column, sampled)?;
         let candidates = match sampler.has_slope(column) {
             true => by_slope(sampler, column, sampled),
             false => by_values(sampler, column, sampled),
         };
+        let mut turns = candidates.iter();
+        if let Some(turn) = turns.find(|turn| sampler.is_pole(column, turn.at, step)) {
+            let at = first_period(turn.at, sampler.range());
+            return Err(NoFigure::Unbounded(at));
+        }
+        let candidates: Vec<FigurePlace> = candidates
+            .into_iter()
+            .filter(|turn| turn.value.is_finite())
+            .collect();
         let samples = (0..sampled.at.len()).map(|k| sampled.sample(k).place());
         let seen: Vec<FigurePlace> = samples.chain(candidates.iter().copied()).collect();
         let by_value = |a: &&FigurePlace, b: &&FigurePlace| a.value.total_cmp(&b.value);
@@ -53,7 +67,7 @@ impl Turnings {
         };
         let finest = undone * (greatest.value - least.value);
         let goes_round = sampled.revolutions(sampler.range(), sampler.cut(column)) == 0.0;
-        Ok(Turnings {
+        let mut turnings = Turnings {
             places: match sampler.range() {
                 Range::Full { .. } if goes_round => around(&candidates, finest),
                 Range::Full { .. } => candidates.windows(3).filter_map(middle).collect(),
@@ -61,7 +75,9 @@ impl Turnings {
             },
             least,
             greatest,
-        })
+        };
+        turnings.find_plateaus(sampler, column, sampled);
+        Ok(turnings)
     }
 }
 
@@ -116,7 +132,7 @@ fn look_between(
         // Where a formula turns over the slope jumps to the other side.
         let at = level.unwrap_or_else(|| jump(sampler, column, [a, b]));
         let value = sampler.sample(column, at, a.value).value;
-        found.extend(value.is_finite().then_some(FigurePlace { at, value }));
+        found.push(FigurePlace { at, value });
         return;
     }
     if halvings == 0 || goes_one_way([a, b], noise) {
@@ -169,7 +185,7 @@ fn by_values(
             let k = turn.sample;
             // Round the seam one sample stands before the first.
             let before = match k {
-                0 => at[0] - (at[1] - at[0]),
+                0 => sampled.before_first(),
                 _ => at[k - 1],
             };
             let behind = at.get(k + 1).copied().unwrap_or(at[last]);
@@ -200,6 +216,7 @@ fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
         .map(|turn| TurningPlace {
             is_peak: turn.is_peak,
             place: candidates[turn.sample],
+            until: None,
             is_limit: false,
         })
         .collect();
@@ -216,6 +233,7 @@ fn middle(three: &[FigurePlace]) -> Option<TurningPlace> {
     (rise * fall > 0.0).then_some(TurningPlace {
         is_peak: rise > 0.0,
         place,
+        until: None,
         is_limit: false,
     })
 }
@@ -240,6 +258,7 @@ fn between_ends(
         .map(|turn| TurningPlace {
             is_peak: turn.is_peak,
             place: all[turn.sample],
+            until: None,
             is_limit: false,
         })
         .collect();
@@ -248,6 +267,7 @@ fn between_ends(
         TurningPlace {
             is_peak: place.value > other,
             place,
+            until: None,
             is_limit: true,
         }
     };

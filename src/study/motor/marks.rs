@@ -158,11 +158,29 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
     for Mark { at, every } in bends(mechanism, solver) {
         course.ways(at, every, &mut ways);
     }
-    let turns = matches!(mechanism.driver().input, Input::Turn(_));
-    let comes_again = |profile: &Profile| turns && turns_of(profile).is_some();
-    if profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one()) {
-        // It begins anew with the cycle, where it may jump.
+    if begins_anew(mechanism) {
         ways.push(0.0);
     }
     ways
+}
+
+/// Whether a load over the driver's coordinate does not come again by itself: it begins anew with the cycle, where it may
+/// jump.
+fn begins_anew(mechanism: &Mechanism) -> bool {
+    let turns = matches!(mechanism.driver().input, Input::Turn(_));
+    let comes_again = |profile: &Profile| turns && turns_of(profile).is_some();
+    profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one())
+}
+
+/// The driver's coordinates in a range at which a load bends or jumps: the range of the motion, or as many periods of it
+/// as it takes until all loads have repeated.
+pub(in crate::study) fn bends_within(solver: &Solver, range: Range) -> Vec<f64> {
+    let mechanism = solver.mechanism();
+    let (low, high) = range.ends();
+    let bends = bends(mechanism, solver).into_iter();
+    let start = begins_anew(mechanism).then_some(low);
+    bends
+        .flat_map(|mark| mark.between(low, high))
+        .chain(start)
+        .collect()
 }

@@ -41,6 +41,7 @@ pub use flywheel::{
     flywheel_for,
 };
 pub use guide::Passing;
+pub(in crate::study) use marks::bends_within as load_bends;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
 pub use source::Step;

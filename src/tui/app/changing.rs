@@ -50,7 +50,8 @@ impl App {
         self.followed = self.followed.moved(before, &opened.scene);
         self.viewport.lens.move_to(before, &opened.scene);
         if let Mode::PlotList(list) = &mut self.shell.mode {
-            list.move_to(&opened.scene);
+            let plots = &self.plots;
+            list.move_to(&opened.scene, &opened.solver, |name| plots.is_chosen(name));
         }
         self.shell.before = Some(SceneBefore {
             open_scene: self.player.exchange(OpenScene::new(opened), now),

@@ -1,6 +1,6 @@
 //! What is plotted: choosing it, and what stands along x.
 
-use super::super::views::Need;
+use super::super::views::{Need, most_scroll};
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::PlotsAction;
 use crate::tui::commands::key::Key;
@@ -13,9 +13,8 @@ impl App {
     pub(super) fn plot(&mut self, action: PlotsAction) {
         match action {
             PlotsAction::Choose => {
-                let list = PlotList::new(self.player.open_scene.scene(), |name| {
-                    self.plots.is_chosen(name)
-                });
+                let (scene, solver) = (self.open_scene().scene(), self.open_scene().solver());
+                let list = PlotList::new(scene, solver, |name| self.plots.is_chosen(name));
                 self.shell.mode = Mode::PlotList(list);
             }
             PlotsAction::Abscissa => {
@@ -59,10 +58,21 @@ impl App {
 
     /// Keys of the list; `None` for those that mean the same everywhere.
     pub(super) fn list_key(&mut self, key: Key) -> Option<Effect> {
-        let page = self.page();
+        let (page, most) = (self.page(), most_scroll(self));
         let Mode::PlotList(list) = &mut self.shell.mode else {
             return None;
         };
+        if list.read().is_some() {
+            match key {
+                Key::Up | Key::Char('k') => list.scroll_by(-1, most),
+                Key::Down | Key::Char('j') => list.scroll_by(1, most),
+                Key::PageUp => list.scroll_by(-page, most),
+                Key::PageDown => list.scroll_by(page, most),
+                Key::Escape | Key::Char('o') => list.set_reading(false),
+                _ => return None,
+            }
+            return Some(Effect::Show);
+        }
         let typing = list.is_typing();
         match key {
             Key::Up => list.move_by(-1),
@@ -80,6 +90,7 @@ impl App {
             Key::Char('k') => list.move_by(-1),
             Key::Char('j') => list.move_by(1),
             Key::Enter | Key::Char(' ') => self.toggle_plot(),
+            Key::Char('o') => list.set_reading(true),
             Key::Char('c') => self.plots.clear(),
             Key::Char('x') => self.shell.mode = Mode::Normal,
             Key::Char('X') => self.plot(PlotsAction::Abscissa),

@@ -14,6 +14,7 @@ catalogue! {
         turns_round = "it turns round";
         never_turns = "it never turns back";
         figure_stands = "it does not move";
+        figure_rests = "it rests at an extreme";
         there_and_back_alike = "the driver goes there and back by the same way";
         driver_has_no_speed = "the driver stands still";
         driver_does_not_come_round = "the driver turns back before it has gone round";
@@ -28,6 +29,8 @@ catalogue! {
         // The page.
         cycle_goes_round(speed: &str, range: &str) = "{range}; over one period at {speed}";
         cycle_of_range(speed: &str, range: &str) = "{range}; over this range at {speed}";
+        cycle_leaves_motion_out =
+            "rates and times are those of a driver that keeps this speed, not of its motion over time";
         nothing_to_follow =
             "nothing to follow: no slide, no rocker and no figure of its own; name columns with --columns";
         label_stroke = "stroke";
@@ -46,6 +49,8 @@ catalogue! {
         value_at(value: &str, at: &str) = "{value} at {at}";
         peak_at(value: &str, at: &str) = "greatest {value} at {at}";
         dip_at(value: &str, at: &str) = "least {value} at {at}";
+        peak_between(value: &str, from: &str, to: &str) = "greatest {value} from {from} to {to}";
+        dip_between(value: &str, from: &str, to: &str) = "least {value} from {from} to {to}";
         limit_of_driver(turn: &str) = "{turn}, where the driver turns";
         slow_by_quick(ratio: &str, slow: &str, quick: &str, rises: bool) = {
             let way = if rises { "up" } else { "down" };

@@ -66,6 +66,7 @@ catalogue! {
         seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back [default: 6]";
         how_to_write = "How to write it";
         columns_of_cycle = "Figures to follow, by name or `name = formula`, with commas between; * for any characters [default: the scene's own, slides, links on the ground]";
+        bounds_of_cycle = "Add what the error of each stroke, and of each value where a figure turns, does not exceed";
         dwell_of_cycle = "Within how much a figure counts as staying, in its own unit [default: a hundredth of the stroke]";
         how_to_write_cycle = "How to write it; CSV has a line for each figure and property";
         values_of_study = "Numbers that vary, with commas between: NAME=FROM..TO/PLACES, as r3.length=280..320/9 [default: 11 places]";

@@ -14,6 +14,7 @@ catalogue! {
         turns_round = "tam dönüyor";
         never_turns = "hiç geri dönmüyor";
         figure_stands = "hareket etmiyor";
+        figure_rests = "uç değerinde bekliyor";
         there_and_back_alike = "tahrik aynı yoldan gidip geliyor";
         driver_has_no_speed = "tahrik duruyor";
         driver_does_not_come_round = "tahrik turunu tamamlamadan geri dönüyor";
@@ -28,6 +29,8 @@ catalogue! {
         // The page.
         cycle_goes_round(speed: &str, range: &str) = "{range}; bir periyot, {speed}";
         cycle_of_range(speed: &str, range: &str) = "{range}; bu aralık, {speed}";
+        cycle_leaves_motion_out =
+            "hızlar ve süreler, bu hızı koruyan bir tahrik içindir; zamana göre hareketinki değil";
         nothing_to_follow =
             "izlenecek bir şey yok: ne kızak, ne sarkaç, ne de tanımlı bir büyüklük var; --columns ile sütun adı verin";
         label_stroke = "strok";
@@ -46,6 +49,8 @@ catalogue! {
         value_at(value: &str, at: &str) = "{value}, {at}";
         peak_at(value: &str, at: &str) = "en büyük {value}, {at}";
         dip_at(value: &str, at: &str) = "en küçük {value}, {at}";
+        peak_between(value: &str, from: &str, to: &str) = "en büyük {value}, {from} ile {to} arasında";
+        dip_between(value: &str, from: &str, to: &str) = "en küçük {value}, {from} ile {to} arasında";
         limit_of_driver(turn: &str) = "{turn}; tahrik burada geri döner";
         slow_by_quick(ratio: &str, slow: &str, quick: &str, rises: bool) = {
             let (there, back) = if rises { ("artarken", "azalırken") } else { ("azalırken", "artarken") };

@@ -67,6 +67,7 @@ catalogue! {
         seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün süresi [yoksa: 6]";
         how_to_write = "Nasıl yazılacağı";
         columns_of_cycle = "İzlenecek büyüklükler, adla ya da `ad = formül` ile, virgülle ayrılmış; * herhangi karakterler [yoksa: sahnenin kendi büyüklükleri, kızaklar, şasedeki uzuvlar]";
+        bounds_of_cycle = "Her strokun ve büyüklüğün döndüğü her yerdeki değerin hatasının aşmadığı sınırı ekler";
         dwell_of_cycle = "Bir büyüklüğün ne kadar içinde duruyor sayıldığı, kendi biriminde [yoksa: strokun yüzde biri]";
         how_to_write_cycle = "Nasıl yazılacağı; CSV her büyüklük ve özellik için bir satır verir";
         values_of_study = "Değişen sayılar, virgülle ayrılmış: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";

@@ -100,7 +100,7 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     let mut next = session(&folder, 9, &four_bar());
     let texts = |recovery: &Recovery| -> Vec<String> {
         let left = recovery.others("old").left;
-        left.into_iter().map(|generation| generation.text).collect()
+        left.into_iter().map(|generation| generation.edits.text).collect()
     };
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Taken up and taken back, it is still there; saved, it is not.
@@ -135,7 +135,7 @@ fn what_is_edited_while_it_is_saved_stays_and_what_was_taken_up_goes() {
     next.drop_taken();
     drop(next);
     let found = session(&folder, 10, &four_bar()).others("left").left;
-    let texts: Vec<&str> = found.iter().map(|found| &found.text[..]).collect();
+    let texts: Vec<&str> = found.iter().map(|found| &found.edits.text[..]).collect();
     assert_eq!(texts, ["newer"]);
     fs::remove_dir_all(folder).unwrap();
 }

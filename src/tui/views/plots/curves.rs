@@ -4,6 +4,7 @@
 
 use crate::Vec2;
 use crate::drawing::plot::Plot;
+use crate::page::Page;
 use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Here, Quantity};
 use crate::report::{CsvDialect, curves_csv};
 use crate::scene::Scene;
@@ -123,6 +124,11 @@ impl Plots {
     /// What it does, in a few short lines.
     pub(crate) fn noted(&self) -> &[String] {
         self.note.lines()
+    }
+
+    /// The page of all that it does.
+    pub(crate) fn noted_page(&self) -> &Page {
+        self.note.page()
     }
 
     /// What is plotted: what was chosen as far as the scene has it, or the usual figures.
@@ -342,9 +348,17 @@ fn sampled(
     Ok(curves)
 }
 
-/// What is plotted before anything is chosen: the turning of the last link on the ground that is not
+/// Figures of a scene's own that are plotted before anything is chosen, at the most.
+const OWN: usize = 2;
+
+/// What is plotted before anything is chosen: figures of the scene's own, or the turning of the last link on the ground that is not
 /// driven, or the way of the last slide there, or the velocity of the last moving point.
 fn usual(scene: &Scene) -> Vec<String> {
+    let own = scene.figures.iter().take(OWN);
+    let own: Vec<String> = own.map(|figure| figure.name.clone()).collect();
+    if !own.is_empty() {
+        return own;
+    }
     let mechanism = &scene.mechanism;
     let catalogue = Catalogue::new(scene);
     let has = |name: &String| catalogue.all().iter().any(|q| q.name == *name);

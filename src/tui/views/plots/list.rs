@@ -2,6 +2,8 @@
 
 use crate::quantity::{Catalogue, Quantity, Subject};
 use crate::scene::Scene;
+use crate::solver::Solver;
+use crate::study::changing;
 use crate::tui::commands::line::EditLine;
 
 /// All quantities of a scene, narrowed by what is searched for.
@@ -13,20 +15,26 @@ pub(crate) struct PlotList {
     cursor: usize,
     search: EditLine,
     typing: bool,
+    /// The first line that is seen of what the figure under the cursor does, where that is read.
+    read: Option<usize>,
 }
 
-/// All that can be plotted of a scene, also what comes only when it is named.
-fn all_of(scene: &Scene) -> Vec<Quantity> {
+/// All that can be plotted of a scene, also what comes only when it is named. What stays over the motion is left out,
+/// unless it is plotted already.
+fn all_of(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> Vec<Quantity> {
     let catalogue = Catalogue::new(scene);
     let mut all = catalogue.figures();
     all.extend(catalogue.unlisted());
-    all
+    let changes = changing(solver, &all);
+    let figures = all.into_iter().zip(changes);
+    let told = figures.filter(|(figure, changes)| *changes || is_chosen(&figure.name));
+    told.map(|(figure, _)| figure).collect()
 }
 
 impl PlotList {
     /// The quantities of a scene, with the cursor on the first of those for which `is_chosen` holds.
-    pub(crate) fn new(scene: &Scene, is_chosen: impl Fn(&str) -> bool) -> Self {
-        let all = all_of(scene);
+    pub(crate) fn new(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> Self {
+        let all = all_of(scene, solver, &is_chosen);
         let cursor = all.iter().position(|q| is_chosen(&q.name));
         PlotList {
             found: (0..all.len()).collect(),
@@ -34,13 +42,19 @@ impl PlotList {
             all,
             search: EditLine::for_words(),
             typing: false,
+            read: None,
         }
     }
 
     /// The scene was changed: what it has now is listed, and the cursor stays on its name.
-    pub(crate) fn move_to(&mut self, scene: &Scene) {
+    pub(crate) fn move_to(
+        &mut self,
+        scene: &Scene,
+        solver: &Solver,
+        is_chosen: impl Fn(&str) -> bool,
+    ) {
         let current = self.current().map(str::to_owned);
-        self.all = all_of(scene);
+        self.all = all_of(scene, solver, is_chosen);
         self.narrow();
         let stays = self
             .rows()
@@ -121,6 +135,24 @@ impl PlotList {
         self.cursor = stays.unwrap_or(0);
     }
 
+    /// The first line that is seen of what the figure under the cursor does over the whole motion; `None` where that is
+    /// not read.
+    pub(crate) fn read(&self) -> Option<usize> {
+        self.read
+    }
+
+    /// Reads what the figure under the cursor does, or no longer.
+    pub(crate) fn set_reading(&mut self, reads: bool) {
+        self.read = (reads && self.current().is_some()).then_some(0);
+    }
+
+    /// Scrolls what is read, by so many lines and to this one at the most.
+    pub(crate) fn scroll_by(&mut self, lines: isize, most: usize) {
+        self.read = self
+            .read
+            .map(|first| first.saturating_add_signed(lines).min(most));
+    }
+
     /// Moves the cursor, within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
         let most = self.found.len().saturating_sub(1);
@@ -138,14 +170,34 @@ mod tests {
     fn another_text_of_the_scene_leaves_the_list_and_its_cursor() {
         let text = presets::find("four-bar").unwrap().text;
         let scene = Scene::parse(text, "four-bar").unwrap();
-        let mut list = PlotList::new(&scene, |name| name == "C.a");
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let mut list = PlotList::new(&scene, &solver, |name| name == "C.a");
         let before = list.clone();
         assert_eq!(list.current(), Some("C.a"));
         let edited = scene.again(&text.replace("length = 300", "length = 310"));
-        list.move_to(&edited.unwrap());
+        list.move_to(&edited.unwrap(), &solver, |_| false);
         assert_eq!(list, before);
         let renamed = scene.again(&text.replace("\"C\"", "\"K\"").replace("C = [", "K = ["));
-        list.move_to(&renamed.unwrap());
+        let renamed = renamed.unwrap();
+        let solver = Solver::new(&renamed.mechanism).unwrap();
+        list.move_to(&renamed, &solver, |_| false);
         assert_eq!(list.current(), before.rows().next().map(|(name, _)| name));
+    }
+
+    /// The crank of a four-bar keeps its speed: of its turning nothing is to be seen, unless it is plotted already.
+    #[test]
+    fn what_stays_over_the_motion_is_not_listed() {
+        let scene = Scene::parse(presets::find("four-bar").unwrap().text, "four-bar").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let has = |list: &PlotList, name: &str| list.rows().any(|(other, _)| other == name);
+        let list = PlotList::new(&scene, &solver, |_| false);
+        for stays in ["r2.omega", "r2.alpha", "B.v"] {
+            assert!(!has(&list, stays), "{stays}");
+        }
+        for changes in ["r2.angle", "B.x", "r4.omega", "C.a"] {
+            assert!(has(&list, changes), "{changes}");
+        }
+        let list = PlotList::new(&scene, &solver, |name| name == "r2.omega");
+        assert!(has(&list, "r2.omega"));
     }
 }

@@ -11,8 +11,9 @@ mod excursion_note;
 pub(crate) mod list;
 
 use super::pane::{Copied, Need, Pane, PaneSpot};
-use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
+use super::{Sketch, columns, cut, first_seen, inset, mark_more, page, print, print_right, show};
 use crate::drawing::plot::{Plot, PlotStyle};
+use crate::page::Line;
 use crate::quantity::{Abscissa, Subject};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -101,6 +102,10 @@ impl Pane for PlotsView {
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        if let Some((first, lines)) = read(app, body) {
+            render_read(app, first, &lines, inset(body), buffer);
+            return;
+        }
         let PlotAreas { list, plot } = arrange(app, body);
         if let Some(body) = plot {
             render_plot(app, body, buffer);
@@ -122,6 +127,9 @@ impl Pane for PlotsView {
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        if let Some((_, lines)) = read(app, body) {
+            return (lines.len(), inset(body).height.into());
+        }
         match (arrange(app, body).list, app.mode(), app.plots().plot()) {
             (Some(body), Mode::PlotList(list), _) => (list.count().0, list_rows(app, body).into()),
             (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
@@ -167,6 +175,27 @@ impl Pane for PlotsView {
 
     fn file_part(&self) -> Option<&'static str> {
         Some("plot")
+    }
+}
+
+/// What the figure under the cursor does over the whole motion, line by line, where that is read, and the first line
+/// that is seen of it.
+fn read(app: &App, body: Rect) -> Option<(usize, Vec<Line>)> {
+    let Mode::PlotList(list) = app.mode() else {
+        return None;
+    };
+    let first = list.read()?;
+    Some((
+        first,
+        page::lines(app, app.plots().noted_page(), inset(body)),
+    ))
+}
+
+fn render_read(app: &App, first: usize, lines: &[Line], area: Rect, buffer: &mut Buffer) {
+    let first = first_seen(first, lines.len(), area, buffer);
+    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
+        let row = Rect { y, ..area };
+        page::render_line((app.glyphs(), app.colours()), line, row, buffer);
     }
 }
 

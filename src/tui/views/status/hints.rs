@@ -29,7 +29,11 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     }
     if let Mode::PlotList(list) = app.mode() {
         let narrow = app.size().width < ROOM_FOR_GAPS;
-        for (key, name) in list_hints(list.is_typing(), narrow) {
+        let hints = match list.read() {
+            Some(_) => vec![(Key::Escape, words().back()), (Key::Down, words().scroll())],
+            None => list_hints(list.is_typing(), narrow),
+        };
+        for (key, name) in hints {
             line.hint(&key.to_string(), name);
         }
         return;
@@ -137,6 +141,7 @@ fn list_hints(typing: bool, narrow: bool) -> Vec<(Key, &'static str)> {
     vec![
         (Key::Enter, plot),
         (Key::Escape, words().done()),
+        (Key::Char('o'), words().the_whole_cycle()),
         (Key::Char('/'), words().search()),
         (Key::Char('c'), words().none()),
     ]

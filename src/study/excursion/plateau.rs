@@ -1,0 +1,109 @@
+//! From where to where a figure stays at the value at which it turns.
+
+use super::sampler::{MotionSampler, SampledFigure};
+use super::turning::Turnings;
+use super::{FigurePlace, TurningPlace};
+use crate::solver::Range;
+
+/// Values that differ by less than this part of the largest are the same; where no slope is known, of forces that many
+/// figures went into.
+const SAME: f64 = 8.0 * f64::EPSILON;
+const SAME_FORCE: f64 = 1e-12;
+/// What is shorter than this part of the way from one sample to the next is a turn that is round.
+const SHORTEST: f64 = 0.1;
+/// Halvings by which the end of a plateau is found.
+const HALVINGS: u32 = 48;
+
+impl Turnings {
+    /// Tells of every place at which the figure turns how long it stays there: it begins where that does.
+    pub(super) fn find_plateaus(
+        &mut self,
+        sampler: &mut MotionSampler,
+        column: usize,
+        sampled: &SampledFigure,
+    ) {
+        let same = match sampler.has_slope(column) {
+            true => SAME,
+            false => SAME_FORCE,
+        };
+        let level = same * self.greatest.value.abs().max(self.least.value.abs());
+        let shortest = SHORTEST * sampled.step();
+        let first = sampled.at[0];
+        for turning in &mut self.places {
+            let place = turning.place;
+            let mut end = |forwards| stays(sampler, column, sampled, (place, forwards), level);
+            let [back, on] = [end(false), end(true)];
+            if on - back <= shortest {
+                continue;
+            }
+            let from = match sampler.range() {
+                Range::Full { period } if back < first => back + period,
+                Range::Full { .. } | Range::Limited { .. } => back,
+            };
+            turning.place.at = from;
+            turning.until = Some(from + (on - back));
+            let extreme = match turning.is_peak {
+                true => &mut self.greatest,
+                false => &mut self.least,
+            };
+            if (extreme.value - place.value).abs() <= level {
+                extreme.at = from;
+            }
+        }
+        let by_place = |a: &TurningPlace, b: &TurningPlace| a.place.at.total_cmp(&b.place.at);
+        self.places.sort_by(by_place);
+    }
+}
+
+/// How far on, or back, from a place a figure stays at its value.
+fn stays(
+    sampler: &mut MotionSampler,
+    column: usize,
+    sampled: &SampledFigure,
+    (place, forwards): (FigurePlace, bool),
+    level: f64,
+) -> f64 {
+    let last = sampled.at.len() - 1;
+    let period = match sampler.range() {
+        Range::Full { period } => Some(period),
+        Range::Limited { .. } => None,
+    };
+    let is_there = |value: f64| (value - place.value).abs() <= level;
+    // The samples on this side in their order, and once round where the motion repeats.
+    let behind = |k: &usize| match forwards {
+        true => sampled.at[*k] > place.at,
+        false => sampled.at[*k] < place.at,
+    };
+    let near = (0..=last).filter(behind).map(|k| (k, 0.0));
+    let way = period.unwrap_or(0.0) * if forwards { 1.0 } else { -1.0 };
+    let round = (0..=last).filter(|_| period.is_some()).map(|k| (k, way));
+    let mut samples: Vec<(usize, f64)> = near.collect();
+    match forwards {
+        true => samples.extend(round),
+        false => {
+            samples.reverse();
+            let mut round: Vec<(usize, f64)> = round.collect();
+            round.reverse();
+            samples.extend(round);
+        }
+    }
+    let mut inside = place.at;
+    for (k, way) in samples {
+        let at = sampled.at[k] + way;
+        if is_there(sampled.by_degree[0][k]) {
+            inside = at;
+            continue;
+        }
+        let mut outside = at;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            let value = sampler.sample(column, middle, place.value).value;
+            match is_there(value) {
+                true => inside = middle,
+                false => outside = middle,
+            }
+        }
+        return inside;
+    }
+    inside
+}
