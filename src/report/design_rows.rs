@@ -79,7 +79,7 @@ impl DesignTable {
             unit: unit.to_owned(),
         };
         let values = space.values().iter();
-        let values = values.map(|value| column(value.dotted(), value.unit));
+        let values = values.map(|value| column(value.dotted(), &value.shown_unit()));
         let found = figures.figures().iter();
         let found = found.map(|figure| column(figure.name().to_owned(), figure.unit()));
         DesignTable {

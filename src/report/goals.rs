@@ -3,7 +3,7 @@
 use super::cycle_report::figure_reason;
 use super::number::{concise, significant, trimmed};
 use super::stop_facts::stops;
-use super::verdict::range_part;
+use super::verdict::motion_text;
 use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
 use crate::quantity::Catalogue;
 use crate::solver::Range;
@@ -53,11 +53,13 @@ impl GoalReport<'_> {
         let mut facts = Facts::default();
         let wishes = self.goals.iter().map(written);
         facts.tell(words().to_be_met(), wishes);
-        facts.tell(words().designs_found(), [self.verdict()]);
-        let lacks = self.lacks(words()).into_iter();
-        let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
-        let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
-        facts.tell(words().given_lacks(), unopened.into_iter().chain(lacks));
+        let family = self.outcome.freedoms();
+        let family = (family > 0).then(|| words().family_of_designs(family));
+        facts.tell(
+            words().designs_found(),
+            std::iter::once(self.verdict()).chain(family),
+        );
+        facts.tell(words().given_lacks(), self.reasons());
         facts.tell(words().kind_of_motion(), self.other_motions());
         page.add(Content::Facts(facts));
         page.table(self.table());
@@ -70,6 +72,15 @@ impl GoalReport<'_> {
         let others = shown.filter(|(found, _)| !found.moves_as_given);
         let others = others.map(|(found, head)| (head, &found.design));
         other_motions(self.space, others)
+    }
+
+    /// Why the given design cannot be told of, and the figures that it has not, each with the reason.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<String> {
+        let lacks = self.lacks(words()).into_iter();
+        let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
+        let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
+        unopened.into_iter().chain(lacks).collect()
     }
 
     /// The figures that the given design has not, each with the reason.
@@ -131,7 +142,7 @@ impl GoalReport<'_> {
     /// A value that varies, as it is named on the command line, and its unit.
     fn name(&self, value: usize) -> String {
         let value = &self.space.values()[value];
-        with_unit(&value.dotted(), value.unit)
+        with_unit(&value.dotted(), &value.shown_unit())
     }
 
     /// All that was found, for programs.
@@ -142,6 +153,7 @@ impl GoalReport<'_> {
                 "values": named(self.space, &found.numbers),
                 "figures": self.figures(&found.figures),
                 "distance": found.distance,
+                "freedoms": found.freedoms,
                 "motion": motion(&found.design, found.moves_as_given),
             })
         };
@@ -190,11 +202,8 @@ fn other_motions<'d>(
     space: &DesignSpace,
     others: impl Iterator<Item = (String, &'d Design)>,
 ) -> Vec<String> {
-    let catalogue = Catalogue::new(space.scene());
-    let unit = &catalogue.driver().unit;
-    let told = |head: &str, scene, solver| {
-        words().motion_of_design(head, &range_part(scene, solver, unit).long)
-    };
+    let told =
+        |head: &str, scene, solver| words().motion_of_design(head, &motion_text(scene, solver));
     let mut lines: Vec<String> = others
         .map(|(head, design)| told(&head, &design.scene, &design.solver))
         .collect();
@@ -292,7 +301,7 @@ impl BestReport<'_> {
         let mut table = Table::new("", heads);
         let values = self.space.values().iter().zip(&self.best.numbers);
         for (value, number) in values {
-            let name = with_unit(&value.dotted(), value.unit);
+            let name = with_unit(&value.dotted(), &value.shown_unit());
             let cells = [concise(value.number, FINE), trimmed(*number, FINE)];
             table.row(name, cells.map(Cell::sure));
         }

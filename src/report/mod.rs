@@ -99,7 +99,7 @@ pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
 pub use tolerance_page::{ToldTolerance, ToleranceReport};
 pub use tolerance_rows::{ToleranceFormat, ToleranceOutcome, ToleranceRows};
-pub use verdict::{Verdict, VerdictPart};
+pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
     PositionMethod, VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,

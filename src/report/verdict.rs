@@ -69,8 +69,15 @@ impl Verdict {
     }
 }
 
+/// How far the driver moves, and what stops it, in words.
+#[must_use]
+pub fn motion_text(scene: &Scene, solver: &Solver) -> String {
+    let catalogue = Catalogue::new(scene);
+    range_part(scene, solver, &catalogue.driver().unit).long
+}
+
 /// How far the driver moves, and what stops it.
-pub(super) fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
+fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
     let Range::Limited { low, high } = solver.motion().range else {
         return VerdictPart::of(words().range_whole());
     };

@@ -86,6 +86,18 @@ impl Value {
         dotted(&self.name)
     }
 
+    /// The unit of its number as tables have it: that of the file, and of a parameter what its formula measures.
+    #[must_use]
+    pub fn shown_unit(&self) -> String {
+        let measured = self
+            .dimension
+            .filter(|_| self.measure == Measure::Parameter);
+        measured.map_or_else(
+            || self.unit.to_owned(),
+            |unit| unit.written(self.scene.symbol()).to_string(),
+        )
+    }
+
     /// The text that stands in the file for this value: a number, of a rate with its unit.
     #[must_use]
     pub fn text(&self) -> String {

@@ -11,6 +11,7 @@ mod editing;
 mod export;
 mod filing;
 mod gathering;
+mod goal_run;
 mod goals;
 mod helping;
 mod leaving;
@@ -60,6 +61,7 @@ use crate::tui::views::picker::preview::Previews;
 use crate::tui::views::plots::curves::Plots;
 use crate::wording::{Language, words};
 use comparing::Comparison;
+use goal_run::GoalRun;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
@@ -122,6 +124,8 @@ pub(crate) struct App {
     previews: Previews,
     /// The linkages for the task that was looked at last.
     candidates: Option<CandidateList>,
+    /// The designs for a goal, while they are looked for or gone through.
+    goal_run: Option<GoalRun>,
     /// What the open scene is held against.
     comparison: Comparison,
 
@@ -158,6 +162,7 @@ impl App {
             guess: String::new(),
             previews: Previews::default(),
             candidates: None,
+            goal_run: None,
             comparison: Comparison::default(),
             clerk: Clerk::default(),
             csv: CsvDialect::default(),

@@ -310,3 +310,36 @@ fn a_goal_is_met_by_the_value_under_the_cursor() {
     session.press("Esc");
     assert_eq!(row(&mut session), "> r2 length 10 cm");
 }
+
+/// The offset of a slider-crank may lie to either side: both designs are gone through, one is taken, and one key takes
+/// both of its values back. The goal may be typed again where it was left.
+#[test]
+fn several_designs_for_a_goal_are_gone_through() {
+    let mut session = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 160, 30);
+    let goal = "r4.length.stroke = 120; r4.length.ratio = 1.1 by r2.length, r4.through.y";
+    session.press("6").find("r2 len");
+    let given = row(&mut session);
+    session.press("@").type_in(goal).press("Enter");
+    let first = session.look();
+    assert!(first.contains("1 of 2: r2 length "), "{first}");
+    session.press("Right");
+    let second = session.look();
+    assert!(second.contains("2 of 2: r2 length "), "{second}");
+    session.press("Esc");
+    assert!(session.look().contains(goal));
+    session.press("Enter").press("Right").press("Enter");
+    assert!(session.look().contains(" meets it"));
+    assert_ne!(row(&mut session), given);
+    session.press("u").find("r2 len");
+    assert_eq!(row(&mut session), given);
+}
+
+/// A figure that no design near by has used to be told without a reason.
+#[test]
+fn a_goal_that_no_design_can_be_told_of_has_its_reason() {
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 160, 30);
+    session.press("6").find("r4 len").press("@");
+    session.type_in("driver.angle.ratio = 2").press("Enter");
+    let said = session.look();
+    assert!(said.contains("it turns round"), "{said}");
+}

@@ -26,10 +26,10 @@ pub(in crate::cli) struct SolveArgs {
     )]
     pub(in crate::cli) vary: Vec<PlanAxis>,
     #[arg(help = words().goal_to_meet())]
-    #[arg(long, value_name = "FIGURE=NUMBER")]
+    #[arg(long, value_name = "GOAL")]
     pub(in crate::cli) goal: Vec<String>,
     #[arg(help = words().limit_to_keep())]
-    #[arg(long, value_name = "FIGURE>=NUMBER")]
+    #[arg(long, value_name = "GOAL")]
     pub(in crate::cli) keep: Vec<String>,
     #[arg(help = words().figure_to_minimize())]
     #[arg(long, value_name = "FIGURE", conflicts_with = "maximize")]

@@ -99,16 +99,16 @@ impl Judge {
     pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, Worth) {
         match self.judge(numbers.clone()) {
             Some(design) => {
-                let design = self.onto(design, &[]);
+                let design = self.onto(design, None);
                 (design.numbers, design.worth)
             }
             None => (numbers, NONE),
         }
     }
 
-    /// Brings a design onto what is to be equal, by Newton's steps, each the shortest that there is between the ends:
-    /// onto equalities, and of the other constraints onto those that are held and those that are missed.
-    pub(super) fn onto(&mut self, mut design: Judged, held: &[usize]) -> Judged {
+    /// Brings a design onto what is to be equal, by Newton's steps, each the shortest that there is between the ends; with
+    /// `held` also onto these of the other constraints, and onto those that it misses.
+    pub(super) fn onto(&mut self, mut design: Judged, held: Option<&[usize]>) -> Judged {
         for _ in 0..STEPS {
             let rows = self.missed_by(&design, held);
             let missed = norm(&design, &rows);
@@ -132,10 +132,11 @@ impl Judge {
     }
 
     /// The constraints onto which a design is brought.
-    fn missed_by(&self, design: &Judged, held: &[usize]) -> Vec<usize> {
+    fn missed_by(&self, design: &Judged, held: Option<&[usize]>) -> Vec<usize> {
         let all = self.constraints.iter().enumerate();
         let is_missed = |i: usize, goal: &Goal| {
-            goal.sense == GoalSense::Equal || design.slacks[i] < 0.0 || held.contains(&i)
+            let is_held = |held: &[usize]| design.slacks[i] < 0.0 || held.contains(&i);
+            goal.sense == GoalSense::Equal || held.is_some_and(is_held)
         };
         let missed = all.filter(|(i, goal)| is_missed(*i, goal));
         missed.map(|(i, _)| i).collect()
@@ -152,6 +153,9 @@ impl Judge {
                 false => 0.0,
             };
             let matrix = DMatrix::from_fn(rows.len(), count, slope);
+            if !is_finite(&matrix) {
+                return None;
+            }
             let parts = matrix.svd(true, true);
             let least = SINGULAR * parts.singular_values.max();
             if !(least > 0.0) {
@@ -209,6 +213,10 @@ impl Judge {
                 (None, None) => return None,
             };
             let by = (to.numbers[i] - from.numbers[i]) / size;
+            // Ends that are so near to each other leave nothing to vary.
+            if by == 0.0 {
+                continue;
+            }
             slopes.value[i] = (to.value - from.value) / by;
             slopes
                 .slacks
@@ -216,6 +224,11 @@ impl Judge {
         }
         Some(slopes)
     }
+}
+
+/// Whether singular values can be found: of what is not finite they never are.
+pub(super) fn is_finite(matrix: &DMatrix<f64>) -> bool {
+    matrix.iter().all(|v| v.is_finite())
 }
 
 /// By how much some constraints are off nought, all together.

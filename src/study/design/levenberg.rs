@@ -2,10 +2,11 @@
 //!
 //! Residuals are the goals' misses in parts of their size, those of `>=` and `<=` nought where they are met. The
 //! derivatives are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
-//! them ten digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
+//! them eight digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
 //! its start is found.
 
-use super::GoalSearch;
+use super::judge::is_finite;
+use super::{GoalSearch, GoalSense};
 use crate::study::NoFigure;
 use nalgebra::{DMatrix, DVector};
 
@@ -18,6 +19,8 @@ const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 8.0;
 const SHRINKING: f64 = 0.2;
 const MOST_DAMPING: f64 = 1e12;
+/// A singular value that is so small a part of the greatest is none: differences leave more digits than that.
+const RANK: f64 = 1e-6;
 
 /// A place of a search.
 pub(super) struct Place {
@@ -41,13 +44,15 @@ impl GoalSearch {
         self.misses_of(&figures)
     }
 
+    /// What numbers miss; `None` where they are no design, or lack a figure.
+    pub(super) fn place(&mut self, numbers: Vec<f64>) -> Option<Place> {
+        let misses = self.misses(&numbers)?;
+        Some(Place { numbers, misses })
+    }
+
     /// From one start, to where no step is better.
     pub(super) fn search(&mut self, start: Vec<f64>) -> Option<Place> {
-        let misses = self.misses(&start)?;
-        let mut place = Place {
-            numbers: start,
-            misses,
-        };
+        let mut place = self.place(start)?;
         let mut damping = DAMPING;
         for _ in 0..STEPS {
             if place.misses.norm() == 0.0 {
@@ -100,7 +105,7 @@ impl GoalSearch {
     }
 
     /// The derivatives of the misses by the numbers in parts of their sizes.
-    fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
+    pub(super) fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
         let columns = (0..place.numbers.len()).map(|i| {
             let by = DIFFERENCE * self.sizes[i];
             let mut at = |by: f64| {
@@ -117,5 +122,26 @@ impl GoalSearch {
         });
         let columns: Option<Vec<DVector<f64>>> = columns.collect();
         Some(DMatrix::from_columns(&columns?))
+    }
+
+    /// How many numbers are left free around a place: those less the goals to be equal that are met by themselves, told
+    /// by the rank of their derivatives.
+    pub(super) fn freedoms(&mut self, place: &Place) -> usize {
+        let count = place.numbers.len();
+        let equal = self.goals.iter().enumerate();
+        let equal = equal.filter(|(_, goal)| goal.sense == GoalSense::Equal);
+        let equal: Vec<usize> = equal.map(|(i, _)| i).collect();
+        if equal.is_empty() {
+            return count;
+        }
+        let own = self.slopes(place).map(|slopes| slopes.select_rows(&equal));
+        let rank = own.filter(is_finite).map(|own| {
+            let sizes = own.singular_values();
+            sizes
+                .iter()
+                .filter(|size| **size > RANK * sizes.max())
+                .count()
+        });
+        count.saturating_sub(rank.unwrap_or(count))
     }
 }

@@ -3,7 +3,7 @@
 //! update), each brought back onto the constraints, until the first-order condition of Karush, Kuhn and Tucker holds.
 
 use super::GoalSense;
-use super::judge::{Judge, Judged, Slopes};
+use super::judge::{Judge, Judged, Slopes, is_finite};
 use nalgebra::{DMatrix, DVector};
 
 /// Steps at the most, and how often one is halved that betters nothing.
@@ -43,7 +43,7 @@ struct Hold {
 
 /// Goes on from a design to where no small step along the constraints betters it, if it comes there.
 pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
-    let mut here = judge.onto(design, &[]);
+    let mut here = judge.onto(design, Some(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
     let Some(mut slopes) = judge.slopes(&here, true) else {
@@ -148,7 +148,7 @@ impl Hold {
 
 /// The multipliers with which normals hold a slope best.
 fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
-    if normals.nrows() == 0 {
+    if normals.nrows() == 0 || !is_finite(normals) {
         return DVector::zeros(0);
     }
     let parts = normals.transpose().svd(true, true);
@@ -169,7 +169,7 @@ fn step(
     let mut length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
     for _ in 0..HALVINGS {
         if let Some(there) = judge.judge(judge.moved(&here.numbers, &(&way * length))) {
-            let there = judge.onto(there, &hold.rows);
+            let there = judge.onto(there, Some(&hold.rows));
             if there.worth < here.worth {
                 let slopes = judge.slopes(&there, true)?;
                 return Some((there, slopes));
@@ -193,6 +193,9 @@ fn way(hold: &Hold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DV
         .copy_from(&hold.normals.transpose());
     let mut right = DVector::zeros(count + held);
     right.rows_mut(0, count).copy_from(&-slope);
+    if !is_finite(&matrix) {
+        return None;
+    }
     let parts = matrix.svd(true, true);
     let least = f64::EPSILON * parts.singular_values.max();
     let found = parts.solve(&right, least).ok()?;

@@ -18,6 +18,9 @@ pub struct FoundDesign {
     pub figures: Vec<Result<f64, NoFigure>>,
     /// How far it is from what is given: the root of the sum of squares, each in parts of its size.
     pub distance: f64,
+    /// How many of its values are left free by the goals that are equalities: where there are any, it is one of a family
+    /// of designs that meet them.
+    pub freedoms: usize,
     /// The design itself.
     pub design: Design,
     /// Whether its motion is of the kind of the given one: a goal may be met by a crank that turns no more.
@@ -36,6 +39,15 @@ pub struct SearchOutcome {
     pub unopened: Option<NoDesign>,
     /// Starts from which was searched.
     pub starts: u32,
+}
+
+impl SearchOutcome {
+    /// How many freedoms the family has that the solutions belong to; 0 where they stand alone.
+    #[must_use]
+    pub fn freedoms(&self) -> usize {
+        let each = self.solutions.iter().map(|found| found.freedoms);
+        each.min().unwrap_or(0)
+    }
 }
 
 /// A search for numbers that meet goals.
@@ -159,6 +171,7 @@ impl GoalSearch {
         let place = self.search(start)?;
         let figures = self.figures.of(&place.numbers).ok()?;
         let design = self.figures.space().open(&place.numbers).ok()?;
+        let freedoms = self.freedoms(&place);
         let mut pairs = self.goals.iter().zip(&figures);
         let is_met = pairs.all(|(goal, value)| value.is_ok_and(|value| goal.is_met(value)));
         let found = FoundDesign {
@@ -166,6 +179,7 @@ impl GoalSearch {
             moves_as_given: design.moves_like(self.figures.space().solver()),
             numbers: place.numbers,
             figures,
+            freedoms,
             design,
         };
         Some(SearchEnd {

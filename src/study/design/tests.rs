@@ -506,34 +506,47 @@ fn swing_and_transmission([r2, r3, r4, r1]: [f64; 4]) -> (f64, f64) {
     let swing = at(r3 + r2, r1, r4) - at(r3 - r2, r1, r4);
     let angles = [r1 - r2, r1 + r2].map(|far| at(far, r3, r4));
     let off = angles.iter().map(|angle| (angle - 90.0).abs());
-    (swing, 90.0 - off.fold(0.0, f64::max))
+    // Where links are too short for that, there is no such angle.
+    let closes = angles.iter().all(|angle| angle.is_finite());
+    (
+        swing,
+        if closes {
+            90.0 - off.fold(0.0, f64::max)
+        } else {
+            0.0
+        },
+    )
 }
 
-/// The greatest transmission angle with a swing that is to be kept exactly: along the crank the coupler follows from the
-/// swing by bisection of the closed formula, and the best of all is sought there by thirds.
+/// The greatest transmission angle with a swing that is to be kept exactly: to every crank the couplers follow from the
+/// swing by bisection of the closed formula, and the best of all is sought place by place.
 #[test]
 fn the_best_design_keeps_an_equality() {
-    let (r4, r1, swing) = (250.0, 400.0, 50.0);
-    let coupler = |r2: f64| {
-        let (mut low, mut high) = (r1 + r2 - r4, r1 + r4 - r2);
-        let over = |r3: f64| swing_and_transmission([r2, r3, r4, r1]).0 - swing;
-        (low, high) = (low.max(260.0), high.min(340.0));
-        (over(low) * over(high) < 0.0).then(|| {
-            for _ in 0..200 {
+    let of = |r2: f64, r3: f64| swing_and_transmission([r2, r3, 250.0, 400.0]);
+    let best_with = |r2: f64| {
+        let over = |r3: f64| of(r2, r3).0 - 50.0;
+        let cells = (0..160).map(|k| [260.0 + 0.5 * f64::from(k), 260.5 + 0.5 * f64::from(k)]);
+        let couplers = cells.filter(|cell| over(cell[0]) * over(cell[1]) < 0.0);
+        let couplers = couplers.map(|[mut low, mut high]| {
+            for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                if over(low) * over(middle) <= 0.0 {
-                    high = middle;
+                *(if over(low) * over(middle) <= 0.0 {
+                    &mut high
                 } else {
-                    low = middle;
-                }
+                    &mut low
+                }) = middle;
             }
-            0.5 * (low + high)
-        })
+            low
+        });
+        couplers.map(|r3| of(r2, r3).1).fold(0.0, f64::max)
     };
-    let known = |r2: f64| Some(swing_and_transmission([r2, coupler(r2)?, r4, r1]).1);
-    let places = (0..=80_000).map(|k| 60.0 + f64::from(k) * 1e-3);
-    let best = places.filter_map(|r2| Some((r2, known(r2)?)));
-    let (known_at, known) = best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    let best_from = |from: f64, step: f64, count: i32| {
+        let places = (0..count).map(|k| from + f64::from(k) * step);
+        let best = places.map(|r2| (r2, best_with(r2)));
+        best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+    };
+    let (near, _) = best_from(60.0, 0.02, 4000);
+    let (known_at, known) = best_from(near - 0.02, 2e-5, 2000);
     let space = space("four-bar", &["r2 length", "r3 length"]);
     let figures = figures(&space, &["transmission", "r4.angle.swing"]);
     let constraints = goals(&space, &["r4.angle.swing = 50"]);
@@ -547,11 +560,72 @@ fn the_best_design_keeps_an_equality() {
         let axes = axes(&["r2=60..140", "r3=260..340"]);
         let best = BestDesign::find(&figures, &constraints, &axes, order, &mut |_| true).unwrap();
         assert_eq!(best.missed, 0.0, "{best:?}");
-        // The oracle's places are a thousandth apart.
+        // The places are that far apart.
         assert!(
             (best.value - known).abs() < 1e-3,
             "{best:?}: {known} at {known_at}"
         );
         assert!(best.value > known - 1e-6, "{best:?}: {known} at {known_at}");
+    }
+}
+
+/// One goal for two values leaves a family with one freedom; one for one, and two for two, leave none. A bound leaves all.
+#[test]
+fn a_family_of_designs_is_told_by_its_freedoms() {
+    let both = ["r4.length.stroke = 120", "r4.length.ratio = 1.1"];
+    for (values, wishes, freedoms) in [
+        (vec!["r2 length"], &both[..1], 0),
+        (vec!["r2 length", "r4 through y"], &both[..1], 1),
+        (vec!["r2 length", "r4 through y"], &both[..], 0),
+        (
+            vec!["r2 length", "r3 length"],
+            &["r4.length.stroke >= 20"],
+            2,
+        ),
+    ] {
+        let space = space("offset-slider-crank", &values);
+        let wished = goals(&space, wishes);
+        let names: Vec<&str> = wished.iter().map(|goal| goal.figure.name()).collect();
+        let axes: Vec<PlanAxis> = axes(&values.iter().map(|_| "v").collect::<Vec<_>>());
+        let search = GoalSearch::new(figures(&space, &names), wished.clone(), &axes);
+        let outcome = search.run(6, 1, 2, &mut |_| true);
+        assert!(!outcome.solutions.is_empty(), "{values:?} {wishes:?}");
+        assert_eq!(outcome.freedoms(), freedoms, "{values:?} {wishes:?}");
+    }
+}
+
+/// The derivatives of a stroke by crank, rod and offset, against those of the closed formula.
+#[test]
+fn derivatives_by_differences_have_eight_digits() {
+    let values = ["r2 length", "r3 length", "r4 through y"];
+    let space = space("offset-slider-crank", &values);
+    let wished = goals(&space, &["r4.length.stroke = 100"]);
+    let axes = axes(&["r2=40..140", "r3=240..340", "e=-40..60"]);
+    let mut search = GoalSearch::new(figures(&space, &["r4.length.stroke"]), wished, &axes);
+    for numbers in [
+        [80.0, 280.0, 20.0],
+        [61.7, 301.3, -33.1],
+        [99.9, 250.5, 1.25],
+    ] {
+        let [r, l, e] = numbers;
+        let place = search.place(numbers.to_vec()).unwrap();
+        let slopes = search.slopes(&place).unwrap();
+        let [far, near] = [l + r, l - r].map(|v| (v * v - e * e).sqrt());
+        let known = [
+            (l + r) / far + (l - r) / near,
+            (l + r) / far - (l - r) / near,
+            -e / far + e / near,
+        ];
+        // Misses are parts of the goal's size, numbers parts of the way between their ends: both are 100 here, where
+        // the given stroke is no further off than that.
+        let size = slopes[(0, 0)] / known[0];
+        for (i, known) in known.iter().enumerate() {
+            let found = slopes[(0, i)] / size;
+            assert!(
+                (found - known).abs() < 1e-8,
+                "{numbers:?} {i}: {found} {known}"
+            );
+        }
+        assert!((size - 1.0).abs() < 1e-8, "{size}");
     }
 }

@@ -1,6 +1,7 @@
 //! Time that passes: what is played moves, a study goes on, and what a state costs is measured.
 
 use super::super::views::Need;
+use super::goal_run::GoalRun;
 use super::{App, Mode};
 use crate::tui::player::FRAME;
 use crate::tui::views::accuracy::study_run::{Phase, StudyRun, Ticker};
@@ -43,6 +44,14 @@ impl App {
                 let moves = |list: &&CandidateList| list.is_playing() || list.percent().is_some();
                 let list = self.candidates.as_ref().filter(moves);
                 list.map(|_| self.now + FRAME)
+            }
+            Mode::GoalRun => {
+                let run = self.goal_run.as_ref();
+                let searching = run.and_then(GoalRun::percent).map(|_| self.now + FRAME);
+                [self.player.next_frame(), searching]
+                    .into_iter()
+                    .flatten()
+                    .min()
             }
             _ => self.player.next_frame(),
         };

@@ -1,78 +1,128 @@
-//! Goals: values of the scene are found that meet them, and put as one edit.
+//! Goals: values of the scene are found that meet them, gone through where there are several, and put as one edit.
 
-use super::{App, Mode};
+use super::goal_run::{GoalRun, GoalWish};
+use super::{App, Effect, Mode};
+use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::scene::Value;
-use crate::study::{DesignFigures, DesignSpace, FoundDesign, Goal, GoalSearch, PlanAxis};
+use crate::study::{DesignSpace, Goal, PlanAxis};
+use crate::tui::commands::action::{Action, TablesAction};
+use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::history::Deed;
-use crate::tui::figures::format::coordinate;
-use crate::wording::words;
+use std::sync::Arc;
 use std::time::Duration;
-
-/// Digits of what is found, and decimals of what is said of it.
-const DIGITS: i32 = 12;
-const DECIMALS: usize = 3;
 
 impl App {
     pub(super) fn type_goal(&mut self) {
         if self.document.editor.value().is_some() {
-            self.shell.mode = Mode::Goal(EditLine::for_goal());
+            self.shell.mode = Mode::Goal(EditLine::for_goal(""));
         }
     }
 
-    /// Goals were typed: from what is given, values are found that meet them.
-    pub(super) fn take_goal(&mut self, typed: &str, now: Duration) {
+    /// Designs for a goal, while they are looked for or gone through.
+    pub(crate) fn goal_run(&self) -> Option<&GoalRun> {
+        self.goal_run.as_ref()
+    }
+
+    /// Goals were typed: designs that meet them are looked for, apart from the screen.
+    pub(super) fn take_goal(&mut self, typed: &str) {
         if typed.trim().is_empty() {
             self.shell.mode = Mode::Normal;
             return;
         }
-        match self.values_for(typed) {
-            Ok(texts) => {
-                let said = texts
-                    .iter()
-                    .map(|(value, text)| format!("{} {text}", value.name));
-                let said = said.collect::<Vec<_>>().join(", ");
-                let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
-                let deed = Deed::Other(names.join(", "));
-                if self.put_all(texts, deed, now) {
-                    self.shell.mode = Mode::Normal;
-                    self.shell.say(words().goal_is_met(&said));
+        let wish = match self.wish(typed) {
+            Ok(wish) => wish,
+            Err(why) => return self.shell.say(why),
+        };
+        let run = GoalRun::new(wish.clone());
+        let progress = Arc::clone(run.progress());
+        self.goal_run = Some(run);
+        self.shell.mode = Mode::GoalRun;
+        self.clerk.search(move || {
+            let found = wish.search(parallel::cores(), &progress);
+            Box::new(move |app, now| {
+                // It may have been left, and another one begun meanwhile.
+                let is_awaited = app.shell.mode == Mode::GoalRun;
+                let own = |run: &&mut GoalRun| is_awaited && Arc::ptr_eq(run.progress(), &progress);
+                if let Some(run) = app.goal_run.as_mut().filter(own) {
+                    run.take(found);
+                    app.see_goal_run(now);
                 }
+            })
+        });
+        self.take_in(self.now);
+    }
+
+    /// A search has come to its end: one design is taken, of several one is chosen, and where there is none the goal may
+    /// be typed otherwise.
+    fn see_goal_run(&mut self, now: Duration) {
+        let Some(run) = &self.goal_run else {
+            return;
+        };
+        match run.count() {
+            0 => {
+                self.shell.say(run.not_met());
+                self.shell.mode = Mode::Goal(EditLine::for_goal(&run.wish.typed));
+                self.goal_run = None;
             }
-            Err(why) => self.shell.say(why),
+            1 => self.take_design(now),
+            _ => {}
         }
     }
 
-    /// The values that meet what was typed; in words why there are none.
-    fn values_for(&self, typed: &str) -> Result<Vec<(Value, String)>, String> {
-        let (goals, axes) = self.wish(typed)?;
-        let open_scene = &self.player.open_scene;
-        let space = DesignSpace::of_axes(open_scene.scene(), open_scene.solver(), &axes)?;
-        let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
-        let figures = DesignFigures::new(&space, figures, None);
-        let outcome = GoalSearch::new(figures, goals.clone(), &axes).run(0, 0, 1, &mut |_| true);
-        match (outcome.solutions.first(), &outcome.nearest) {
-            (Some(found), _) => {
-                let texts = space.values().iter().zip(&found.numbers);
-                let text = |(value, number): (&Value, &f64)| {
-                    (value.clone(), value.with_number(to_digits(*number)))
-                };
-                Ok(texts.map(text).collect())
-            }
-            (None, Some(nearest)) => Err(words().goal_not_met(&told(&goals, nearest))),
-            (None, None) => Err(words().goal_needs_opening().into()),
+    /// Takes the design that is looked at, as one edit.
+    fn take_design(&mut self, now: Duration) {
+        let Some(run) = self.goal_run.take() else {
+            return;
+        };
+        self.shell.mode = Mode::Normal;
+        let (Some(texts), Some(said)) = (run.texts(), run.is_met()) else {
+            return;
+        };
+        let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
+        let deed = Deed::Other(names.join(", "));
+        if self.put_all(texts, deed, now) {
+            self.shell.say(said);
         }
+    }
+
+    /// Keys while designs are looked for or gone through; `None` for those that mean the same everywhere.
+    pub(super) fn goal_run_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        self.shell.message = None;
+        let run = self.goal_run.as_mut()?;
+        if key == Key::Enter {
+            if run.percent().is_none() {
+                self.take_design(now);
+            }
+            return Some(Effect::Show);
+        }
+        match self.shell.keymap.action_in_list(key)? {
+            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw => return None,
+            Action::Back => {
+                run.progress().leave();
+                self.shell.mode = Mode::Goal(EditLine::for_goal(&run.wish.typed));
+                self.goal_run = None;
+            }
+            Action::LineUp | Action::StepBack | Action::Tables(TablesAction::Left) => {
+                run.step(false);
+            }
+            Action::LineDown | Action::StepForward | Action::Tables(TablesAction::Right) => {
+                run.step(true);
+            }
+            _ => {}
+        }
+        Some(Effect::Show)
     }
 
     /// Goals, divided by `;`, and behind `by` the values; without it the one under the cursor.
-    fn wish(&self, typed: &str) -> Result<(Vec<Goal>, Vec<PlanAxis>), String> {
+    fn wish(&self, typed: &str) -> Result<GoalWish, String> {
         let (goals, names) = match typed.split_once(" by ") {
             Some((goals, names)) => (goals, Some(names)),
             None => (typed, None),
         };
-        let scene = self.player.open_scene.scene();
-        let catalogue = Catalogue::new(scene);
+        let open_scene = &self.player.open_scene;
+        let catalogue = Catalogue::new(open_scene.scene());
         let goals = goals.split(';').map(|goal| Goal::parse(goal, &catalogue));
         let goals = goals.collect::<Result<Vec<_>, _>>();
         let under_cursor = || self.document.editor.value().map(Value::dotted);
@@ -82,34 +132,12 @@ impl App {
             .unwrap_or_default();
         let axes = names.split(',').map(str::parse::<PlanAxis>);
         let axes = axes.collect::<Result<Vec<_>, _>>();
-        Ok((
-            goals.map_err(|why| why.to_string())?,
-            axes.map_err(|why| why.to_string())?,
-        ))
+        let axes = axes.map_err(|why| why.to_string())?;
+        Ok(GoalWish {
+            typed: typed.to_owned(),
+            goals: goals.map_err(|why| why.to_string())?,
+            space: DesignSpace::of_axes(open_scene.scene(), open_scene.solver(), &axes)?,
+            axes,
+        })
     }
-}
-
-/// The figures of a design that misses its goals.
-fn told(goals: &[Goal], design: &FoundDesign) -> String {
-    let figures = goals
-        .iter()
-        .zip(&design.figures)
-        .filter_map(|(goal, figure)| {
-            let value = coordinate((*figure).ok()?, DECIMALS);
-            Some(format!(
-                "{} {value} {}",
-                goal.figure.name(),
-                goal.figure.unit()
-            ))
-        });
-    figures
-        .map(|figure| figure.trim_end().to_owned())
-        .collect::<Vec<_>>()
-        .join(", ")
-}
-
-/// A number to so many digits: what lies behind them changes no goal.
-fn to_digits(number: f64) -> f64 {
-    let places = usize::try_from(DIGITS - 1).unwrap_or(0);
-    format!("{number:.places$e}").parse().unwrap_or(number)
 }

@@ -25,6 +25,8 @@ pub(crate) enum Mode {
     Guess(EditLine),
     /// The line in the scene view in which is typed what is to be met.
     Goal(EditLine),
+    /// The designs that meet it, being looked for and gone through.
+    GoalRun,
     /// The list of all commands.
     Palette(CommandList),
     /// The list of assemblies, with the cursor on this one.
@@ -65,6 +67,7 @@ impl Mode {
             Mode::Search(search) => Some(&mut search.name),
             Mode::Normal
             | Mode::Tour(_)
+            | Mode::GoalRun
             | Mode::Assemblies(_)
             | Mode::Confirm(_)
             | Mode::Unsaved(_)

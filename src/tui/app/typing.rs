@@ -37,7 +37,9 @@ impl App {
     /// drawing beside them.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
-        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates = self.shell.mode {
+        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun =
+            self.shell.mode
+        {
             return keymap.action_in_list(key);
         }
         let own = keymap.action(key, self.shell.view);
@@ -101,6 +103,7 @@ impl App {
             Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Candidates => self.candidates_key(key, now),
+            Mode::GoalRun => self.goal_run_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
             Mode::Unsaved(_) => self.answer(key, now),
@@ -137,7 +140,7 @@ impl App {
         match &self.shell.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
             Mode::Guess(line) => self.accept_guess(line.clone().text()),
-            Mode::Goal(line) => self.take_goal(line.clone().text(), now),
+            Mode::Goal(line) => self.take_goal(line.clone().text()),
             Mode::Value(line) => self.take_value(line.clone().text(), now),
             Mode::FileName(prompt) => self.accept_file(prompt.clone()),
             _ => {}

@@ -77,19 +77,19 @@ impl EditLine {
         }
     }
 
-    /// An empty line for goals.
-    pub(crate) fn for_goal() -> EditLine {
-        EditLine {
+    /// A line for goals and the values that are to meet them, with what of it was typed before.
+    pub(crate) fn for_goal(typed: &str) -> EditLine {
+        let mut line = EditLine {
             longest: LONGEST_GOAL,
             ..EditLine::for_number()
-        }
+        };
+        typed.chars().for_each(|c| line.push(c));
+        line
     }
 
     /// A line for guesses, with those in it that hold.
     pub(crate) fn for_guess(guess: &str) -> EditLine {
-        let mut line = EditLine::for_goal();
-        guess.chars().for_each(|c| line.push(c));
-        line
+        EditLine::for_goal(guess)
     }
 
     /// A line for the name of a file, with a proposal in it.
@@ -242,7 +242,7 @@ mod tests {
     #[test]
     fn goals_and_formulas_are_as_long_as_they_may_be() {
         for (mut line, most) in [
-            (EditLine::for_goal(), 1000),
+            (EditLine::for_goal(""), 1000),
             (EditLine::for_guess(""), 1000),
             (EditLine::for_value(), expression::LONGEST),
         ] {

@@ -11,6 +11,7 @@ pub(crate) mod history;
 pub(crate) mod opening;
 pub(crate) mod recovery;
 pub(crate) mod saving;
+pub(crate) mod search_progress;
 pub(crate) mod writing;
 
 use crate::scene::Scene;

@@ -43,6 +43,10 @@ catalogue! {
             };
             format!("{count} designs{first}, from {}", counted(starts as usize, "start", "starts"))
         };
+        family_of_designs(freedoms: usize) = {
+            let freedoms = counted(freedoms, "freedom", "freedoms");
+            format!("of a family with {freedoms}: designs beside these meet the goals too")
+        };
         generations_made(generations: u32, settled: bool) = {
             let made = counted(generations as usize, "generation", "generations");
             match settled {
@@ -70,7 +74,7 @@ catalogue! {
         does_solve = "Find the numbers of a scene that meet goals, or with which a figure is the best";
         values_to_vary = "Values that vary, as the scene view names them with dots: r3.length, A.x, a parameter; with ends as r3.length=280..320";
         goal_to_meet = "What is to be met: C.x.stroke = 120, r4.angle.swing <= 75, C.x@60 = 310 (krank help designs); as often as there are goals";
-        limit_to_keep = "What is to be kept besides: transmission >= 40";
+        limit_to_keep = "What is to be kept besides, with >=, <= or =: transmission >= 40, r4.angle.swing = 75";
         figure_to_minimize = "The figure that is to be the least, between the ends of the values, with everything kept";
         figure_to_maximize = "The figure that is to be the greatest";
         starts_of_search = "From how many places beside the given one designs are looked for";
@@ -124,8 +128,17 @@ starts proves nothing of designs that it has not found.";
         goal = "goal";
         find_values_for_a_goal = "values for a goal";
         goals_are_typed(value: &str) = "C.x.stroke = 120 by {value}";
-        goal_not_met(nearest: &str) = "no design near this one meets that; the nearest has {nearest}";
+        goal_not_met(nearest: &str, values: &str) =
+            "no design near this one meets that; the nearest has {nearest} ({values})";
         goal_is_met(values: &str) = "{values} meets it";
-        goal_needs_opening = "no design near this one can be told of";
+        goal_needs_opening(why: &str) = {
+            match why.is_empty() {
+                true => "no design near this one can be told of".to_owned(),
+                false => format!("no design near this one can be told of; this one: {why}"),
+            }
+        };
+        looking_for_designs(percent: u32) = "looking for designs: {percent} %";
+        design_of(number: usize, count: usize, values: &str) = "{number} of {count}: {values}";
+        moves_otherwise_as(motion: &str) = "it moves otherwise: {motion}";
     }
 }

@@ -41,6 +41,9 @@ catalogue! {
             };
             format!("{count} tasarım{first}, {starts} başlangıçtan")
         };
+        family_of_designs(freedoms: usize) = {
+            format!("{freedoms} serbestlikli bir aileden: bunların yanındaki tasarımlar da hedefleri karşılar")
+        };
         generations_made(generations: u32, settled: bool) = {
             match settled {
                 true => format!("{generations} kuşağın en iyisi; hepsi bir yere vardı"),
@@ -67,7 +70,7 @@ catalogue! {
         does_solve = "Sahnenin hedefleri karşılayan ya da bir büyüklüğü en iyi yapan sayılarını bulur";
         values_to_vary = "Değişen değerler, sahne görünümündeki adlarıyla, noktalı: r3.length, A.x, bir parametre; sınırlarıyla r3.length=280..320";
         goal_to_meet = "Karşılanacak olan: C.x.stroke = 120, r4.angle.swing <= 75, C.x@60 = 310 (krank help designs); her hedef için bir kez";
-        limit_to_keep = "Ayrıca korunacak olan: transmission >= 40";
+        limit_to_keep = "Ayrıca korunacak olan, >=, <= ya da = ile: transmission >= 40, r4.angle.swing = 75";
         figure_to_minimize = "Değerlerin sınırları içinde, her şey korunarak en küçük olacak büyüklük";
         figure_to_maximize = "En büyük olacak büyüklük";
         starts_of_search = "Verilenin dışında kaç yerden başlayarak tasarım aranacağı";
@@ -123,8 +126,17 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         goal = "hedef";
         find_values_for_a_goal = "hedef için değer bul";
         goals_are_typed(value: &str) = "C.x.stroke = 120 by {value}";
-        goal_not_met(nearest: &str) = "yakında bunu karşılayan tasarım yok; en yakınında {nearest}";
+        goal_not_met(nearest: &str, values: &str) =
+            "yakında bunu karşılayan tasarım yok; en yakınında {nearest} ({values})";
         goal_is_met(values: &str) = "{values} karşılıyor";
-        goal_needs_opening = "yakında söylenebilecek bir tasarım yok";
+        goal_needs_opening(why: &str) = {
+            match why.is_empty() {
+                true => "yakında söylenebilecek bir tasarım yok".to_owned(),
+                false => format!("yakında söylenebilecek bir tasarım yok; bunda: {why}"),
+            }
+        };
+        looking_for_designs(percent: u32) = "tasarımlar aranıyor: %{percent}";
+        design_of(number: usize, count: usize, values: &str) = "{number}/{count}: {values}";
+        moves_otherwise_as(motion: &str) = "başka türlü hareket ediyor: {motion}";
     }
 }

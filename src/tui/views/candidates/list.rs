@@ -5,13 +5,11 @@ use super::walk::CurveWalk;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder};
 use crate::tui::TaskOrder;
+use crate::tui::document::search_progress::SearchProgress;
 use crate::{Vec2, angle, parallel};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Duration;
 
-/// What is done at the end of a search, in parts of a thousand.
-const WHOLE: u32 = 1000;
 /// How long the way from point to point takes while it is played, in seconds; and the shortest and longest whole way.
 const STRETCH: f64 = 0.8;
 const SHORTEST_WAY: f64 = 1.6;
@@ -20,10 +18,7 @@ const LONGEST_WAY: f64 = 6.0;
 /// A search, as both who searches and who waits see it.
 #[derive(Debug, Default)]
 pub(crate) struct TaskSearch {
-    /// What is done, in parts of a thousand.
-    done: AtomicU32,
-    /// Nobody waits any more.
-    is_left: AtomicBool,
+    progress: SearchProgress,
 }
 
 impl TaskSearch {
@@ -34,11 +29,8 @@ impl TaskSearch {
             seed: order.seed,
             threads,
         };
-        let synthesis = Synthesis::run(&order.file.task, how, &mut |part| {
-            let part = part.clamp(0.0, 1.0) * f64::from(WHOLE);
-            self.done.store(part as u32, Ordering::Relaxed);
-            !self.is_left.load(Ordering::Relaxed)
-        });
+        let tell = &mut |part| self.progress.tell(part);
+        let synthesis = Synthesis::run(&order.file.task, how, tell);
         FoundCandidates::of(order, synthesis)
     }
 }
@@ -168,13 +160,13 @@ impl CandidateList {
 
     /// Nobody waits for what is still looked for.
     pub(crate) fn leave(&self) {
-        self.search.is_left.store(true, Ordering::Relaxed);
+        self.search.progress.leave();
     }
 
     /// What of the search is done, in percent; `None` where it has come to its end.
     pub(crate) fn percent(&self) -> Option<u32> {
-        let done = self.search.done.load(Ordering::Relaxed);
-        self.found.is_none().then_some(done / (WHOLE / 100))
+        let progress = &self.search.progress;
+        self.found.is_none().then(|| progress.percent())
     }
 
     /// How many do the task, and how many do not.

@@ -22,7 +22,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
         Mode::Tour(_) => words().tour(),
         Mode::GoTo(_) => words().go_to(),
         Mode::Guess(_) => words().guess(),
-        Mode::Goal(_) => words().goal(),
+        Mode::Goal(_) | Mode::GoalRun => words().goal(),
         Mode::Palette(_) => words().commands(),
         Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {

@@ -22,6 +22,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::GoTo(typed) => coordinate(app, typed, line),
         Mode::Guess(typed) => example(typed, words().guesses_are_typed(), app, line),
         Mode::Goal(typed) => example(typed, &goal_example(app), app, line),
+        Mode::GoalRun => design(app, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Recovery(_) => offered(app, line),
         // What is asked stands in the middle of the screen.
@@ -59,6 +60,40 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 fn goal_example(app: &App) -> String {
     let name = app.editor().value().map(Value::dotted);
     words().goals_are_typed(&name.unwrap_or_default())
+}
+
+/// How far the search for designs has come; then the one that is looked at, and what can be done with it.
+fn design(app: &App, line: &mut Writer<'_>) {
+    line.gap(1);
+    let Some(run) = app.goal_run() else {
+        return;
+    };
+    let key = |action| app.keymap().told(action);
+    let back = (key(Action::Back), words().cancel());
+    if let Some(percent) = run.percent() {
+        line.say(&words().looking_for_designs(percent), ScreenPart::Text);
+        line.gap(3);
+        line.hint(&back.0, back.1);
+        return;
+    }
+    let sides = [TablesAction::Left, TablesAction::Right].map(|side| key(Action::Tables(side)));
+    let hints = [
+        (Key::Enter.to_string(), words().take()),
+        (sides.join(" "), words().next()),
+        back,
+    ];
+    let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
+    let hinted: u16 = hints.iter().map(needed).sum();
+    let longest = line.room().saturating_sub(hinted + 1);
+    let told = run.line().unwrap_or_default();
+    line.say(
+        &cut(&shown(&told, app.glyphs()), longest.into()),
+        ScreenPart::Text,
+    );
+    line.gap(2);
+    for (key, name) in &hints {
+        line.hint(key, name);
+    }
 }
 
 /// Where something is typed of which an example stands there first.

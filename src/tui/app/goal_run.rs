@@ -1,0 +1,186 @@
+//! Designs for a goal: being looked for, then gone through.
+
+use crate::report::GoalReport;
+use crate::scene::Value;
+use crate::study::{
+    DesignFigures, DesignSpace, FoundDesign, Goal, GoalSearch, PlanAxis, SearchOutcome,
+};
+use crate::tui::document::search_progress::SearchProgress;
+use crate::tui::figures::format::coordinate;
+use crate::wording::words;
+use std::sync::Arc;
+
+/// From how many places beside the given one designs are looked for, and from which chance: as `krank solve` has them.
+const STARTS: u32 = 24;
+const SEED: u64 = 1;
+/// Digits of what is found, and decimals of what is said of it.
+const DIGITS: i32 = 12;
+const DECIMALS: usize = 3;
+
+/// What is wished, as it was typed and read.
+#[derive(Clone, Debug)]
+pub(crate) struct GoalWish {
+    pub(super) typed: String,
+    pub(super) goals: Vec<Goal>,
+    pub(super) axes: Vec<PlanAxis>,
+    pub(super) space: DesignSpace,
+}
+
+/// What a search for a wish has come to.
+#[derive(Debug)]
+pub(super) struct GoalFinding {
+    outcome: SearchOutcome,
+    /// Why the given design has not all of the figures, in words.
+    lacks: Vec<String>,
+}
+
+/// Designs for a wish.
+#[derive(Debug)]
+pub(crate) struct GoalRun {
+    pub(super) wish: GoalWish,
+    progress: Arc<SearchProgress>,
+    found: Option<GoalFinding>,
+    /// Which design is looked at.
+    cursor: usize,
+}
+
+impl GoalWish {
+    /// Looks for designs on so many threads, which may take long.
+    pub(super) fn search(&self, threads: usize, progress: &SearchProgress) -> GoalFinding {
+        let figures = self.goals.iter().map(|goal| goal.figure.clone());
+        let mut figures = DesignFigures::new(&self.space, figures.collect(), None);
+        let given = figures.of(&self.space.given()).ok();
+        let search = GoalSearch::new(figures, self.goals.clone(), &self.axes);
+        let outcome = search.run(STARTS, SEED, threads, &mut |part| progress.tell(part));
+        let report = GoalReport {
+            space: &self.space,
+            goals: &self.goals,
+            given,
+            outcome: &outcome,
+        };
+        let lacks = report.reasons();
+        GoalFinding { outcome, lacks }
+    }
+}
+
+impl GoalRun {
+    /// Of a wish whose designs are still to be looked for.
+    pub(super) fn new(wish: GoalWish) -> GoalRun {
+        GoalRun {
+            wish,
+            progress: Arc::default(),
+            found: None,
+            cursor: 0,
+        }
+    }
+
+    pub(super) fn progress(&self) -> &Arc<SearchProgress> {
+        &self.progress
+    }
+
+    /// What of the search is done, in percent; `None` where it has come to its end.
+    pub(crate) fn percent(&self) -> Option<u32> {
+        self.found.is_none().then(|| self.progress.percent())
+    }
+
+    /// The search has come to its end.
+    pub(super) fn take(&mut self, found: GoalFinding) {
+        self.found = Some(found);
+    }
+
+    /// How many designs meet the goal.
+    pub(super) fn count(&self) -> usize {
+        let found = self.found.as_ref();
+        found.map_or(0, |found| found.outcome.solutions.len())
+    }
+
+    /// Looks at another design, as far as there is one.
+    pub(super) fn step(&mut self, forward: bool) {
+        let most = self.count().saturating_sub(1);
+        let next = self
+            .cursor
+            .saturating_add_signed(if forward { 1 } else { -1 });
+        self.cursor = next.min(most);
+    }
+
+    fn chosen(&self) -> Option<&FoundDesign> {
+        self.found.as_ref()?.outcome.solutions.get(self.cursor)
+    }
+
+    /// The values of the design that is looked at, and what they become.
+    pub(super) fn texts(&self) -> Option<Vec<(Value, String)>> {
+        Some(texts(self.wish.space.values(), self.chosen()?))
+    }
+
+    /// The design that is looked at, in a line: which it is, its values, and its motion if that is of another kind than
+    /// that of the given one.
+    pub(crate) fn line(&self) -> Option<String> {
+        let told = words().design_of(self.cursor + 1, self.count(), &told_values(&self.texts()?));
+        let outcome = &self.found.as_ref()?.outcome;
+        let family = Some(outcome.freedoms()).filter(|freedoms| *freedoms > 0);
+        let family = family.map(|freedoms| words().family_of_designs(freedoms));
+        let told = [Some(told), self.motion(), family];
+        Some(told.into_iter().flatten().collect::<Vec<_>>().join(" - "))
+    }
+
+    /// The motion of the design that is looked at, if it is of another kind than that of the given one.
+    fn motion(&self) -> Option<String> {
+        let found = self.chosen().filter(|found| !found.moves_as_given)?;
+        let motion = crate::report::motion_text(&found.design.scene, &found.design.solver);
+        Some(words().moves_otherwise_as(&motion))
+    }
+
+    /// That the design that is looked at meets the goal.
+    pub(super) fn is_met(&self) -> Option<String> {
+        let told = words().goal_is_met(&told_values(&self.texts()?));
+        Some(told + &self.motion().map_or(String::new(), |m| format!(" - {m}")))
+    }
+
+    /// Why there is no design, and how near one comes.
+    pub(super) fn not_met(&self) -> String {
+        let Some(found) = &self.found else {
+            return String::new();
+        };
+        match &found.outcome.nearest {
+            Some(nearest) => {
+                let texts = texts(self.wish.space.values(), nearest);
+                let figures = told_figures(&self.wish.goals, nearest);
+                words().goal_not_met(&figures, &told_values(&texts))
+            }
+            None => words().goal_needs_opening(&found.lacks.join("; ")),
+        }
+    }
+}
+
+/// The values of a design, and what they become.
+fn texts(values: &[Value], design: &FoundDesign) -> Vec<(Value, String)> {
+    let pairs = values.iter().zip(&design.numbers);
+    let text =
+        |(value, number): (&Value, &f64)| (value.clone(), value.with_number(to_digits(*number)));
+    pairs.map(text).collect()
+}
+
+/// Values and what they become, in words.
+fn told_values(texts: &[(Value, String)]) -> String {
+    let all = texts
+        .iter()
+        .map(|(value, text)| format!("{} {text}", value.name));
+    all.collect::<Vec<_>>().join(", ")
+}
+
+/// The figures of a design that misses its goals.
+fn told_figures(goals: &[Goal], design: &FoundDesign) -> String {
+    let pairs = goals.iter().zip(&design.figures);
+    let figures = pairs.filter_map(|(goal, figure)| {
+        let value = coordinate((*figure).ok()?, DECIMALS);
+        let told = format!("{} {value} {}", goal.figure.name(), goal.figure.unit());
+        Some(told.trim_end().to_owned())
+    });
+    figures.collect::<Vec<_>>().join(", ")
+}
+
+/// A number to so many digits: what lies behind them changes no goal.
+fn to_digits(number: f64) -> f64 {
+    let places = usize::try_from(DIGITS - 1).unwrap_or(0);
+    format!("{number:.places$e}").parse().unwrap_or(number)
+}
