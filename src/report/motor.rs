@@ -151,7 +151,6 @@ impl MotorReport {
     /// rest.
     fn mean_with_flywheel(&self) -> Option<f64> {
         let (_, fluctuation) = self.evenness()?.with?;
-        let is_even = fluctuation <= SMALL_FLUCTUATION && self.is_even_enough()?;
         let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
         // Where the cycle takes nothing in the mean, rounding is no torque.
@@ -160,7 +159,7 @@ impl MotorReport {
         } else {
             mean
         };
-        is_even.then_some(asked)
+        (fluctuation <= SMALL_FLUCTUATION).then_some(asked)
     }
 
     /// The rated torque against that mean.

@@ -64,14 +64,24 @@ fn what_does_not_exist_has_a_reason() {
 /// is less than the root of the mean square: the headline says what stands below it.
 #[test]
 fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
-    let asked = |options: &[&str]| {
-        let given = [&["motor", "toggle-press", "--fluctuation", "0.1"], options].concat();
-        done(&given)
-    };
+    let asked = |options: &[&str]| done(&[&["motor", "toggle-press"], options].concat());
     // 738 J at pi rad/s: 738 / (9.87 * 600) = 0.125. The mean is 141.6 N m, the root of the mean square 400.3.
     let text = asked(&["--rated", "200", "--flywheel", "600"]);
     assert!(
         text.contains("\nmotor: enough, with the flywheel\n"),
+        "{text}"
+    );
+    // More than is wished.
+    let text = asked(&[
+        "--rated",
+        "200",
+        "--flywheel",
+        "600",
+        "--fluctuation",
+        "0.1",
+    ]);
+    assert!(
+        text.contains("\nmotor: enough, but the flywheel is too small\n"),
         "{text}"
     );
     let text = asked(&["--rated", "100", "--flywheel", "600"]);

@@ -173,10 +173,15 @@ fn the_headline_on_a_flywheel_agrees_with_what_stands_below() {
     let (told, found) = with(&["--rated", "10", "--peak", "300", "--flywheel", "5000"]);
     assert!(told.contains("motor: not enough"), "{told}");
     assert_eq!(found["motor"]["enough"], false);
-    // Nor is a wish that is not met.
+    // A wish that is not met is told with it.
     let uneven = ["--rated", "150", "--peak", "300", "--flywheel", "5000"];
-    let (told, _) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
-    assert!(told.contains("motor: not enough"), "{told}");
+    let (told, found) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
+    assert!(
+        told.contains("motor: enough, but the flywheel is too small"),
+        "{told}"
+    );
+    assert_eq!(found["motor"]["enough"], true);
+    assert_eq!(found["motor"]["even_enough"], false);
     let (told, found) = with(&["--rated", "450", "--flywheel", "1"]);
     assert!(
         told.contains("motor: enough, but the flywheel is too small"),

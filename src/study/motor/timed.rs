@@ -345,8 +345,9 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
             }
         }
     }
+    // Nothing has no sign.
     peaks.map(|(value, time)| TimedPeak {
-        value,
+        value: value + 0.0,
         time,
         at: clock.moment(time, solver.motion().range).at,
     })
@@ -360,7 +361,7 @@ fn means(pieces: &[TimedPiece], channel: usize, period: f64) -> [f64; 2] {
         means[0] += share * sum.integral().at(1.0);
         means[1] += share * sum.product(sum);
     }
-    means
+    means.map(|mean| mean + 0.0)
 }
 
 /// The integral of the power where it is positive, and less that where it is negative.
