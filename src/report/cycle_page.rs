@@ -93,7 +93,7 @@ impl CycleReport {
         };
         match &figure.excursion {
             Err(why) => facts.tell(&indented(label), [self.none(*why)]),
-            Ok(excursion) if excursion.is_level() => {
+            Ok(excursion) if excursion.is_level() || figure.is_rounding(excursion) => {
                 let value = self.value_text(figure, excursion.greatest);
                 let told = words().stays_at(&value);
                 facts.tell(&indented(label), [told]);

@@ -2,6 +2,7 @@
 
 use super::check::{ConditionFacts, ElementNames};
 use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::entry::seen;
 use super::range_text::range_text;
 use crate::Body;
 use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
@@ -40,6 +41,13 @@ impl FollowedFigure {
     pub(super) fn bound_at(&self, at: f64) -> Option<f64> {
         let told = self.bounds.iter().find(|(place, _)| *place == at);
         told.and_then(|(_, bound)| *bound)
+    }
+
+    /// Whether all that it does is no more than its bound: rounding of what is 0.
+    pub(super) fn is_rounding(&self, excursion: &Excursion) -> bool {
+        let ends = [excursion.least, excursion.greatest];
+        let is_nought = |place: &FigurePlace| seen(place.value, self.bound_at(place.at)) == 0.0;
+        ends.iter().all(is_nought)
     }
 
     /// By how much its stroke may be off.
@@ -353,6 +361,7 @@ pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> St
         NoFigure::NeverTurns => told.never_turns().into(),
         NoFigure::Stands => told.figure_stands().into(),
         NoFigure::Rests => told.figure_rests().into(),
+        NoFigure::Leaps => told.figure_leaps().into(),
         NoFigure::ThereAndBack => told.there_and_back_alike().into(),
         NoFigure::DriverStands => told.driver_has_no_speed().into(),
         NoFigure::DriverTurnsBack => told.driver_does_not_come_round().into(),

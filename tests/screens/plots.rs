@@ -79,6 +79,44 @@ fn the_list_chooses_what_is_plotted() {
     assert!(small.look().contains("no figure has that"));
 }
 
+/// In the list a key opens all that the figure under the cursor does over the motion, on a small screen too; the list
+/// stands behind it.
+#[test]
+fn the_list_opens_the_whole_cycle_of_a_figure() {
+    for (cols, rows) in [(80, 24), (40, 12)] {
+        let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
+        session.press("3 x / r 4 . a n g l e Enter o");
+        let mut read = session.look();
+        assert!(read.contains("Esc back"), "{read}");
+        for _ in 0..40 {
+            read.push_str(&session.press("Down").look());
+        }
+        for told in [
+            "r4.angle [deg]",
+            "swing",
+            "47.64319",
+            "1.06500633",
+            "hardest",
+        ] {
+            assert!(read.contains(told), "{told}: {read}");
+        }
+        let last = session.look();
+        assert!(last.contains("hardest"), "{last}");
+        let listed = session.press("Esc").look();
+        assert!(listed.contains("] r4.angle"), "{listed}");
+        // A key that means the same everywhere still does.
+        assert!(session.press("o ?").look().contains("?"));
+    }
+}
+
+/// The steering error is what the scene is about.
+#[test]
+fn figures_of_the_scene_come_first() {
+    let mut session = Session::new(preset("ackermann"), Glyphs::Ascii, 80, 24);
+    let shown = session.press("3").look();
+    assert!(shown.contains("* error"), "{shown}");
+}
+
 #[test]
 fn the_cursor_and_its_values_follow_the_driver() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 100, 24);

@@ -202,3 +202,26 @@ fn a_dwell_is_told_once() {
     let low = dwells.iter().filter(|dwell| dwell.about.place.value < 60.0);
     assert_eq!(low.count(), 1, "{dwells:?}");
 }
+
+/// What is rounding changes its sign at every place, and has no pole; a press that jumps from end to end has no ratio.
+#[test]
+fn rounding_has_no_pole_and_a_jump_no_ratio() {
+    let scene = opened(presets::find("parallelogram").unwrap().text);
+    let catalogue = Catalogue::new(&scene.0);
+    let speeds = catalogue
+        .all()
+        .iter()
+        .filter(|q| q.name.ends_with(".omega"));
+    let names: Vec<String> = speeds.map(|q| format!("{}.stroke", q.name)).collect();
+    for name in names {
+        assert!(figures(&scene, &[&name])[0].is_ok(), "{name}");
+    }
+    let scene = loaded("[[0, 1], [100, 1], [100, -1], [360, 1]]");
+    let found = figures(
+        &scene,
+        &["driver.torque.load.stroke", "driver.torque.load.ratio"],
+    );
+    assert!(found[0].is_ok(), "{found:?}");
+    let scene = opened(presets::find("press-ram").unwrap().text);
+    assert_eq!(figures(&scene, &["r2.A.fx.ratio"]), [Err(NoFigure::Leaps)]);
+}

@@ -13,6 +13,8 @@ const GROWN: f64 = 4096.0;
 const GROWN_SOON: f64 = 8.0;
 /// Halvings of the way to a place, from each of which to the next a figure grows by so much where it has a pole.
 const NEARER: [i32; 3] = [10, 20, 27];
+/// So many times the largest sample is passed on the way to a pole: noise does not grow.
+const BEYOND: f64 = 2.0;
 /// So much larger than a sample farther on is what may be a pole.
 const HIGH: f64 = 256.0;
 
@@ -32,10 +34,11 @@ impl MotionSampler {
         if self.cut(column) == Cut::ByTurns {
             return Ok(());
         }
+        let most = sampled.most();
         for k in 1..sampled.at.len() {
             let [a, b] = [k - 1, k].map(|k| (sampled.at[k], sampled.by_degree[0][k]));
             if (a.1 < 0.0) != (b.1 < 0.0)
-                && let Some(at) = self.pole_between(column, [a, b])
+                && let Some(at) = self.pole_between(column, [a, b], most)
             {
                 return Err(NoFigure::Unbounded(first_period(at, self.range())));
             }
@@ -43,14 +46,21 @@ impl MotionSampler {
         Ok(())
     }
 
-    /// Where a figure changes its sign though it comes from far away and goes there.
-    fn pole_between(&mut self, column: usize, [mut a, mut b]: [(f64, f64); 2]) -> Option<f64> {
+    /// Where a figure changes its sign though it comes from far away and goes there: from farther than `most`, which no
+    /// sample exceeds.
+    fn pole_between(
+        &mut self,
+        column: usize,
+        [mut a, mut b]: [(f64, f64); 2],
+        most: f64,
+    ) -> Option<f64> {
         let nearer = |a: (f64, f64), b: (f64, f64)| a.1.abs().min(b.1.abs());
         let first = nearer(a, b);
         for halving in 1..=TOWARDS {
             let at = 0.5 * (a.0 + b.0);
             let Some(value) = self.value(column, at) else {
-                return (nearer(a, b) > GROWN_SOON * first).then_some(at);
+                let is_pole = nearer(a, b) > (GROWN_SOON * first).max(BEYOND * most);
+                return is_pole.then_some(at);
             };
             match (value < 0.0) == (a.1 < 0.0) {
                 true => a = (at, value),
@@ -60,11 +70,14 @@ impl MotionSampler {
                 return None;
             }
         }
-        (nearer(a, b) > GROWN * first).then_some(0.5 * (a.0 + b.0))
+        let is_pole = nearer(a, b) > (GROWN * first).max(BEYOND * most);
+        is_pole.then_some(0.5 * (a.0 + b.0))
     }
 
-    /// Whether a figure grows beyond all bounds towards a place at which it may have no value, from either side.
-    pub(super) fn is_pole(&mut self, column: usize, at: f64, step: f64) -> bool {
+    /// Whether a figure grows beyond all bounds, and beyond all samples, towards a place at which it may have no value,
+    /// from either side.
+    pub(super) fn is_pole(&mut self, column: usize, at: f64, sampled: &SampledFigure) -> bool {
+        let (step, most) = (sampled.step(), sampled.most());
         if self.cut(column) == Cut::ByTurns {
             return false;
         }
@@ -77,10 +90,9 @@ impl MotionSampler {
             };
             let nearer = NEARER.map(|halvings| beside(halvings).unwrap_or(0.0));
             let sizes = [far].into_iter().chain(nearer);
-            sizes
-                .clone()
-                .zip(sizes.skip(1))
-                .all(|(far, near)| near > GROWN_SOON * far)
+            let mut steps = sizes.clone().zip(sizes.skip(1));
+            nearer[nearer.len() - 1] > BEYOND * most
+                && steps.all(|(far, near)| near > GROWN_SOON * far)
         })
     }
 

@@ -78,6 +78,8 @@ pub enum NoFigure {
     NeverTurns,
     /// It does not move.
     Stands,
+    /// It jumps from one extreme to the other.
+    Leaps,
     /// It stays at an extreme for a while: nobody can say when it turns.
     Rests,
     /// The driver goes there and back by the same way: both take as long.

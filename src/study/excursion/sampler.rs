@@ -373,6 +373,12 @@ impl SampledFigure {
         Some(self.at[missing])
     }
 
+    /// The largest size of its values.
+    pub(super) fn most(&self) -> f64 {
+        let values = self.by_degree[0].iter().map(|value| value.abs());
+        values.filter(|size| size.is_finite()).fold(0.0, f64::max)
+    }
+
     /// How far it is from one place to the next, in the mean.
     pub(super) fn step(&self) -> f64 {
         let last = self.at.len() - 1;

@@ -1,6 +1,6 @@
 //! From the places where a figure turns: how long it goes each way, and where it stays.
 
-use super::sampler::MotionSampler;
+use super::sampler::{BESIDE, MotionSampler};
 use super::{Excursion, FigurePlace, NoFigure, TurningPlace};
 use crate::numeric::root;
 use crate::quantity::Clock;
@@ -8,6 +8,9 @@ use crate::solver::Range;
 
 /// Turning places that differ by less than this part of the stroke are as far out as each other.
 const SAME: f64 = 1e-9;
+
+/// As a part of the motion, what is no more between two extremes is a jump: both of its sides are looked at.
+const LEAP: f64 = 4.0 * BESIDE;
 
 /// How much longer one way between the extremes takes than the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +86,12 @@ impl Excursion {
         }
         let begin = round.first().map_or((first, ExtremeEnd::Least), |&b| b);
         round.push((begin.0 + turn, begin.1));
+        let is_leap = |pair: &[(f64, ExtremeEnd)]| {
+            pair[0].1 != pair[1].1 && (pair[1].0 - pair[0].0).abs() <= LEAP * period
+        };
+        if round.windows(2).any(is_leap) {
+            return Err(NoFigure::Leaps);
+        }
         let moment = |at: f64| match &clock {
             Some(clock) => clock.time(at).ok_or(NoFigure::DriverTurnsBack),
             None => Ok((at - begin.0).abs()),

@@ -32,9 +32,8 @@ impl Turnings {
         column: usize,
         sampled: &SampledFigure,
     ) -> Result<Turnings, NoFigure> {
-        let step = sampled.step();
         if let Some(at) = sampled.gap() {
-            return Err(match sampler.is_pole(column, at, step) {
+            return Err(match sampler.is_pole(column, at, sampled) {
                 true => NoFigure::Unbounded(at),
                 false => NoFigure::Gap(at),
             });
@@ -46,7 +45,7 @@ impl Turnings {
             false => by_values(sampler, column, sampled),
         };
         let mut turns = candidates.iter();
-        if let Some(turn) = turns.find(|turn| sampler.is_pole(column, turn.at, step)) {
+        if let Some(turn) = turns.find(|turn| sampler.is_pole(column, turn.at, sampled)) {
             let at = first_period(turn.at, sampler.range());
             return Err(NoFigure::Unbounded(at));
         }

@@ -15,6 +15,7 @@ catalogue! {
         never_turns = "it never turns back";
         figure_stands = "it does not move";
         figure_rests = "it rests at an extreme";
+        figure_leaps = "it jumps from one extreme to the other";
         there_and_back_alike = "the driver goes there and back by the same way";
         driver_has_no_speed = "the driver stands still";
         driver_does_not_come_round = "the driver turns back before it has gone round";

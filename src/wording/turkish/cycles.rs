@@ -15,6 +15,7 @@ catalogue! {
         never_turns = "hiç geri dönmüyor";
         figure_stands = "hareket etmiyor";
         figure_rests = "uç değerinde bekliyor";
+        figure_leaps = "bir uçtan öbürüne sıçrıyor";
         there_and_back_alike = "tahrik aynı yoldan gidip geliyor";
         driver_has_no_speed = "tahrik duruyor";
         driver_does_not_come_round = "tahrik turunu tamamlamadan geri dönüyor";
