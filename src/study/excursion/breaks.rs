@@ -13,8 +13,9 @@ const GROWN: f64 = 4096.0;
 const GROWN_SOON: f64 = 8.0;
 /// Halvings of the way to a place, from each of which to the next a figure grows by so much where it has a pole.
 const NEARER: [i32; 3] = [10, 20, 27];
-/// So many times the largest sample is passed on the way to a pole: noise does not grow.
+/// So many times the largest sample is passed on the way to a pole, and on that through one: rounding does not grow.
 const BEYOND: f64 = 2.0;
+const FARTHER: f64 = 512.0;
 /// So much larger than a sample farther on is what may be a pole.
 const HIGH: f64 = 256.0;
 
@@ -34,11 +35,12 @@ impl MotionSampler {
         if self.cut(column) == Cut::ByTurns {
             return Ok(());
         }
-        let most = sampled.most();
+        // Rounding is not the same in every place: what is no more than that of the figure's size is none of a pole.
+        let farther = (FARTHER * sampled.most()).max(LEVEL * self.size(column));
         for k in 1..sampled.at.len() {
             let [a, b] = [k - 1, k].map(|k| (sampled.at[k], sampled.by_degree[0][k]));
             if (a.1 < 0.0) != (b.1 < 0.0)
-                && let Some(at) = self.pole_between(column, [a, b], most)
+                && let Some(at) = self.pole_between(column, [a, b], farther)
             {
                 return Err(NoFigure::Unbounded(first_period(at, self.range())));
             }
@@ -46,20 +48,19 @@ impl MotionSampler {
         Ok(())
     }
 
-    /// Where a figure changes its sign though it comes from far away and goes there: from farther than `most`, which no
-    /// sample exceeds.
+    /// Where a figure changes its sign though it comes from far away and goes there: farther than all samples are.
     fn pole_between(
         &mut self,
         column: usize,
         [mut a, mut b]: [(f64, f64); 2],
-        most: f64,
+        farther: f64,
     ) -> Option<f64> {
         let nearer = |a: (f64, f64), b: (f64, f64)| a.1.abs().min(b.1.abs());
         let first = nearer(a, b);
         for halving in 1..=TOWARDS {
             let at = 0.5 * (a.0 + b.0);
             let Some(value) = self.value(column, at) else {
-                let is_pole = nearer(a, b) > (GROWN_SOON * first).max(BEYOND * most);
+                let is_pole = nearer(a, b) > (GROWN_SOON * first).max(farther);
                 return is_pole.then_some(at);
             };
             match (value < 0.0) == (a.1 < 0.0) {
@@ -70,7 +71,7 @@ impl MotionSampler {
                 return None;
             }
         }
-        let is_pole = nearer(a, b) > (GROWN * first).max(BEYOND * most);
+        let is_pole = nearer(a, b) > (GROWN * first).max(farther);
         is_pole.then_some(0.5 * (a.0 + b.0))
     }
 
