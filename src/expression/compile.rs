@@ -2,6 +2,7 @@
 
 use super::code::{Code, Op};
 use super::dimension::{Dimension, LengthScale, METRE};
+use super::parser::glued;
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
 use super::{Malformed, code::Excess};
 use crate::wording::words;
@@ -237,7 +238,7 @@ impl Compiler<'_> {
         }
         (self.names)(name).map_err(|help| {
             let fault = Malformed::new(span.clone(), words().no_quantity(name, ""));
-            let help = help.or_else(|| slip(name).map(str::to_owned));
+            let help = help.or_else(|| slip(name));
             Malformed { help, ..fault }
         })
     }
@@ -430,11 +431,11 @@ fn beyond_use(span: &Range<usize>) -> Malformed {
 }
 
 /// What was probably meant by a word that names nothing.
-fn slip(name: &str) -> Option<&'static str> {
-    if name.starts_with(|c: char| c.is_ascii_digit()) && !name.contains('-') {
-        Some(words().blank_before_unit())
+fn slip(name: &str) -> Option<String> {
+    if let Some((number, unit)) = glued(name) {
+        Some(words().blank_before_unit(number, unit))
     } else if name.contains('-') {
-        Some(words().minus_between_blanks())
+        Some(words().minus_between_blanks().to_owned())
     } else {
         None
     }

@@ -7,6 +7,7 @@ use super::{Dimension, LengthScale, Malformed};
 use crate::Double;
 use crate::arithmetic::Decimal;
 use crate::wording::words;
+use std::ops::Range;
 
 /// pi, to twice the digits.
 const PI: Double = Double {
@@ -52,7 +53,7 @@ impl Evaluator<'_> {
             Node::Name(name) => self.named(name, tree)?,
             Node::Negative(of) => self.worth(of)?.negative(),
             Node::Pair(operation, sides) => self.pair(*operation, sides)?,
-            Node::Power(of, exponent) => self.power(of, *exponent)?,
+            Node::Power(of, exponent) => self.power(of, *exponent, tree)?,
             Node::Call(function, given) => self.call(*function, given, tree)?,
         };
         let is_finite = found.value.hi.is_finite() && found.value.lo.is_finite();
@@ -139,7 +140,9 @@ impl Evaluator<'_> {
                 measures(difference, self.alike((a, left), (b, right))?)
             }
             Operation::Multiply => match (a.dimension, b.dimension) {
-                (Some(_), Some(_)) => Err(self.apart((a, left), (b, right))),
+                (Some(_), Some(_)) => {
+                    Err(self.of_units(&of_both(sides), |product| words().units_multiplied(product)))
+                }
                 (one, other) => measures(a.times(b), one.or(other)),
             },
             Operation::Divide => {
@@ -149,7 +152,11 @@ impl Evaluator<'_> {
                 let dimension = match (a.dimension, b.dimension) {
                     (_, None) => a.dimension,
                     (Some(one), Some(other)) if are_alike(one, other) => None,
-                    _ => return Err(self.apart((a, left), (b, right))),
+                    _ => {
+                        return Err(self.of_units(&of_both(sides), |quotient| {
+                            words().units_divided(quotient)
+                        }));
+                    }
                 };
                 measures(a.over(b), dimension)
             }
@@ -189,6 +196,12 @@ impl Evaluator<'_> {
         Malformed::new(span, message).help(words().units_stand_alone())
     }
 
+    /// The fault of units that are multiplied or divided.
+    fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> Malformed {
+        let message = told(self.text.get(span.clone()).unwrap_or(""));
+        Malformed::new(span.clone(), message).help(words().units_divide_their_like())
+    }
+
     /// A plain number: what it measures is lost on what follows.
     fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Evaluated, Malformed> {
         let found = self.worth(tree)?;
@@ -202,11 +215,15 @@ impl Evaluator<'_> {
         }
     }
 
-    fn power(&self, of: &ExpressionTree, exponent: i8) -> Result<Evaluated, Malformed> {
+    fn power(
+        &self,
+        of: &ExpressionTree,
+        exponent: i8,
+        tree: &ExpressionTree,
+    ) -> Result<Evaluated, Malformed> {
         let base = self.worth(of)?;
         if base.dimension.is_some() {
-            let one = (Evaluated::exactly(1.0), of);
-            return Err(self.apart((base, of), one));
+            return Err(self.of_units(&tree.span, |power| words().units_multiplied(power)));
         }
         let factors = std::iter::repeat_n(base, exponent.unsigned_abs().into());
         let power = factors.fold(Evaluated::exactly(1.0), Evaluated::times);
@@ -324,6 +341,11 @@ impl Evaluator<'_> {
         }
         Ok(all.map_or(Evaluated::exactly(0.0), |(found, _)| found))
     }
+}
+
+/// Where both sides of an operation stand.
+fn of_both(sides: &[ExpressionTree; 2]) -> Range<usize> {
+    sides[0].span.start..sides[1].span.end
 }
 
 /// Whether two units measure the same: degrees and radians do, plain numbers and angles do not.

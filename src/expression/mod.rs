@@ -8,6 +8,7 @@
 
 mod code;
 mod compile;
+mod conversion;
 mod cuts;
 mod dimension;
 mod evaluate;
@@ -22,11 +23,12 @@ mod tree;
 
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
+pub(crate) use conversion::converted;
 pub(crate) use cuts::Cut;
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
 pub(crate) use evaluated::{Evaluated, MeasuredNumber};
-pub(crate) use parser::{is_unit, parse};
+pub(crate) use parser::{UNITS, glued, is_unit, parse};
 #[cfg(test)]
 pub(crate) use tree::functions;
 pub(crate) use tree::{ExpressionTree, is_function};

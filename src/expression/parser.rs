@@ -312,6 +312,16 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     Some((unit, end))
 }
 
+/// The words that are read as units behind a number.
+pub(crate) const UNITS: [&str; 9] = ["mm", "cm", "m", "in", "deg", "rad", "s", "kg", "N"];
+
+/// A number and a unit without a blank between them, which are read as a name.
+pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
+    let at = name.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+    let (number, unit) = name.split_at(at);
+    (number.parse::<f64>().is_ok() && is_unit(unit)).then_some((number, unit))
+}
+
 /// Whether a word is read as a unit where it stands behind a number.
 pub(crate) fn is_unit(word: &str) -> bool {
     unit_of(word).is_some()

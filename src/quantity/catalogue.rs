@@ -75,6 +75,11 @@ impl Catalogue {
         catalogue
     }
 
+    /// The unit of the scene.
+    pub(crate) fn length_scale(&self) -> LengthScale {
+        self.length
+    }
+
     /// The same without what the scene makes of them by formulas.
     pub(super) fn without_formulas(scene: &Scene) -> Self {
         let mut catalogue = Catalogue {

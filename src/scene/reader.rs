@@ -4,6 +4,7 @@ use super::numeral::number_length;
 use crate::Vec2;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use crate::expression;
 use crate::wording::words;
 
 /// A pair of coordinates, as far as it is one.
@@ -159,7 +160,7 @@ impl Reader<'_> {
     }
 }
 
-/// The mend for a number that was written as a text.
+/// The mend for a number that was written as a text, with something behind it that is no unit.
 pub(super) fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
     let (number, rest) = text.split_at(number_length(text));
@@ -171,7 +172,10 @@ pub(super) fn bare_number(text: &str) -> Option<String> {
             let part = number.parse::<f64>().ok()? / 100.0;
             words().write_as_a_part(part)
         }
-        (false, false) => words().write_the_number_alone(number),
+        (false, false) if rest.trim().chars().all(char::is_alphabetic) => {
+            words().is_no_unit(rest.trim(), &expression::UNITS.join(", "))
+        }
+        (false, false) => return None,
     };
     Some(help)
 }

@@ -2,6 +2,7 @@
 
 use super::numeral::number_length;
 use crate::document::ByteSpan;
+use crate::expression;
 use crate::wording::words;
 
 /// What was mostly meant, by the parser's message and what stands there.
@@ -37,7 +38,13 @@ fn bare_value(value: &str) -> String {
     if number_length(rest.trim_start()) > 0 {
         return words().separate_by_commas().to_owned();
     }
-    words().number_alone_or_speed(number)
+    let unit = rest.trim();
+    let formula = format!("{number} {unit}");
+    let is_measured = expression::parse(&formula).is_ok_and(|tree| tree.is_number());
+    match is_measured || unit == "rpm" {
+        true => words().quote_with_unit(number, unit),
+        false => words().number_alone_or_unit(number),
+    }
 }
 
 fn is_decimal_comma(bytes: &[u8]) -> bool {

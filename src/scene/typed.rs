@@ -76,13 +76,13 @@ impl Value {
         self.typed_number(typed)
             .or_else(|why| match self.typed_formula(typed) {
                 Some(Ok(formula)) => Ok(formula),
-                Some(Err(fault)) => Err(Mistyped::Formula { why: fault.words() }),
+                Some(Err(why)) => Err(Mistyped::Formula { why }),
                 None => Err(why),
             })
     }
 
-    /// What stands in the file for a formula; `None` for what is none.
-    fn typed_formula(&self, typed: &str) -> Option<Result<String, Malformed>> {
+    /// What stands in the file for a formula; in words why it cannot be worked out. `None` for what is none.
+    fn typed_formula(&self, typed: &str) -> Option<Result<String, String>> {
         let is_parameter = self.measure == Measure::Parameter;
         let (head, unit) = match self.measure.units(self.scene) {
             MeasureUnits::Rate(kind, degree) => {
@@ -91,7 +91,17 @@ impl Value {
             }
             _ => (typed, ""),
         };
-        let tree = expression::parse(head).ok()?;
+        // As a number with a unit is typed everywhere else.
+        let spaced = expression::glued(head).map(|(number, unit)| format!("{number} {unit}"));
+        let head = spaced.as_deref().unwrap_or(head);
+        let tree = match expression::parse(head) {
+            Ok(tree) => tree,
+            Err(fault) => {
+                let help = fault.help.clone().or_else(|| self.named.product(head));
+                let fault = Malformed { help, ..fault };
+                return self.is_meant(head).then(|| Err(placed(&fault, head)));
+            }
+        };
         let is_number = match is_parameter {
             true => head.parse::<f64>().is_ok(),
             false => tree.is_number(),
@@ -102,10 +112,23 @@ impl Value {
             return None;
         }
         let found = self.named.worth_of_text(head);
+        let found = found.map_err(|fault| fault.words());
         Some(found.map(|_| match unit {
             "" => quoted(head),
             unit => format!("{head} {unit}"),
         }))
+    }
+
+    /// Whether what cannot be read is meant for a formula: not a number with a unit that does not fit, nor a word.
+    fn is_meant(&self, typed: &str) -> bool {
+        let (number, rest) = typed.split_at(number_length(typed));
+        let rest = rest.trim();
+        let has_sign = |text: &str| text.contains(['+', '-', '*', '(', ')']);
+        // The powers and quotients of a unit stand within it.
+        let is_cut = rest.starts_with(['/', '^']) || rest.ends_with(['/', '^']);
+        let is_listed = number.is_empty() && rest.contains([' ', '/', '^']);
+        let is_parameter = self.measure == Measure::Parameter && !rest.is_empty();
+        is_parameter || has_sign(rest) || is_cut || is_listed || self.named.worth.contains_key(rest)
     }
 
     /// What stands in the file for a number, with a unit behind it or without.
@@ -198,6 +221,15 @@ impl Value {
             // Written with the unit that was typed.
             MeasureUnits::Rate(..) => None,
         }
+    }
+}
+
+/// What is wrong with a formula, and where: behind its end there is no place to tell.
+fn placed(fault: &Malformed, formula: &str) -> String {
+    let before = formula.get(..fault.span.start).unwrap_or(formula);
+    match before.trim_end().len() == formula.trim_end().len() {
+        true => fault.words(),
+        false => words().at_character(before.chars().count() + 1, &fault.words()),
     }
 }
 
@@ -376,7 +408,7 @@ mod tests {
             |name: &str, text: &str| value_in(TEXT, name).typed(text).unwrap_err().to_string();
         assert_eq!(
             refused("r2 length", "long"),
-            "no number: long; type one, alone or in mm, cm, m, in"
+            "no number: long; type one, alone or with a unit: mm, cm, m, in"
         );
         assert_eq!(
             refused("r2 length", "12 kg"),
@@ -394,6 +426,32 @@ mod tests {
             refused("r2 length", "1,500"),
             "1,500: write digits without groups: 1234.5 or 1234,5"
         );
+        for (typed, why) in [
+            (
+                "2 *",
+                "the formula ends where a number, a name or a bracket should follow",
+            ),
+            ("2 * (3 + 4", "the formula ends where `)` should follow"),
+            (
+                "2 * ) 3",
+                "character 5: expected a number, a name or a bracket, found `)`",
+            ),
+            (
+                "sqrt(4) 5",
+                "character 9: expected `+`, `-`, `*`, `/`, `^` or the end, found `5`",
+            ),
+            (
+                "sqr(4)",
+                "character 1: there is no function `sqr`; did you mean `sqrt`?",
+            ),
+            ("10 kg mm^2", "kg mm^2 does not fit here: mm, cm, m, in"),
+        ] {
+            assert!(
+                refused("r2 length", typed).starts_with(why),
+                "{typed}: {}",
+                refused("r2 length", typed)
+            );
+        }
         for wrong in [
             "", "nan", "inf", "1,2,3", "1 2", "1,000.5", "1,000", "--1", "1e400", "-",
         ] {

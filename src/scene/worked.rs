@@ -28,7 +28,8 @@ impl Reader<'_> {
         let tree = match expression::parse(text) {
             Ok(tree) => tree,
             Err(fault) => {
-                let help = fault.help.clone().or_else(|| bare_number(text));
+                let help = fault.help.clone().or_else(|| self.named.product(text));
+                let help = help.or_else(|| bare_number(text));
                 let place = FormulaPlace::of(self, &formula);
                 self.report(place.fault(what, &Malformed { help, ..fault }));
                 return None;
@@ -98,8 +99,20 @@ impl NamedNumbers {
         (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
     }
 
+    /// The mend for a number and a name that stand side by side.
+    pub(super) fn product(&self, text: &str) -> Option<String> {
+        let (number, name) = text.trim().split_once(' ')?;
+        let name = name.trim();
+        let is_number = number.parse::<f64>().is_ok();
+        (is_number && self.worth.contains_key(name))
+            .then(|| words().product_has_a_sign(number, name))
+    }
+
     /// What was probably meant by a name that is unknown.
     fn meant(&self, name: &str) -> Option<String> {
+        if let Some((number, unit)) = expression::glued(name) {
+            return Some(words().blank_before_unit(number, unit));
+        }
         if expression::is_difference(name, |part| self.worth.contains_key(part)) {
             return Some(words().minus_between_blanks().to_owned());
         }

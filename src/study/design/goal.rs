@@ -1,5 +1,6 @@
 //! What a figure of the cycle is to be: `F.stroke = 120`, `transmission >= 40`.
 
+use crate::expression::converted;
 use crate::quantity::Catalogue;
 use crate::study::{CycleFigure, UnknownCycleFigure};
 use crate::wording::words;
@@ -51,7 +52,7 @@ pub enum MistypedGoal {
     /// Its figure is none.
     #[error(transparent)]
     Figure(#[from] UnknownCycleFigure),
-    /// The unit behind the number is not the figure's.
+    /// The unit behind the number measures something else.
     #[error("{}", words().unit_of_goal(figure, unit, found))]
     Unit {
         /// The figure.
@@ -64,7 +65,7 @@ pub enum MistypedGoal {
 }
 
 impl Goal {
-    /// Reads a goal; the number may have the figure's unit behind it.
+    /// Reads a goal; the number may have a unit behind it, and is told in the figure's.
     ///
     /// # Errors
     /// What is no goal, and what would be one.
@@ -78,20 +79,26 @@ impl Goal {
         let (sense, figure, typed) = found.ok_or_else(form)?;
         let figure = CycleFigure::parse(figure, catalogue)?;
         let split = typed.find(char::is_whitespace).unwrap_or(typed.len());
-        let (number, unit) = typed.split_at(split);
-        let unit = unit.trim();
-        if !unit.is_empty() && unit != figure.unit() {
-            return Err(MistypedGoal::Unit {
-                figure: figure.name().to_owned(),
-                unit: figure.unit().to_owned(),
-                found: unit.to_owned(),
-            });
+        let (plain, unit) = typed.split_at(split);
+        let (plain, unit) = (plain.parse::<f64>().ok(), unit.trim());
+        let is_own = unit.is_empty() || unit == figure.unit();
+        let number = match plain.filter(|_| is_own) {
+            Some(number) => number,
+            None => {
+                let number = converted(typed, figure.unit(), catalogue.length_scale());
+                number.ok_or_else(|| match plain {
+                    Some(_) => MistypedGoal::Unit {
+                        figure: figure.name().to_owned(),
+                        unit: figure.unit().to_owned(),
+                        found: unit.to_owned(),
+                    },
+                    None => form(),
+                })?
+            }
+        };
+        if !number.is_finite() {
+            return Err(form());
         }
-        let number = number
-            .parse::<f64>()
-            .ok()
-            .filter(|v| v.is_finite())
-            .ok_or_else(form)?;
         Ok(Goal {
             size: number.abs(),
             figure,

@@ -50,6 +50,34 @@ fn axes(texts: &[&str]) -> Vec<PlanAxis> {
     texts.iter().map(|text| text.parse().unwrap()).collect()
 }
 
+/// A goal may be given in any unit of its kind.
+#[test]
+fn goals_are_converted_to_the_unit_of_their_figure() {
+    let preset = crate::scene::presets::find("slider-crank").unwrap();
+    let scene = crate::scene::Scene::parse(preset.text, "test").unwrap();
+    let catalogue = Catalogue::new(&scene);
+    let number = |text: &str| Goal::parse(text, &catalogue).map(|goal| goal.number);
+    // The scene is in cm.
+    for (text, expected) in [
+        ("r4.length.stroke = 120 mm", 12.0),
+        ("r4.length.stroke = 5 in", 12.7),
+        ("r4.length.stroke = 5in", 12.7),
+        ("r4.length.stroke = 13 cm", 13.0),
+        ("r4.length.stroke = 13", 13.0),
+        ("r3.angle.swing <= 1.2 rad", 68.754_935_415_698_78),
+    ] {
+        assert_eq!(number(text).unwrap(), expected, "{text}");
+    }
+    for (text, told) in [
+        ("r4.length.stroke = 5 kg", "has the unit cm, not kg"),
+        ("r4.length.ratio = 5 mm", "is a plain number, not in mm"),
+        ("r4.length.stroke = long", "is no goal"),
+    ] {
+        let why = number(text).unwrap_err().to_string();
+        assert!(why.contains(told), "{why}");
+    }
+}
+
 /// The stroke of an offset slider-crank between its dead centres: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
 fn stroke(r: f64, l: f64, e: f64) -> f64 {
     ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()

@@ -139,6 +139,17 @@ catalogue! {
         a_little_more = "a little more";
         finer = "finer";
         nudge_by_less = "nudge by less";
+        // What else commands are looked for by.
+        open_is_sought_by = "task synthesis synthesize candidates linkages preset file load";
+        assemblies_are_sought_by = "branch circuit configuration closure mirror";
+        undo_is_sought_by = "revert back";
+        scene_is_sought_by = "parameters dimensions values limits stops loads springs masses";
+        lengths_are_sought_by = "tolerances sensitivity derivatives dimensions";
+        motor_is_sought_by = "torque power drive gear flywheel";
+        choosing_plots_is_sought_by = "stroke swing ratio curves figures cycle";
+        gathering_is_sought_by = "stage staged batch together several";
+        goal_is_sought_by = "goals stroke swing solve find optimize design";
+
         gather = "gather";
         gather_edits = "gather or make edits";
         coarser = "coarser";

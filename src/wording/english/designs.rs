@@ -11,8 +11,12 @@ catalogue! {
         no_goal(text: &str) =
             "`{text}` is no goal: write a figure, a sign and a number, as `C.x.stroke = 120`, `transmission >= 40` or \
              `r4.angle.swing <= 75`";
-        unit_of_goal(figure: &str, unit: &str, found: &str) =
-            "{figure} is in {unit}, not in {found}: write the number alone, or with {unit}";
+        unit_of_goal(figure: &str, unit: &str, found: &str) = {
+            match unit {
+                "" => format!("{figure} is a plain number, not in {found}: write the number alone"),
+                unit => format!("{figure} has the unit {unit}, not {found}: write the number alone, or with a unit of that kind"),
+            }
+        };
 
         // Goals and the best.
         to_be_met = "to meet";

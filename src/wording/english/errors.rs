@@ -48,8 +48,18 @@ catalogue! {
         there_are_and_more(names: &str, more: usize) = "there are {names} and {more} more";
 
         // Values that are typed.
-        no_number_typed(typed: &str, units: &str) = "no number: {typed}; type one, alone or in {units}";
-        unit_does_not_fit(unit: &str, units: &str) = "{unit} does not fit here: {units}";
+        no_number_typed(typed: &str, units: &str) = {
+            match units {
+                "" => format!("no number: {typed}; type one"),
+                units => format!("no number: {typed}; type one, alone or with a unit: {units}"),
+            }
+        };
+        unit_does_not_fit(unit: &str, units: &str) = {
+            match units {
+                "" => format!("{unit} does not fit here: this is a plain number"),
+                units => format!("{unit} does not fit here: {units}"),
+            }
+        };
         typed_two_marks(typed: &str) = "{typed}: write digits without groups: 1234.5 or 1234,5";
         typed_too_large(typed: &str) = "too large: {typed}";
         no_speed_of_driver(typed: &str, units: &str) =

@@ -35,12 +35,15 @@ catalogue! {
         number_with_comma(head: &str, tail: &str) =
             "a comma stands between figures, and in a formula a number has a point: `{head}.{tail}`";
 
+        at_character(at: usize, why: &str) = "character {at}: {why}";
+
         // What they are about.
-        blank_before_unit = "a blank stands between a number and its unit: `2 mm`";
+        blank_before_unit(number: &str, unit: &str) =
+            "a blank stands between a number and its unit: `{number} {unit}`";
         measured_in(what: &str, unit: &str) = {
             match unit {
                 "1" => format!("`{what}` is a plain number"),
-                unit => format!("`{what}` is in {unit}"),
+                unit => format!("`{what}` is in {}", told(unit)),
             }
         };
         do_not_go_together(one: &str, other: &str) = "{one} and {other}: these do not go together";
@@ -48,12 +51,14 @@ catalogue! {
         takes_an_angle(function: &str, unit: &str) = {
             match unit {
                 "1" => format!("{function}() takes an angle, and this is a plain number"),
-                unit => format!("{function}() takes an angle, and this is in {unit}"),
+                unit => format!("{function}() takes an angle, and this is in {}", told(unit)),
             }
         };
         angles_have_units = "angles have a unit: `30 deg`, `0.5 rad`";
-        takes_a_number(function: &str, unit: &str) =
-            "{function}() takes a plain number, and this is in {unit}: divide it by a figure of that unit";
+        takes_a_number(function: &str, unit: &str) = {
+            let unit = told(unit);
+            format!("{function}() takes a plain number, and this is in {unit}: divide it by a figure of that unit")
+        };
         no_root_of(unit: &str) = "no figure is measured in the root of {unit}";
         unit_beyond_use = "the unit of this is beyond all use";
         formula_has_too_many_steps = "the formula is too long, with those that it uses";
@@ -66,6 +71,10 @@ catalogue! {
         parameters_are(names: &str) = "parameters: {names}";
         scene_has_no_parameters = "numbers with names stand in `[parameters]`: `a = 100`";
         units_stand_alone = "units are added to their like, and multiplied by plain numbers alone";
+        units_multiplied(formula: &str) = "`{formula}` multiplies one unit by another";
+        units_divided(formula: &str) = "`{formula}` divides a unit by another, or a number by a unit";
+        units_divide_their_like =
+            "a unit is multiplied and divided by plain numbers, and divided by its like: `10 cm / (2 mm)`";
         parameter_called(name: &str) = "parameter {name}";
         parameters_in_a_circle(name: &str, circle: &str) = "parameter {name} follows from itself: {circle}";
         follows_from_itself = "follows from itself";
@@ -77,19 +86,23 @@ catalogue! {
         formulas_read_a_function(name: &str) =
             "formulas read `{name}` as a function: choose another name, as `{name}1`";
         parameters_measured_in(named: &[(String, String)], wanted: &str) = {
-            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` is in {unit}")).collect();
+            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` is in {}", told(unit))).collect();
             let wanted = match wanted {
                 "1" => String::new(),
-                wanted => format!("in {wanted}, or "),
+                wanted => format!("in {}, or ", told(wanted)),
             };
             format!("{}: write it {wanted}as a plain number, which takes the unit of its place", named.join(", "))
         };
-        rate_of_units(key: &str, of: &str, formula: &str, found: &str) =
-            "`{key}` of {of} takes a plain number in front of its unit, and `{formula}` is in {found}";
+        rate_of_units(key: &str, of: &str, formula: &str, found: &str) = {
+            let found = told(found);
+            format!("`{key}` of {of} takes a plain number in front of its unit, and `{formula}` is in {found}")
+        };
         rate_brings_its_unit(formula: &str, unit: &str) =
             "`{unit}` is the unit of the whole: give the parameters in `{formula}` as plain numbers";
-        value_measures_other(value: &str, found: &str, wanted: &str) =
-            "{value} is measured in {wanted}, and this is in {found}";
+        value_measures_other(value: &str, found: &str, wanted: &str) = {
+            let [found, wanted] = [told(found), told(wanted)];
+            format!("{value} is measured in {wanted}, and this is in {found}")
+        };
         no_value_named(name: &str, meant: Option<&str>) = {
             let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
             format!("the scene has no value `{name}`{meant}")
@@ -106,5 +119,16 @@ catalogue! {
             "`{name}` is no name for a figure: ASCII letters, digits, `_`, `-` and `'`, at most 64";
         name_of_figure_taken(name: &str) = "`{name}` names something else already: choose another name";
         in_formula_of(name: &str) = "formula of {name}";
+    }
+}
+
+/// A unit behind a preposition that one of them is written like.
+fn told(unit: &str) -> String {
+    let is_inch = unit
+        .strip_prefix("in")
+        .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()));
+    match is_inch {
+        true => format!("inch{}", &unit["in".len()..]),
+        false => unit.to_owned(),
     }
 }

@@ -13,6 +13,8 @@ catalogue! {
         turns_to_manual(key: &dyn Display) = "{key} manual";
         shows_more(key: &dyn Display) = "{key} for more";
         no_command_is_that = "no command is called that";
+        manual_of(topic: &str, about: &str) = "manual, {topic}: {about}";
+        manual_tells_of_it(topics: &str) = "the manual tells of it: {topics}";
         nowhere = "nowhere";
         marks_of_figures(found: char) = "{found} found, rest given";
         marks_of_figures_and_digits(found: char, unsure: char) =

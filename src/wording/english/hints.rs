@@ -48,7 +48,12 @@ catalogue! {
         position_in(unit: &str) = "position [{unit}]: ";
         write_to = "write to: ";
         name = "name: ";
-        value_in(name: &str, units: &str) = "{name} in {units}";
+        value_in(name: &str, units: &str) = {
+            match units {
+                "" => name.to_owned(),
+                units => format!("{name} [{units}]"),
+            }
+        };
         unsaved_edits = "unsaved edits";
         in_no_file_yet = "this linkage is in no file yet";
         read_over_edits = "read it over unsaved edits?";

@@ -52,8 +52,8 @@ catalogue! {
             "{what} must be a pair {form}, not {count} values";
         expected_two(count: usize) = "expected 2 values, found {count}";
         write_as_a_part(part: f64) = "write it as a part of one: {part}";
-        write_the_number_alone(number: &str) =
-            "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees";
+        is_no_unit(word: &str, units: &str) = "`{word}` is no unit: {units}";
+        product_has_a_sign(number: &str, name: &str) = "a product has its sign: `{number} * {name}`";
 
         // What people mostly meant.
         comments_begin_with = "a comment begins with #";
@@ -62,9 +62,10 @@ catalogue! {
         write_key_and_value = "write key = value";
         quote_texts_and_names = "texts and names are quoted: \"A\"";
         separate_by_commas = "the values of a list are separated by commas: [0, 0]";
-        number_alone_or_speed(number: &str) =
-            "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees, \
-             and a speed is a quoted text: \"15 rad/s\"";
+        quote_with_unit(number: &str, unit: &str) =
+            "a number with a unit stands in quotes: \"{number} {unit}\"";
+        number_alone_or_unit(number: &str) =
+            "write the number alone: {number}; or in quotes, with a unit: \"{number} mm\"";
 
         // The driver.
         driver_has_both = "the driver has both `link` and `slide`";

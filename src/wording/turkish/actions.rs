@@ -139,6 +139,17 @@ catalogue! {
         a_little_more = "biraz artır";
         finer = "ince";
         nudge_by_less = "daha az değiştir";
+        // What else commands are looked for by.
+        open_is_sought_by = "görev sentez aday mekanizma hazır dosya yükle";
+        assemblies_are_sought_by = "dal devre kapanış ayna konfigürasyon";
+        undo_is_sought_by = "geri dön";
+        scene_is_sought_by = "parametreler ölçüler değerler sınırlar durdurucular yükler yaylar kütleler";
+        lengths_are_sought_by = "toleranslar duyarlılık türevler ölçüler";
+        motor_is_sought_by = "moment tork güç tahrik dişli volan";
+        choosing_plots_is_sought_by = "strok kurs salınım oran eğri çevrim";
+        gathering_is_sought_by = "birlikte biriktir toplu aşama";
+        goal_is_sought_by = "hedefler strok kurs salınım çöz bul eniyile tasarım";
+
         gather = "topla";
         gather_edits = "topla ya da uygula";
         coarser = "kaba";

@@ -11,8 +11,14 @@ catalogue! {
         no_goal(text: &str) =
             "`{text}` bir hedef değil: bir büyüklük, bir işaret ve bir sayı yazın: `C.x.stroke = 120`, \
              `transmission >= 40` ya da `r4.angle.swing <= 75`";
-        unit_of_goal(figure: &str, unit: &str, found: &str) =
-            "{figure} büyüklüğünün birimi {unit}, {found} değil: sayıyı yalnız ya da {unit} ile yazın";
+        unit_of_goal(figure: &str, unit: &str, found: &str) = {
+            match unit {
+                "" => format!("{figure} birimsiz bir sayıdır, birimi {found} değil: sayıyı yalnız yazın"),
+                unit => format!(
+                    "{figure} büyüklüğünün birimi {unit}, {found} değil: sayıyı yalnız ya da bu türden bir birimle yazın"
+                ),
+            }
+        };
 
         // Goals and the best.
         to_be_met = "karşılanacak";

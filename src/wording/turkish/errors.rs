@@ -50,8 +50,18 @@ catalogue! {
         there_are_and_more(names: &str, more: usize) = "olanlar: {names} ve {more} tane daha";
 
         // Values that are typed.
-        no_number_typed(typed: &str, units: &str) = "sayı değil: {typed}; bir sayı yaz, yalın ya da birimle: {units}";
-        unit_does_not_fit(unit: &str, units: &str) = "{unit} buraya uymaz: {units}";
+        no_number_typed(typed: &str, units: &str) = {
+            match units {
+                "" => format!("sayı değil: {typed}; bir sayı yaz"),
+                units => format!("sayı değil: {typed}; bir sayı yaz, yalın ya da birimle: {units}"),
+            }
+        };
+        unit_does_not_fit(unit: &str, units: &str) = {
+            match units {
+                "" => format!("{unit} buraya uymaz: burada birimsiz bir sayı durur"),
+                units => format!("{unit} buraya uymaz: {units}"),
+            }
+        };
         typed_two_marks(typed: &str) = "{typed}: haneleri gruplamadan yaz: 1234.5 ya da 1234,5";
         typed_too_large(typed: &str) = "çok büyük: {typed}";
         no_speed_of_driver(typed: &str, units: &str) =

@@ -34,8 +34,10 @@ catalogue! {
         number_with_comma(head: &str, tail: &str) =
             "virgül büyüklüklerin arasında durur, formülde sayının noktası olur: `{head}.{tail}`";
 
+        at_character(at: usize, why: &str) = "{at}. karakter: {why}";
+
         // What they are about.
-        blank_before_unit = "sayı ile birimi arasında boşluk olur: `2 mm`";
+        blank_before_unit(number: &str, unit: &str) = "sayı ile birimi arasında boşluk olur: `{number} {unit}`";
         measured_in(what: &str, unit: &str) = {
             match unit {
                 "1" => format!("`{what}` birimsiz bir sayı"),
@@ -65,6 +67,10 @@ catalogue! {
         parameters_are(names: &str) = "parametreler: {names}";
         scene_has_no_parameters = "adı olan sayılar `[parameters]` içinde durur: `a = 100`";
         units_stand_alone = "birimler benzerleriyle toplanır, yalnız birimsiz sayılarla çarpılır";
+        units_multiplied(formula: &str) = "`{formula}` bir birimi bir birimle çarpıyor";
+        units_divided(formula: &str) = "`{formula}` bir birimi başka bir birime ya da bir sayıyı bir birime bölüyor";
+        units_divide_their_like =
+            "birim birimsiz sayıyla çarpılır ve bölünür, bir de benzerine bölünür: `10 cm / (2 mm)`";
         parameter_called(name: &str) = "{name} parametresi";
         parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendinden çıkıyor: {circle}";
         follows_from_itself = "kendinden çıkıyor";

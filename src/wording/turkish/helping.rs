@@ -13,6 +13,8 @@ catalogue! {
         turns_to_manual(key: &dyn Display) = "{key} el kitabı";
         shows_more(key: &dyn Display) = "{key} devamı";
         no_command_is_that = "böyle bir komut yok";
+        manual_of(topic: &str, about: &str) = "el kitabı, {topic}: {about}";
+        manual_tells_of_it(topics: &str) = "el kitabında var: {topics}";
         nowhere = "hiçbir yerde";
         marks_of_figures(found: char) = "{found} bulunan, gerisi verilen";
         marks_of_figures_and_digits(found: char, unsure: char) =

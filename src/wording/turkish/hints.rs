@@ -48,7 +48,12 @@ catalogue! {
         position_in(unit: &str) = "konum [{unit}]: ";
         write_to = "dosya: ";
         name = "ad: ";
-        value_in(name: &str, units: &str) = "{name}, birim {units}";
+        value_in(name: &str, units: &str) = {
+            match units {
+                "" => name.to_owned(),
+                units => format!("{name} [{units}]"),
+            }
+        };
         unsaved_edits = "kaydedilmemiş değişiklik";
         in_no_file_yet = "bu mekanizma henüz hiçbir dosyada yok";
         read_over_edits = "kaydedilmemiş değişikliklerin üstüne okunsun mu?";

@@ -54,8 +54,8 @@ catalogue! {
             "{what} bir çift {form} olmalı, {count} değer değil";
         expected_two(count: usize) = "2 değer beklenirken {count} var";
         write_as_a_part(part: f64) = "birin payı olarak yaz: {part}";
-        write_the_number_alone(number: &str) =
-            "yalnız sayıyı yaz: {number}; boylar sahnenin `unit` biriminde, açılar derecedir";
+        is_no_unit(word: &str, units: &str) = "`{word}` birim değil: {units}";
+        product_has_a_sign(number: &str, name: &str) = "çarpımın işareti yazılır: `{number} * {name}`";
 
         // What people mostly meant.
         comments_begin_with = "açıklama # ile başlar";
@@ -64,9 +64,10 @@ catalogue! {
         write_key_and_value = "anahtar = değer yaz";
         quote_texts_and_names = "metinler ve adlar tırnağa alınır: \"A\"";
         separate_by_commas = "bir listenin değerleri virgülle ayrılır: [0, 0]";
-        number_alone_or_speed(number: &str) =
-            "yalnız sayıyı yaz: {number}; boylar sahnenin `unit` biriminde, açılar derecedir, hız ise \
-             tırnak içinde bir metindir: \"15 rad/s\"";
+        quote_with_unit(number: &str, unit: &str) =
+            "birimli sayı tırnak içinde durur: \"{number} {unit}\"";
+        number_alone_or_unit(number: &str) =
+            "yalnız sayıyı yaz: {number}; ya da tırnak içinde, birimiyle: \"{number} mm\"";
 
         // The driver.
         driver_has_both = "tahrikte hem `link` hem `slide` var";

@@ -4,7 +4,7 @@
 //! ```text
 //!  r3 length = 2 * b: there is no parameter `b`; parameters: a, rod, stroke,
 //!  width
-//!  edit  r3 length in mm, cm, m, in   Enter take  Esc cancel
+//!  edit  r3 length [mm, cm, m, in]   Enter take  Esc cancel
 //! ```
 
 use crate::page::{cut, wrapped};
