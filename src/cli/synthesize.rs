@@ -40,6 +40,7 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
             file,
             seed: args.seed,
             tolerance: args.tolerance,
+            folder: folder_of(&args.task),
         });
     }
     let order = SynthesisOrder {
@@ -79,6 +80,13 @@ fn called(name: &Path) -> String {
         Some(stem) if stem != "-" => stem.into_owned(),
         _ => "task".into(),
     }
+}
+
+/// The folder of a task that is a file: an example lies nowhere.
+#[cfg(feature = "tui")]
+fn folder_of(name: &Path) -> Option<PathBuf> {
+    let folder = name.parent().filter(|_| name.is_file());
+    folder.map(Path::to_owned)
 }
 
 /// The task that the command line names: an example, a file, or standard input.

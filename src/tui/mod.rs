@@ -96,6 +96,8 @@ pub struct TaskOrder {
     pub seed: u64,
     /// How far each length of a scene may be off; nothing where that is left open.
     pub tolerance: Option<f64>,
+    /// The folder that it lies in: what is saved of it is offered a name there.
+    pub folder: Option<PathBuf>,
 }
 
 impl TaskOrder {
@@ -107,6 +109,7 @@ impl TaskOrder {
             name,
             seed: SynthesisOrder::USUAL_SEED,
             tolerance: None,
+            folder: None,
         }
     }
 }

@@ -109,9 +109,16 @@ impl Workbench {
     }
 
     /// Presses keys, each written as the help shows it: `space`, `g`, `Enter`, `Ctrl-L`. Separated
-    /// by blanks; a word that names no key is nothing. False once the workbench was left.
+    /// by blanks; a single character is what it is, a word that names no key is nothing. False once the workbench was
+    /// left.
     pub fn press(&mut self, keys: &str) -> bool {
-        let keys = keys.split_whitespace().filter_map(|word| word.parse().ok());
+        let single = |word: &str| {
+            let mut chars = word.chars();
+            let c = chars.next().filter(|c| !c.is_control())?;
+            chars.as_str().is_empty().then_some(Key::Char(c))
+        };
+        let key = |word: &str| word.parse().ok().or_else(|| single(word));
+        let keys = keys.split_whitespace().filter_map(key);
         for key in keys {
             match self.key(key) {
                 Effect::Show | Effect::Suspend | Effect::Picture => {}

@@ -101,7 +101,7 @@ fn a_defective_one_says_why_and_is_not_taken() {
 fn one_is_taken_as_a_new_scene_and_the_others_are_found_again() {
     let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
     let screen = session.press("Down Enter").look();
-    assert_told(&screen, &["hatch-2"]);
+    assert_told(&screen, &["hatch-2*"]);
     assert!(screen.contains("Hatch, candidate 2"), "{screen}");
     assert!(session.press("w").last_line().contains("hatch-2.toml"));
     let list = session.press("Esc o Home").look();
@@ -109,7 +109,7 @@ fn one_is_taken_as_a_new_scene_and_the_others_are_found_again() {
     let again = session.press("Enter").look();
     assert_told(&again, &["4 found, 2 defective", "> 2"]);
     // The scene below is the one that was taken.
-    assert_told(&session.press("Esc").look(), &["hatch-2"]);
+    assert_told(&session.press("Esc").look(), &["hatch-2*"]);
 }
 
 /// No file holds what was taken: whoever leaves it is asked, be it for another scene, or for good.
@@ -192,13 +192,26 @@ fn a_task_among_the_files_is_opened_as_one() {
     // One with a fault says it as a scene does.
     session.press("Esc o").type_in("twice");
     assert_told(&session.look(), &["cannot be opened"]);
-    // It is nothing to be held against a scene.
-    session.press("Esc D").type_in("places").press("Enter");
-    assert!(
-        session.last_line().contains("this is a task, and no scene"),
-        "{}",
-        session.last_line()
-    );
+    // It is nothing to be held against a scene, and is not offered for that.
+    let screen = session.press("Esc D").type_in("places").look();
+    assert!(!screen.contains("places.toml"), "{screen}");
+    let screen = session.press("Ctrl-U").type_in("mine").look();
+    assert!(screen.contains("mine.toml"), "{screen}");
+}
+
+/// What is taken of a task in a file is offered a name beside that.
+#[test]
+fn one_that_was_taken_is_saved_beside_its_task() {
+    let folder = folder("candidates-beside");
+    let task = ExampleTask::find("hatch").unwrap().text;
+    fs::write(folder.join("hatch.toml"), task).unwrap();
+    fs::write(folder.join("mine.toml"), text("four-bar")).unwrap();
+    let mut session = opened_in(&folder, Glyphs::Ascii);
+    session.press("o").type_in("hatch").press("Enter Enter");
+    let line = session.press("w").last_line();
+    assert!(line.contains("candidates-beside/hatch-1.toml"), "{line}");
+    session.press("Enter");
+    assert!(folder.join("hatch-1.toml").exists());
 }
 
 /// Where pivots may stand is drawn: dots from one side of the drawing to the other.

@@ -1,7 +1,7 @@
 //! A second scene beside the open one: its ghost in the drawing, and what the figures differ by.
 
 use crate::claims::{
-    assert_dotted, assert_only_a_ghost_is_added, assert_told, cells, drawing, places,
+    assert_dotted, assert_only_a_ghost_is_added, assert_told, cells, drawing, places, said,
 };
 use crate::screen::{SCREENS, Session, folder, masked, open, text};
 use krank::drawing::Glyphs;
@@ -215,14 +215,11 @@ fn where_the_other_has_no_assembly_it_says_so() {
 fn a_slide_and_a_link_have_no_coordinate_in_common() {
     let mut session = beside("refused", Glyphs::Ascii, 120, 40);
     let before = session.look();
-    let line = session
-        .press("D")
-        .type_in("scissor")
-        .press("Enter")
-        .last_line();
-    let said = "scissor-lift is driven by a slide, this scene by a link that turns";
-    assert!(line.contains(said), "{line}");
+    let screen = session.press("D").type_in("scissor").press("Enter").look();
+    let told = "scissor-lift is driven by a slide, this scene by a link that turns";
+    assert!(said(&screen).contains(told), "{screen}");
     // The list stays for another choice.
+    let line = session.last_line();
     assert!(line.starts_with(" compare "), "{line}");
     assert_eq!(session.press("Esc").look(), before);
 }

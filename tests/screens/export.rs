@@ -1,6 +1,6 @@
 //! Taking things out of the workbench: to the clipboard and into files.
 
-use crate::claims::assert_told;
+use crate::claims::{assert_told, said};
 use crate::screen::{SWINGING, Session, folder, four_bar, krank, open, preset};
 use crate::tables::under_cursor;
 use krank::drawing::Glyphs;
@@ -110,10 +110,10 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
     // Keys that answer nothing do nothing: an Esc that a slow line splits must not either.
     assert_eq!(session.press("[ A q").last_line(), line);
     assert!(session.press("Esc").last_line().starts_with(" tables "));
-    let line = session.press("y t").last_line();
+    let screen = session.press("y t").look();
     assert!(
-        line.contains("sent to the terminal's clipboard: "),
-        "{line}"
+        said(&screen).contains("sent to the terminal's clipboard: "),
+        "{screen}"
     );
     assert!(!session.workbench.take_sent().is_empty());
     // In the scene it is the value under the cursor; views without one say so.
@@ -225,8 +225,11 @@ fn no_file_is_written_over_unasked() {
     assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
     // A folder is no file.
     session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
-    let line = session.press("Enter").last_line();
-    assert!(line.ends_with(" that is a folder: add a name"), "{line}");
+    let screen = session.press("Enter").look();
+    let told = " that is a folder: add a name";
+    assert!(said(&screen).contains(told), "{screen}");
+    // What is to be mended is seen.
+    assert!(session.last_line().contains("write to: "), "{screen}");
     assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
 }
 
@@ -279,8 +282,8 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
     assert!(line.contains("write to: four-bar-60.svg"), "{line}");
     let file = here.join("drawing.svg");
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
-    let line = session.press("Enter").last_line();
-    assert!(line.contains("the drawing written to"), "{line}");
+    let screen = session.press("Enter").look();
+    assert!(said(&screen).contains("the drawing written to"), "{screen}");
     let svg = std::fs::read_to_string(&file).unwrap();
     assert!(
         svg.starts_with("<svg ") && svg.ends_with("</svg>\n"),
@@ -400,8 +403,8 @@ fn too_much_for_a_clipboard_is_refused() {
     let bars: String = (0..1200).map(bar).collect();
     let scene = format!("{SWINGING}[vectors]\n{bars}");
     let mut session = Session::new(open(&scene, Origin::Stdin), Glyphs::Ascii, 40, 12);
-    let line = session.press("2 y t").last_line();
-    assert!(line.starts_with(" table too much to copy, "), "{line}");
-    assert!(line.ends_with(" B: use Y"), "{line}");
+    let screen = said(&session.press("2 y t").look());
+    assert!(screen.contains(" table too much to copy, "), "{screen}");
+    assert!(screen.contains(" B: use Y"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");
 }

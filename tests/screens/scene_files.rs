@@ -1,6 +1,6 @@
 //! Scenes and their files: saved, read again when somebody else writes them, and recovered after a crash.
 
-use crate::claims::assert_told;
+use crate::claims::{assert_told, said};
 use crate::scene::Values;
 use crate::screen::{Session, folder, four_bar, open, preset, text};
 use krank::drawing::Glyphs;
@@ -88,8 +88,9 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     // Broken meanwhile: the last good state stays until it is mended.
     std::fs::write(&file, "[ground]\nA = [0").unwrap();
     wait(&mut session);
-    let line = session.press("[").last_line();
-    assert!(line.contains("mine.toml is broken, not shown: "), "{line}");
+    let screen = said(&session.press("[").look());
+    let told = "mine.toml is broken, not shown: ";
+    assert!(screen.contains(told), "{screen}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
     std::fs::write(
         &file,
@@ -242,8 +243,12 @@ fn edits_that_waited_are_offered_too() {
     }
     let line = session.press("t").last_line();
     assert!(line.contains("edits wait: b makes them together"), "{line}");
-    assert_eq!(session.find("r3 len").row(), ">+r3 length 1000 mm");
-    assert_eq!(session.find("D x").row(), ">+D x 402 mm");
+    let row = |session: &mut Session, name| {
+        let row = session.find(name).row();
+        row.trim_end_matches(" |").to_owned()
+    };
+    assert_eq!(row(&mut session, "r3 len"), ">+r3 length 1000 mm");
+    assert_eq!(row(&mut session, "D x"), ">+D x 402 mm");
     // Dropped, they are where they were; had back, they are this session's again.
     session.press("Esc");
     assert_eq!(kept(), 1);

@@ -35,8 +35,10 @@ fn says_what_is_missing_at_a_dead_point() {
     assert!(line.contains("dead point: no rates"), "{line}");
     session.workbench.resize(40, 12);
     session.terminal = emulator(40, 12);
-    let line = session.press(".").last_line();
-    assert!(line.ends_with("82.81924422 deg  dead point"), "{line}");
+    let screen = session.press(".").look();
+    assert!(said(&screen).contains("the motion ends here"), "{screen}");
+    let line = session.last_line();
+    assert!(line.contains("82.81924422 deg dead point"), "{line}");
 }
 
 /// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have four digits at the most.

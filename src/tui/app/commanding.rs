@@ -3,7 +3,8 @@
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::KeyContext;
 use crate::tui::commands::key::Key;
-use crate::tui::views::palette::list::CommandList;
+use crate::tui::views::help::text::Help;
+use crate::tui::views::palette::list::{CommandList, Listed};
 use std::time::Duration;
 
 impl App {
@@ -41,10 +42,17 @@ impl App {
         let Mode::Palette(palette) = &self.shell.mode else {
             return Effect::Show;
         };
-        let chosen = palette.chosen();
+        let (chosen, typed) = (palette.chosen(), palette.typed().to_owned());
         self.shell.mode = Mode::Normal;
-        let Some(row) = chosen else {
-            return Effect::Show;
+        let row = match chosen {
+            Some(Listed::Command(row)) => row,
+            Some(Listed::Topic(at, _)) => {
+                let columns = self.shell.size.width;
+                let help = Help::telling(at, &typed, columns, &self.shell.keymap);
+                self.shell.mode = Mode::Help(help);
+                return Effect::Show;
+            }
+            None => return Effect::Show,
         };
         if let KeyContext::In(view) = row.place {
             self.look(view);

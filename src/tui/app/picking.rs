@@ -50,8 +50,12 @@ impl App {
     /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
     fn look_into(&mut self, folder: PathBuf, at: Option<PickerTarget>, or_here: bool) {
         let origin = self.player.open_scene.origin().clone();
+        let Mode::Pick(picker) = &self.shell.mode else {
+            return;
+        };
+        let purpose = picker.purpose();
         self.clerk.give(move || {
-            let read = FolderReading::of(&folder);
+            let read = FolderReading::of(&folder, purpose);
             let at = at.or_else(|| or_here.then(|| PickerTarget::of(&origin)).flatten());
             Box::new(move |app, _| {
                 if let Mode::Pick(picker) = &mut app.shell.mode {

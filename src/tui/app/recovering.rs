@@ -161,6 +161,11 @@ impl App {
             Key::Escape | Key::Backspace if offer.page.is_some() => offer.page = None,
             Key::Escape => self.shell.mode = Mode::Normal,
             Key::Enter if offer.others.left.is_empty() => self.shell.mode = Mode::Normal,
+            // It tells something and asks nothing: a key does what it does without it.
+            Key::Char(_) if offer.others.left.is_empty() => {
+                self.shell.mode = Mode::Normal;
+                return None;
+            }
             Key::Enter if offer.page.is_none() => offer.look(),
             Key::Char('c') => offer.compare(self.player.open_scene.scene().text()),
             Key::Char('t') => self.take_offered(now),

@@ -42,7 +42,12 @@ impl App {
         self.player.playback.pause();
         let proposal = match self.player.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
-            Origin::Preset(name) | Origin::New(name) => format!("{name}.toml"),
+            Origin::Preset(name) => format!("{name}.toml"),
+            Origin::New(name) => {
+                let name = format!("{name}.toml");
+                let folder = self.folder_of_task().map(|folder| folder.join(&name));
+                folder.map_or(name, |path| path.to_string_lossy().into_owned())
+            }
             Origin::Stdin => "scene.toml".into(),
         };
         self.ask_for_file(SavedContent::Scene, &proposal);

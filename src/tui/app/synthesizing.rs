@@ -9,6 +9,7 @@ use crate::tui::views::candidates::list::{CandidateList, CandidatesPage};
 use crate::tui::views::candidates::walk::WalkStep;
 use crate::tui::{Origin, TaskOrder};
 use crate::wording::words;
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -58,6 +59,13 @@ impl App {
         if let Some(left) = self.candidates.take_if(searching) {
             left.leave();
         }
+    }
+
+    /// The folder of the task that the open scene was taken from, where it is known.
+    pub(super) fn folder_of_task(&self) -> Option<&Path> {
+        let list = self.candidates.as_ref();
+        let own = list.filter(|list| list.taken == Some(self.scenes))?;
+        own.order().folder.as_deref()
     }
 
     /// Keys of the list of candidates; `None` for those that mean the same everywhere.

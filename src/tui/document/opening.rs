@@ -52,7 +52,10 @@ pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     if TaskFile::is_meant(&bytes) {
         let file = TaskFile::read(&bytes, &shown).map_err(Unopened::Wrong)?;
         let name = path.file_stem().unwrap_or(path.as_os_str());
-        let order = TaskOrder::new(file, name.to_string_lossy().into_owned());
+        let order = TaskOrder {
+            folder: path.parent().map(Path::to_owned),
+            ..TaskOrder::new(file, name.to_string_lossy().into_owned())
+        };
         return Ok(OpenedFile::Task(Box::new(order)));
     }
     let scene = Scene::read(&bytes, &shown);

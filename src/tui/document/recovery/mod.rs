@@ -163,7 +163,8 @@ impl Recovery {
         let is_alive = held.unwrap_or_else(|| !record.session.is_gone());
         match record.edits {
             _ if is_alive => {
-                if self.subject.is(&record.subject) {
+                // Of what no file holds everybody has their own.
+                if self.subject.is_file() && self.subject.is(&record.subject) {
                     others.alive.push(Alive {
                         process: record.session.process,
                         host: record.session.host,

@@ -15,6 +15,7 @@ use super::popup::{self, BORDER};
 use super::table::UNSURE;
 use super::{columns, cut, print, print_right};
 use crate::capability::Colours;
+use crate::manual::{self, TOPICS};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entries};
@@ -31,10 +32,20 @@ const GAP: u16 = 2;
 /// More columns than this are no help.
 const MOST_COLUMNS: u16 = 3;
 
-/// What is said where no key was found.
-fn nothing() -> [&'static str; 2] {
-    [words().no_key_does_that(), words().esc_shows_all_keys()]
+/// What is said where no key was found: which topics of the manual tell of it.
+fn nothing(sought: &str) -> Vec<String> {
+    let topics = manual::telling(sought).into_iter();
+    let topics: Vec<&str> = topics.map(|at| TOPICS[at].called()).collect();
+    let told = match topics.is_empty() {
+        true => String::new(),
+        false => words().manual_tells_of_it(&topics.join(", ")),
+    };
+    let [none, all] = [words().no_key_does_that(), words().esc_shows_all_keys()];
+    vec![none.to_owned(), told, all.to_owned()]
 }
+
+/// Lines of what is said where no key was found.
+const NOTHING: usize = 3;
 
 /// Columns of a line: of the keys and of the longest that is said of them.
 fn line_columns() -> u16 {
@@ -56,13 +67,15 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     footer(app, help, lines.len(), place, buffer);
     let inner = popup::within(place);
     if lines.is_empty() {
-        for (y, text) in (inner.top()..inner.bottom()).zip(nothing()) {
+        for (y, text) in
+            (inner.top()..inner.bottom()).zip(nothing(help.words().unwrap_or_default()))
+        {
             print(
                 buffer,
                 inner.x,
                 y,
                 inner.width,
-                text,
+                &text,
                 theme::part(ScreenPart::Text),
             );
         }
@@ -197,6 +210,6 @@ fn width(area: Rect) -> u16 {
 
 /// Rows of so many lines; also while a search finds few of them, the words must have their place.
 fn height(area: Rect, lines: usize) -> u16 {
-    let rows = lines.div_ceil(count(area).into()).max(nothing().len());
+    let rows = lines.div_ceil(count(area).into()).max(NOTHING);
     u16::try_from(rows).unwrap_or(u16::MAX)
 }

@@ -8,6 +8,7 @@ use crate::manual::{self, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
 use crate::wording::{Language, words};
 
@@ -59,6 +60,21 @@ impl Help {
             over_candidates: true,
             ..Help::default()
         }
+    }
+
+    /// A topic, by its place in the manual, where it tells of words that were sought.
+    pub(crate) fn telling(topic: usize, words: &str, columns: u16, keymap: &Keymap) -> Help {
+        let mut help = Help {
+            page: topic + 1,
+            ..Help::default()
+        };
+        help.search();
+        if let Some(line) = help.typed() {
+            words.chars().for_each(|c| line.push(c));
+        }
+        help.seek(false, columns, keymap);
+        help.accept();
+        help
     }
 
     /// The place of the topic in the manual from 1 on; 0 for the keys.
@@ -198,7 +214,9 @@ impl Help {
             let rows = entries.into_iter().filter_map(|entry| {
                 let keys = keymap.keys(entry.action);
                 let row = (action::listed(keys), (entry.help)(words()));
-                let is_meant = finds(&wanted, &[&row.0, row.1, (entry.hint)(words()), title]);
+                let sought = keywords(entry.action);
+                let texts = [&row.0, row.1, (entry.hint)(words()), title, sought];
+                let is_meant = finds(&wanted, &texts);
                 (is_meant && !keys.is_empty()).then_some(row)
             });
             let mut rows = rows.peekable();

@@ -1,9 +1,23 @@
-//! The commands that are listed: all of the table of actions, narrowed by what is typed, the best first.
+//! The commands that are listed: all of the table of actions, narrowed by what is typed, the best first; behind them the
+//! topics of the manual that tell of it.
 
 use crate::document::with_ascii_letters;
+use crate::manual::{self, TOPICS, Topic};
 use crate::tui::commands::action::{self, Action, ActionRow};
+use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
 use crate::wording::words;
+
+/// What is listed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Listed {
+    Command(&'static ActionRow),
+    /// A topic of the manual, and its place there.
+    Topic(usize, &'static Topic),
+}
+
+/// What a word costs that a command is looked for by: more than letters of its name.
+const KEYWORD: usize = 1000;
 
 /// All commands, narrowed by what is searched for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,6 +25,8 @@ pub(crate) struct CommandList {
     line: EditLine,
     /// By their places in the table, the best first.
     found: Vec<usize>,
+    /// By their places in the manual.
+    topics: Vec<usize>,
     cursor: usize,
 }
 
@@ -19,6 +35,7 @@ impl CommandList {
         let mut palette = CommandList {
             line: EditLine::for_words(),
             found: Vec::new(),
+            topics: Vec::new(),
             cursor: 0,
         };
         palette.narrow();
@@ -42,23 +59,28 @@ impl CommandList {
             let costs = texts
                 .iter()
                 .filter_map(|text| Some((cost(&typed, text)?, text.chars().count())));
-            Some((costs.min()?, at))
+            let sought = || keyword_cost(&typed, keywords(row.action));
+            Some((costs.min().or_else(sought)?, at))
         });
         let mut costs: Vec<((usize, usize), usize)> = costs.collect();
         if !typed.trim().is_empty() {
             costs.sort_unstable();
         }
         self.found = costs.into_iter().map(|(_, at)| at).collect();
+        self.topics = manual::telling(&typed);
         self.cursor = 0;
     }
 
     /// What is listed.
-    pub(crate) fn found(&self) -> impl Iterator<Item = &'static ActionRow> {
-        self.found.iter().filter_map(|at| rows().nth(*at))
+    pub(crate) fn found(&self) -> impl Iterator<Item = Listed> {
+        let commands = self.found.iter().filter_map(|at| rows().nth(*at));
+        let topics = self.topics.iter();
+        let topics = topics.filter_map(|at| Some(Listed::Topic(*at, TOPICS.get(*at)?)));
+        commands.map(Listed::Command).chain(topics)
     }
 
     pub(crate) fn count(&self) -> usize {
-        self.found.len()
+        self.found.len() + self.topics.len()
     }
 
     pub(crate) fn cursor(&self) -> usize {
@@ -66,15 +88,24 @@ impl CommandList {
     }
 
     /// What is under the cursor.
-    pub(crate) fn chosen(&self) -> Option<&'static ActionRow> {
+    pub(crate) fn chosen(&self) -> Option<Listed> {
         self.found().nth(self.cursor)
     }
 
     /// Moves the cursor, within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
-        let most = self.found.len().saturating_sub(1);
+        let most = self.count().saturating_sub(1);
         self.cursor = self.cursor.saturating_add_signed(rows).min(most);
     }
+}
+
+/// How far the words that a command is looked for by are from what is typed: one of them begins so. `None` where none does.
+fn keyword_cost(typed: &str, sought: &str) -> Option<(usize, usize)> {
+    let typed = typed.trim();
+    let sought = plain(sought);
+    let mut begun = sought.split(' ').filter(|word| word.starts_with(typed));
+    let word = begun.next().filter(|_| !typed.is_empty())?;
+    Some((KEYWORD, word.len()))
 }
 
 /// Every command but the list of commands itself.
@@ -126,7 +157,61 @@ mod tests {
         let mut palette = CommandList::new();
         typed.chars().for_each(|c| palette.line().push(c));
         palette.narrow();
-        palette.found().map(|row| row.name).collect()
+        let names = palette.found().filter_map(|listed| match listed {
+            Listed::Command(row) => Some(row.name),
+            Listed::Topic(..) => None,
+        });
+        names.collect()
+    }
+
+    fn topics(typed: &str) -> Vec<&'static str> {
+        let mut palette = CommandList::new();
+        typed.chars().for_each(|c| palette.line().push(c));
+        palette.narrow();
+        let topics = palette.topics.iter();
+        topics.map(|at| TOPICS[*at].name).collect()
+    }
+
+    /// Words that no name and no help has lead to what does it, or to where the manual tells of it.
+    #[test]
+    fn words_of_the_trade_lead_somewhere() {
+        Language::English.speak();
+        for (typed, command, topic) in [
+            ("toler", "lengths", "tolerances"),
+            ("synth", "open", "synthesis"),
+            ("task", "open", "synthesis"),
+            ("param", "scene", "scene"),
+            ("stage", "gather", ""),
+            ("limit", "scene", "limits"),
+            ("stroke", "choose-plots", "designs"),
+        ] {
+            assert!(
+                found(typed).contains(&command),
+                "{typed}: {:?}",
+                found(typed)
+            );
+            let told = topics(typed);
+            assert!(
+                topic.is_empty() || told.contains(&topic),
+                "{typed}: {told:?}"
+            );
+        }
+        assert_eq!(topics("toler")[0], "tolerances");
+        assert_eq!(topics(""), [""; 0]);
+        Language::Turkish.speak();
+        for (typed, command) in [
+            ("sentez", "open"),
+            ("parametre", "scene"),
+            ("strok", "goal"),
+        ] {
+            assert!(
+                found(typed).contains(&command),
+                "{typed}: {:?}",
+                found(typed)
+            );
+        }
+        assert_eq!(topics("tolerans")[0], "tolerances");
+        Language::English.speak();
     }
 
     #[test]
@@ -159,7 +244,7 @@ mod tests {
         ] {
             assert_eq!(found(typed).first(), Some(&name), "{typed}");
         }
-        assert!(found("qzx").is_empty());
+        assert!(found("qzx").is_empty() && topics("qzx").is_empty());
     }
 
     /// Each command is found by its own name, and none stands before it but what is told by that very word.

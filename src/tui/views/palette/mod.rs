@@ -9,12 +9,12 @@
 pub(crate) mod list;
 
 use super::popup;
-use super::{columns, print, print_right};
+use super::{columns, cut, print, print_right};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::commands::action::{self, ActionRow};
+use crate::tui::commands::action;
 use crate::wording::words;
-use list::CommandList;
+use list::{CommandList, Listed};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -66,23 +66,25 @@ pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut 
     }
 }
 
-/// What a command does, and its keys at the right.
-fn render_row(app: &App, row: &ActionRow, is_chosen: bool, line: Rect, buffer: &mut Buffer) {
+/// What a command does, and its keys at the right; or what a topic of the manual tells.
+fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &mut Buffer) {
     let (mark, part) = match is_chosen {
         true => ("> ", ScreenPart::Key),
         false => ("  ", ScreenPart::Text),
     };
     let x = print(buffer, line.x, line.y, line.width, mark, theme::part(part));
     let room = line.right().saturating_sub(x);
-    let end = print(
-        buffer,
-        x,
-        line.y,
-        room,
-        (row.help)(words()),
-        theme::part(part),
-    );
-    let keys = action::listed(app.keymap().keys(row.action));
+    let (told, keys) = match listed {
+        Listed::Command(row) => {
+            let keys = action::listed(app.keymap().keys(row.action));
+            ((row.help)(words()).to_owned(), keys)
+        }
+        Listed::Topic(_, topic) => {
+            let told = words().manual_of(topic.called(), (topic.about)(words()));
+            (cut(&told, room.into()), String::new())
+        }
+    };
+    let end = print(buffer, x, line.y, room, &told, theme::part(part));
     if end + 1 + columns(&keys) <= line.right() {
         let style = theme::part(ScreenPart::Quiet);
         print_right(buffer, line.right(), line.y, &keys, style);

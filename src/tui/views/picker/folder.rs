@@ -1,6 +1,9 @@
 //! What a folder holds for somebody who looks for a scene: other folders, and files that end in
 //! `.toml`.
 
+use crate::files::read_file;
+use crate::scene::LARGEST_FILE;
+use crate::task_file::TaskFile;
 use std::ffi::OsStr;
 use std::fs::{self, DirEntry};
 use std::io;
@@ -10,6 +13,9 @@ use std::path::{Path, PathBuf};
 const ENDING: &str = "toml";
 /// More than this nobody looks through, and reading them all would keep the keys waiting.
 const MOST_ENTRIES: usize = 50_000;
+
+/// To know what more files hold than this takes too long.
+const MOST_READ: usize = 1000;
 
 /// What a folder holds, each part in the order of its names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -43,6 +49,13 @@ impl Folder {
         Ok(folder)
     }
 
+    /// Leaves out files that hold tasks. Of many files none is read: what they are shows when they are opened.
+    pub(super) fn leave_out_tasks(&mut self) {
+        if self.scenes.len() <= MOST_READ {
+            self.scenes.retain(|path| !is_task(path));
+        }
+    }
+
     fn take(&mut self, entry: &DirEntry) {
         if entry.file_name().as_encoded_bytes().starts_with(b".") {
             return;
@@ -61,6 +74,11 @@ fn is_folder(entry: &DirEntry, path: &Path) -> bool {
     entry.file_type().is_ok_and(|kind| {
         kind.is_dir() || (kind.is_symlink() && fs::metadata(path).is_ok_and(|m| m.is_dir()))
     })
+}
+
+/// Whether a file that can be read holds a task.
+fn is_task(path: &Path) -> bool {
+    read_file(path, LARGEST_FILE).is_ok_and(|bytes| TaskFile::is_meant(&bytes))
 }
 
 /// Capitals beside their small letters; what differs by them alone keeps one order.

@@ -105,10 +105,13 @@ pub(crate) struct FolderReading {
 }
 
 impl FolderReading {
-    /// Reads a folder, which may take long.
-    pub(crate) fn of(folder: &Path) -> FolderReading {
+    /// Reads a folder, which may take long. A task is nothing to be compared with.
+    pub(crate) fn of(folder: &Path, purpose: Purpose) -> FolderReading {
         let folder = whole(folder);
-        let found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
+        let mut found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
+        if let (Ok(found), Purpose::Compare) = (&mut found, purpose) {
+            found.leave_out_tasks();
+        }
         FolderReading { folder, found }
     }
 }
