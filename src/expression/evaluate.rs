@@ -466,17 +466,18 @@ mod tests {
             ("b + 1", "there is no parameter `b`"),
             (
                 "5 mm + 3 deg",
-                "`5 mm` is in in and `3 deg` is in deg: these do not go together",
+                "`5 mm` is in inch and `3 deg` is in deg: these do not go together",
             ),
             (
                 "5 mm * 2 mm",
-                "`5 mm` is in in and `2 mm` is in in: these do not go together",
+                "`5 mm * 2 mm` multiplies one unit by another",
             ),
+            ("(5 mm)^2", "`(5 mm)^2` multiplies one unit by another"),
             (
                 "sqrt(4 mm)",
-                "sqrt() takes a plain number, and this is in in: divide it by a figure of that unit",
+                "sqrt() takes a plain number, and this is in inch: divide it by a figure of that unit",
             ),
-            ("sin(4 mm)", "sin() takes an angle, and this is in in"),
+            ("sin(4 mm)", "sin() takes an angle, and this is in inch"),
         ] {
             assert_eq!(worth(text), Err(message.to_owned()), "{text}");
         }

@@ -179,6 +179,7 @@ fn a_task_among_the_files_is_opened_as_one() {
     let folder = folder("candidates-files");
     fs::write(folder.join("mine.toml"), text("four-bar")).unwrap();
     fs::write(folder.join("places.toml"), FOUR_POSES).unwrap();
+    fs::write(folder.join("other.toml"), text("slider-crank")).unwrap();
     let wrong = FOUR_POSES.replace("-75.3, 83.9, -27.1", "0, 0, 0");
     fs::write(folder.join("twice.toml"), wrong).unwrap();
     let mut session = opened_in(&folder, Glyphs::Ascii);
@@ -195,8 +196,8 @@ fn a_task_among_the_files_is_opened_as_one() {
     // It is nothing to be held against a scene, and is not offered for that.
     let screen = session.press("Esc D").type_in("places").look();
     assert!(!screen.contains("places.toml"), "{screen}");
-    let screen = session.press("Ctrl-U").type_in("mine").look();
-    assert!(screen.contains("mine.toml"), "{screen}");
+    let screen = session.press("Ctrl-U").type_in("other").look();
+    assert!(screen.contains("other.toml"), "{screen}");
 }
 
 /// What is taken of a task in a file is offered a name beside that.

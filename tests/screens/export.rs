@@ -119,8 +119,8 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
     // In the scene it is the value under the cursor; views without one say so.
     let sent = session.press("6 y").workbench.take_sent();
     assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
-    let line = session.press("5 y").last_line();
-    assert!(line.contains("nothing to copy here"), "{line}");
+    let screen = session.press("5 y").look();
+    assert!(said(&screen).contains("nothing to copy here"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");
     // What is read is copied line by line.
     for (key, said) in [
@@ -404,7 +404,7 @@ fn too_much_for_a_clipboard_is_refused() {
     let scene = format!("{SWINGING}[vectors]\n{bars}");
     let mut session = Session::new(open(&scene, Origin::Stdin), Glyphs::Ascii, 40, 12);
     let screen = said(&session.press("2 y t").look());
-    assert!(screen.contains(" table too much to copy, "), "{screen}");
+    assert!(screen.contains("too much to copy, "), "{screen}");
     assert!(screen.contains(" B: use Y"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");
 }

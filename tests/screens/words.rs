@@ -26,7 +26,7 @@ fn a_message_never_covers_a_part_of_the_angle() {
     let mut rocker = Session::new(preset("double-rocker"), Glyphs::Ascii, 40, 12);
     rocker.press("g 3 9 Enter").press("[").press(", ,");
     let line = rocker.press(", , ,").last_line();
-    assert_eq!(line, " motion  36.86989765 deg  dead point");
+    assert_eq!(line, " motion  36.86989765 deg dead point");
 }
 
 /// What has no room in the last line stands above it as a whole, and covers nothing that is typed.

@@ -42,7 +42,9 @@ catalogue! {
         value = "value";
 
         // What is asked for.
-        character_not_taken(c: char) = "{c} is not taken here";
+        character_not_taken(c: char) = {
+            format!("{c} (U+{:04X}) is not taken here", u32::from(c))
+        };
         no_more_characters(most: usize) = "no more than {most} characters are taken here";
         angle_in(unit: &str) = "angle [{unit}]: ";
         position_in(unit: &str) = "position [{unit}]: ";

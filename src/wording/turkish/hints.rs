@@ -42,7 +42,9 @@ catalogue! {
         value = "değer";
 
         // What is asked for.
-        character_not_taken(c: char) = "{c} burada alınmaz";
+        character_not_taken(c: char) = {
+            format!("{c} (U+{:04X}) burada alınmaz", u32::from(c))
+        };
         no_more_characters(most: usize) = "burada en çok {most} karakter alınır";
         angle_in(unit: &str) = "açı [{unit}]: ";
         position_in(unit: &str) = "konum [{unit}]: ";

@@ -89,8 +89,12 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
     let why = if is_missing { columns(state) + 2 } else { 0 };
     let needed = why + columns(&shown(message, app.glyphs()));
     let Some(spare) = line.room().checked_sub(needed + 1) else {
-        line.leave_untold(message);
-        return false;
+        // Why figures are missing stays to be read.
+        if is_missing {
+            line.leave_untold(message);
+            return false;
+        }
+        return line.tell_alone(message, app);
     };
     line.gap(1);
     // A part of a figure would be another figure: it stands whole, or not at all.

@@ -66,6 +66,22 @@ impl<'a> Writer<'a> {
         true
     }
 
+    /// A message in the place of all that stands in the line; false where it is longer than that, and is left to be told
+    /// above.
+    pub(super) fn tell_alone(&mut self, message: &str, app: &App) -> bool {
+        let told = shown(message, app.glyphs());
+        let spare = self.area.width.checked_sub(columns(&told));
+        let Some(spare) = spare else {
+            self.leave_untold(message);
+            return false;
+        };
+        self.x = self.area.x;
+        self.say(&" ".repeat(self.area.width.into()), ScreenPart::Text);
+        self.x = self.area.x + spare.min(1);
+        self.say(&told, ScreenPart::Warning);
+        true
+    }
+
     /// This has no room in the line.
     pub(super) fn leave_untold(&mut self, message: &str) {
         self.untold = Some(message.to_owned());
