@@ -1,7 +1,7 @@
 //! From a task to linkages.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use krank::synthesis::functions::{chebyshev_pairs, propose};
+use krank::synthesis::functions::{FunctionSearch, chebyshev_pairs};
 use krank::synthesis::{FunctionTask, Given, Output};
 use std::hint::black_box;
 
@@ -20,7 +20,11 @@ fn functions(criterion: &mut Criterion) {
     for (name, count) in [("five pairs", 5), ("13 pairs", 13)] {
         let task = task(count);
         criterion.bench_function(&format!("functions/{name}"), |bench| {
-            bench.iter(|| propose(black_box(&task)));
+            let search = FunctionSearch {
+                task: &task,
+                threads: 1,
+            };
+            bench.iter(|| black_box(&search).run(&mut |_| true));
         });
     }
 }

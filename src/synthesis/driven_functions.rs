@@ -1,6 +1,8 @@
 //! What is told of planted linkages when they are driven, against figures of the test's own formulas.
 
-use super::{Candidate, FunctionTask, Given, Output, Task, TaskKind, Wishes, functions::propose};
+use super::{
+    Candidate, FunctionTask, Given, Output, Task, TaskKind, Wishes, functions::FunctionSearch,
+};
 
 /// A planted function with its crank at x degrees, and the output at y.
 struct PlantedRange {
@@ -103,7 +105,11 @@ fn the_least_transmission_is_that_of_the_way() {
         let TaskKind::Function(function) = &task.kind else {
             unreachable!("it is a function")
         };
-        let found = propose(function).found;
+        let search = FunctionSearch {
+            task: function,
+            threads: 2,
+        };
+        let found = search.run(&mut |_| true).found;
         let judged = found.iter().map(|one| Candidate::judge(&task, one));
         let good: Vec<Candidate> = judged.filter(|one| one.figures.miss < 1e-9).collect();
         let [one] = &good[..] else { panic!("{good:?}") };

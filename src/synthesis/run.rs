@@ -1,9 +1,8 @@
 //! A task, all that a method proposes, and what of it does the task.
 
 use super::candidate::Candidate;
-use super::{
-    PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, functions, poses,
-};
+use super::functions::FunctionSearch;
+use super::{PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, poses};
 use crate::parallel;
 use std::cmp::Ordering;
 
@@ -50,7 +49,14 @@ impl Synthesis {
                 task.slider_cranks,
                 task.wishes.inside,
             ),
-            TaskKind::Function(function) => functions::propose(function),
+            TaskKind::Function(function) => {
+                let threads = order.threads;
+                let search = FunctionSearch {
+                    task: function,
+                    threads,
+                };
+                search.run(watch)
+            }
             TaskKind::Path(path) => {
                 let search = PathSearch {
                     task: path,

@@ -1,7 +1,6 @@
 //! Datums and scales from where the pins are.
 
 use super::wanted::wrapped;
-use std::f64::consts::PI;
 
 /// The indices from the least to the greatest x.
 pub(super) fn in_order(xs: &[f64]) -> Vec<usize> {
@@ -11,19 +10,20 @@ pub(super) fn in_order(xs: &[f64]) -> Vec<usize> {
 }
 
 /// The datum and the scale, given or not, with which `datum + scale value` fits measured numbers best; of angles up to
-/// full turns, and of a given datum up to half a turn. What is minimised is the miss counted in the value, as where the
+/// full turns, and of a given datum up to its `period`: half a turn of a link that may stand opposite to its angle, a whole
+/// one of a crank that may not, none of a travel. What is minimised is the miss counted in the value, as where the
 /// linkage was found.
 pub(super) fn fitted(
     order: &[usize],
     values: &[f64],
     measured: &[f64],
     [datum, scale]: [Option<f64>; 2],
-    is_angle: bool,
+    period: Option<f64>,
 ) -> Option<[f64; 2]> {
     let first = *order.first()?;
     let expected = |value: f64| Some(scale? * (value - values[first]));
     let mut unwrapped = measured.to_vec();
-    if is_angle {
+    if period.is_some() {
         let mut before = first;
         for &i in order {
             // Where the scale is given it says on which turn the next one is; else that is the nearest.
@@ -41,6 +41,7 @@ pub(super) fn fitted(
     let product = |a: &[f64], a0: f64, b: &[f64], b0: f64| -> f64 {
         a.iter().zip(b).map(|(a, b)| (a - a0) * (b - b0)).sum()
     };
+    let turned = |rest: f64| period.map_or(0.0, |period| (rest / period).round() * period);
     let fitted = match (datum, scale) {
         (None, None) => {
             // The line of the value over what was measured.
@@ -50,30 +51,15 @@ pub(super) fn fitted(
         }
         (None, Some(scale)) => [level - scale * middle, scale],
         (Some(datum), None) => {
-            let half = if is_angle { PI } else { f64::INFINITY };
-            let turned = |scale: f64| level - scale * middle - datum;
             // First as if the datum were free, to see how it is turned; then through it.
             let rough = product(&unwrapped, level, &unwrapped, level)
                 / product(values, middle, &unwrapped, level);
-            let turns = if is_angle {
-                (turned(rough) / half).round() * half
-            } else {
-                0.0
-            };
-            let from = datum + turns;
+            let from = datum + turned(level - rough * middle - datum);
             let scale = product(&unwrapped, from, &unwrapped, from)
                 / product(values, 0.0, &unwrapped, from);
             [from, scale]
         }
-        (Some(datum), Some(scale)) => {
-            let rest = level - scale * middle - datum;
-            let turned = if is_angle {
-                (rest / PI).round() * PI
-            } else {
-                0.0
-            };
-            [datum + turned, scale]
-        }
+        (Some(datum), Some(scale)) => [datum + turned(level - scale * middle - datum), scale],
     };
     fitted.iter().all(|v| v.is_finite()).then_some(fitted)
 }

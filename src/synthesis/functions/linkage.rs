@@ -40,6 +40,17 @@ impl FunctionLinkage {
         is_length(self.crank) && self.coupler > 0.0 && is_length(self.coupler) && third
     }
 
+    /// The longest length by the shortest; the line of a slide may go through the pivot.
+    pub(super) fn ratio(&self) -> f64 {
+        let third = match self.output {
+            Output::Angle => self.third.abs(),
+            Output::Slide => 1.0,
+        };
+        let lengths = [1.0, self.crank.abs(), self.coupler, third];
+        let longest = lengths.into_iter().fold(0.0, f64::max);
+        longest / lengths.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
     /// Where the crank's pin is.
     pub(super) fn b(&self, angle: f64) -> Vec2 {
         let (sin, cos) = angle.sin_cos();

@@ -17,6 +17,7 @@
 //! linkage        the output of a linkage, with derivatives
 //! refine         least squares of the output's error
 //! search         where scales are free, or pairs are many: from many starts
+//! stages         pieces of work on several cores, with one account of what is done
 //! fit            datums and scales from where the pins are
 //! run            what a proposal makes of every x: the structural error
 //! spacing        where to ask a function for pairs
@@ -31,6 +32,7 @@ mod run;
 mod search;
 mod slide;
 mod spacing;
+mod stages;
 #[cfg(test)]
 mod tests;
 mod trigonometric;
@@ -42,6 +44,7 @@ pub use spacing::chebyshev_pairs;
 use super::{FunctionTask, Output, Partner, Proposal, Proposals};
 use crate::Vec2;
 use refine::FunctionDesign;
+use stages::Stages;
 use wanted::WantedFunction;
 
 /// Linkages whose pins nowhere differ by more than this part of the size are one.
@@ -63,45 +66,61 @@ struct ExactDesigns {
     is_complete: bool,
 }
 
-/// Linkages of the kind that the output asks for, the better ones first.
-///
-/// As many pairs as there are unknowns (three lengths, of a slide two, and every datum and scale that is free) are met
-/// exactly, [`Proposals::is_complete`] where all such linkages were found by algebra: where the crank's scale is given,
-/// and of an angle the output's, too. Of fewer pairs some of the solutions without number are proposed. More are met in
-/// the least squares of the output's error, in several minima; then C is where the linkage has it, not where it was
-/// wanted. Where a scale is free, or pairs are many, the search is from many starts, the same ones at every call.
-///
-/// Nothing is found, and nothing complete, of fewer than three pairs or of a task that is not sound: a number that is
-/// none, a given scale of 0, a size that is not positive.
-#[must_use]
-pub fn propose(task: &FunctionTask) -> Proposals {
-    let Some(wanted) = WantedFunction::of(task).filter(|wanted| wanted.pairs.len() >= FEWEST)
-    else {
-        return Proposals::default();
-    };
-    let (designs, is_complete) = designs(&wanted);
-    let thinned = designs.len().div_ceil(MOST).max(1);
-    let mut found: Vec<Proposal> = Vec::new();
-    for (design, is_exact) in designs.into_iter().step_by(thinned) {
-        let Some(proposal) = proposal(&wanted, &design, is_exact, task.size) else {
-            continue;
+/// The search for linkages of the kind that the output asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct FunctionSearch<'t> {
+    /// What is wanted.
+    pub task: &'t FunctionTask,
+    /// Threads.
+    pub threads: usize,
+}
+
+impl FunctionSearch<'_> {
+    /// Searches; the better linkages come first. `watch` is told the part that is done, from 0 to 1, and stops by answering
+    /// false: what was found until then comes out. The same task gives the same linkages, whatever the threads.
+    ///
+    /// As many pairs as there are unknowns (three lengths, of a slide two, and every datum and scale that is free) are met
+    /// exactly, [`Proposals::is_complete`] where all such linkages were found by algebra: where the crank's scale is given,
+    /// and of an angle the output's, too. Of fewer pairs some of the solutions without number are proposed. More are met in
+    /// the least squares of the output's error, in several minima; then C is where the linkage has it, not where it was
+    /// wanted. Where a scale is free, or pairs are many, the search is from many starts, the same ones at every call.
+    ///
+    /// Nothing is found, and nothing complete, of fewer than three pairs or of a task that is not sound: a number that is
+    /// none, a given scale of 0, a size that is not positive.
+    #[must_use]
+    pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
+        let sound = WantedFunction::of(self.task);
+        let Some(wanted) = sound.filter(|wanted| wanted.pairs.len() >= FEWEST) else {
+            return Proposals::default();
         };
-        if !found.iter().any(|other| is_same(other, &proposal, task)) {
-            found.push(proposal);
+        let (designs, is_complete) = designs(&wanted, &mut Stages::new(self.threads, watch));
+        let thinned = designs.len().div_ceil(MOST).max(1);
+        let mut found: Vec<Proposal> = Vec::new();
+        for (design, is_exact) in designs.into_iter().step_by(thinned) {
+            let Some(proposal) = proposal(&wanted, &design, is_exact, self.task.size) else {
+                continue;
+            };
+            let is_known = |other: &Proposal| is_same(other, &proposal, self.task);
+            if !found.iter().any(is_known) {
+                found.push(proposal);
+            }
         }
-    }
-    Proposals {
-        found,
-        is_complete,
-        curves: Vec::new(),
+        Proposals {
+            found,
+            is_complete,
+            curves: Vec::new(),
+        }
     }
 }
 
 /// Designs, of each whether its output is as wanted at every pair, and whether there are no others.
-fn designs(wanted: &WantedFunction) -> (Vec<(FunctionDesign, bool)>, bool) {
+fn designs(
+    wanted: &WantedFunction,
+    stages: &mut Stages<'_>,
+) -> (Vec<(FunctionDesign, bool)>, bool) {
     let missing = wanted.unknowns().saturating_sub(wanted.pairs.len());
     if missing > 0 {
-        return (family(wanted, missing), false);
+        return (family(wanted, missing, stages), false);
     }
     if wanted.pairs.len() == wanted.unknowns()
         && let Some(exact) = exact(wanted)
@@ -109,12 +128,16 @@ fn designs(wanted: &WantedFunction) -> (Vec<(FunctionDesign, bool)>, bool) {
         let designs = exact.designs.into_iter().map(|design| (design, true));
         return (designs.collect(), exact.is_complete);
     }
-    let designs = search::minima(wanted).into_iter();
+    let designs = search::minima(wanted, stages).into_iter();
     (designs.map(|design| (design, false)).collect(), false)
 }
 
 /// Some of the solutions without number: with values for as many free numbers as pairs are missing.
-fn family(wanted: &WantedFunction, missing: usize) -> Vec<(FunctionDesign, bool)> {
+fn family(
+    wanted: &WantedFunction,
+    missing: usize,
+    stages: &mut Stages<'_>,
+) -> Vec<(FunctionDesign, bool)> {
     let count = FIXED[(missing - 1).min(FIXED.len() - 1)];
     let mut all = vec![wanted.clone()];
     let frees = search::order(wanted.output)
@@ -127,7 +150,10 @@ fn family(wanted: &WantedFunction, missing: usize) -> Vec<(FunctionDesign, bool)
             .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
         all = fixed.collect();
     }
-    all.iter().flat_map(|one| designs(one).0).collect()
+    // Each of them is searched in one thread.
+    let alone = |i: usize| designs(&all[i], &mut Stages::new(1, &mut |_| true)).0;
+    let found = stages.each([0.0, 1.0], all.len(), alone);
+    found.into_iter().flatten().collect()
 }
 
 /// By algebra, where that is known.

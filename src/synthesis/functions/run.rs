@@ -6,6 +6,7 @@ use super::wanted::{FunctionLaw, WantedFunction, wrapped};
 use crate::Vec2;
 use crate::numeric::lowest;
 use crate::synthesis::{FunctionTask, Output, Partner, Proposal};
+use std::f64::consts::{PI, TAU};
 
 /// Looks over a range before the greatest error is closed in on.
 const LOOKS: usize = 361;
@@ -61,7 +62,11 @@ impl FunctionRun {
         let outputs: Vec<f64> = pins.iter().map(outputs).collect();
         let xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
         let ys: Vec<f64> = wanted.pairs.iter().map(|pair| pair[1]).collect();
-        let is_angle = wanted.output == Output::Angle;
+        // The crank of a slider-crank is never opposite to its angle.
+        let [crank_period, output_period] = match wanted.output {
+            Output::Angle => [Some(PI), Some(PI)],
+            Output::Slide => [Some(TAU), None],
+        };
         let order = in_order(&xs);
         let law = FunctionLaw {
             crank: fitted(
@@ -69,14 +74,14 @@ impl FunctionRun {
                 &xs,
                 &cranks,
                 [wanted.given[0], wanted.given[1]],
-                true,
+                crank_period,
             )?,
             output: fitted(
                 &order,
                 &ys,
                 &outputs,
                 [wanted.given[2], wanted.given[3]],
-                is_angle,
+                output_period,
             )?,
         };
         Some(FunctionRun {

@@ -4,6 +4,7 @@
 //! only scales are tried, by how far crank and output swing over the pairs. Starts are the same ones at every call.
 
 use super::refine::FunctionDesign;
+use super::stages::Stages;
 use super::wanted::WantedFunction;
 use super::{ExactDesigns, USELESS, exact};
 use crate::synthesis::Output;
@@ -11,25 +12,35 @@ use std::f64::consts::{PI, TAU};
 
 /// From where to where a crank may swing where its scale is free, an output, in degrees, and a slide, in cranks.
 const CRANK_SWINGS: [f64; 2] = [30.0, 330.0];
-const OUTPUT_SWINGS: [f64; 2] = [15.0, 330.0];
+const OUTPUT_SWINGS: [f64; 2] = [4.0, 330.0];
 const STROKES: [f64; 2] = [0.4, 2.0];
 /// Where a slide's travel may begin, in cranks.
 const PLACES: [f64; 2] = [1.5, 3.5];
 /// So many swings of each sign are tried where one scale is to be found by trial, and where two are.
 const SWINGS: [usize; 2] = [20, 9];
+/// Datums of each side that are tried of pairs that no linkage meets, where scales are given: there algebra, which weighs
+/// a pair by more than its miss, leads elsewhere.
+const DATUMS: usize = 12;
 /// Of starts with the same scales so many are followed at the most.
 const OF_A_CELL: usize = 4;
-/// Starts that are followed for so many steps, the best of those that are followed to their minimum, and minima that
-/// are kept. Of a smooth function the numbers are nearly dependent, and the way to a minimum is long and narrow.
-const STARTS: usize = 240;
-const ROUGH_STEPS: usize = 100;
-const FOLLOWED: usize = 48;
-const STEPS: usize = 3000;
-const KEPT: usize = 24;
+/// Starts that are followed at the most.
+const STARTS: usize = 480;
+/// They go so many steps, and so many of the best go on: of a smooth function the numbers are nearly dependent, and the way
+/// to a minimum is long and narrow. Each time so much of the whole is done.
+const WAYS: [(usize, usize, f64); 3] = [(100, 160, 0.4), (300, 48, 0.6), (3000, 48, 1.0)];
+/// What is done of it before they go.
+const BEGUN: f64 = 0.2;
+/// Of more pairs than this only so many lead to a minimum, and all of them by so many steps to its bottom.
+const LEADING: usize = 40;
+const LAST_STEPS: usize = 60;
+/// Every pair is met where the rest is this part of the output's swing.
+const ROUNDED: f64 = 1e-10;
+/// No length is longer than the shortest by more than this factor: it would be found for any function, and no use.
+const SLENDER: f64 = 50.0;
 /// Subsets of the pairs through which starts go.
 const SUBSETS: usize = 8;
 /// Minima are one where their numbers differ by less than this part.
-const SAME: f64 = 1e-7;
+const SAME: f64 = 1e-3;
 /// And starts, by less than this part.
 const NEAR: f64 = 1e-3;
 
@@ -44,9 +55,10 @@ pub(super) fn order(output: Output) -> [usize; 4] {
 /// Values at which a number of the law may be fixed, about so many.
 pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec<f64> {
     let span = wanted.span(index / 2);
+    // Each is more than the one before it by the same part.
     let evenly = |[low, high]: [f64; 2], count: usize| {
         let parts = count.saturating_sub(1).max(1) as f64;
-        (0..count).map(move |k| low + (high - low) * k as f64 / parts)
+        (0..count).map(move |k| low * (high / low).powf(k as f64 / parts))
     };
     let both = |swings: [f64; 2], unit: f64| {
         let half = count.div_ceil(2);
@@ -66,41 +78,60 @@ pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec
 }
 
 /// The minima that were found, the least first.
-pub(super) fn minima(wanted: &WantedFunction) -> Vec<FunctionDesign> {
-    let mut starts: Vec<(f64, FunctionDesign)> = cells(wanted)
-        .iter()
-        .flat_map(|cell| best_starts(wanted, cell))
-        .collect();
+pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<FunctionDesign> {
+    let leading = wanted.thinned(LEADING);
+    let cells = cells(&leading);
+    let starts = stages.each([0.0, BEGUN], cells.len(), |i| {
+        best_starts(&leading, &cells[i])
+    });
+    let mut starts: Vec<(f64, FunctionDesign)> = starts.into_iter().flatten().collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let starts = starts.into_iter().take(STARTS).map(|(_, start)| start);
-    let roughly = refined(wanted, starts, ROUGH_STEPS);
-    let best = roughly.into_iter().take(FOLLOWED);
-    let mut found = refined(wanted, best, STEPS);
-    found.truncate(KEPT);
+    // A start alone is no answer.
+    starts.truncate(if stages.is_on() { STARTS } else { 0 });
+    let mut found: Vec<FunctionDesign> = starts.into_iter().map(|(_, start)| start).collect();
+    let mut begun = BEGUN;
+    for (number, (steps, kept, done)) in (1..).zip(WAYS) {
+        let is_last = number == WAYS.len();
+        let follow = |i: usize| {
+            let lower = found[i].refined(&leading, steps)?;
+            match is_last && leading.pairs.len() < wanted.pairs.len() {
+                true => lower.refined(wanted, LAST_STEPS),
+                false => Some(lower),
+            }
+        };
+        let followed = stages.each([begun, done], found.len(), follow);
+        if followed.is_empty() {
+            break;
+        }
+        found = different(if is_last { wanted } else { &leading }, followed);
+        found.truncate(kept);
+        begun = done;
+    }
     found
 }
 
-/// Different designs on their way to a minimum after so many steps, the best first.
-fn refined(
+/// Different designs that are of use, those that miss least first, and of those that meet every pair the ones whose lengths
+/// are most alike.
+fn different(
     wanted: &WantedFunction,
-    from: impl Iterator<Item = FunctionDesign>,
-    steps: usize,
+    followed: Vec<Option<FunctionDesign>>,
 ) -> Vec<FunctionDesign> {
-    let useless = USELESS * output_span(wanted);
-    let mut found: Vec<(f64, FunctionDesign)> = Vec::new();
-    for start in from {
-        let Some(design) = start.refined(wanted, steps) else {
-            continue;
-        };
-        let Some(rms) = design.rms(wanted).filter(|rms| *rms <= useless) else {
-            continue;
-        };
-        if !found.iter().any(|(_, other)| other.is_near(&design, SAME)) {
-            found.push((rms, design));
+    let span = output_span(wanted);
+    let of_use = followed.into_iter().flatten().filter_map(|design| {
+        let rms = design.rms(wanted).filter(|rms| *rms <= USELESS * span)?;
+        let ratio = design.linkage.ratio();
+        let is_linkage = ratio <= SLENDER && design.law.is_told_by(wanted);
+        is_linkage.then_some(((rms.max(ROUNDED * span), ratio), design))
+    });
+    let mut ranked: Vec<((f64, f64), FunctionDesign)> = of_use.collect();
+    ranked.sort_by(|(a, _), (b, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut found: Vec<FunctionDesign> = Vec::new();
+    for (_, design) in ranked {
+        if !found.iter().any(|other| other.is_near(&design, SAME)) {
+            found.push(design);
         }
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().map(|(_, design)| design).collect()
+    found
 }
 
 /// The swing of the output as misses are counted.
@@ -116,20 +147,37 @@ fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
         Output::Angle => index == 1 || index == 3,
         Output::Slide => index == 1 || (index == 0 && is_hard),
     };
-    let tried: Vec<usize> = order(wanted.output)
+    let free: Vec<usize> = order(wanted.output)
         .into_iter()
-        .filter(|&index| is_tried(index) && wanted.given[index].is_none())
+        .filter(|&index| wanted.given[index].is_none())
         .collect();
+    let tried: Vec<usize> = free.iter().copied().filter(|&i| is_tried(i)).collect();
     let count = 2 * SWINGS[usize::from(tried.len() > 1)];
     let mut all = vec![wanted.clone()];
-    for index in tried {
-        let values = values(wanted, index, count);
-        let fixed = all
-            .iter()
-            .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
-        all = fixed.collect();
+    for index in &tried {
+        all = with_each(&all, *index, &values(wanted, *index, count));
+    }
+    if tried.is_empty() && wanted.pairs.len() > wanted.unknowns() {
+        // Of a slide the output's datum is linear whatever the crank's is.
+        let datums = free.iter().filter(|&&index| match wanted.output {
+            Output::Angle => index == 0 || index == 2,
+            Output::Slide => index == 0,
+        });
+        let mut grid = all.clone();
+        for index in datums {
+            grid = with_each(&grid, *index, &values(wanted, *index, DATUMS));
+        }
+        all.extend(grid);
     }
     all
+}
+
+/// Each of these tasks with each of the values for a number.
+fn with_each(all: &[WantedFunction], index: usize, values: &[f64]) -> Vec<WantedFunction> {
+    let fixed = all
+        .iter()
+        .flat_map(|one| values.iter().map(move |&value| one.with(index, value)));
+    fixed.collect()
 }
 
 /// The starts of a cell that miss least, with the sums of their squares.

@@ -2,13 +2,25 @@
 
 use crate::angle::radians;
 use crate::synthesis::{FunctionTask, Given, Output};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// The crank at `crank[0] + crank[1] x`, the output at `output[0] + output[1] y`: in radians, of a slide in cranks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FunctionLaw {
     pub(super) crank: [f64; 2],
     pub(super) output: [f64; 2],
+}
+
+impl FunctionLaw {
+    /// Whether pairs tell where the crank turned: within a turn, and from each to the next by less than half of one. A
+    /// scale that is given is as it is.
+    pub(super) fn is_told_by(&self, wanted: &WantedFunction) -> bool {
+        let mut xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
+        xs.sort_by(f64::total_cmp);
+        let scale = self.crank[1].abs();
+        let mut steps = xs.windows(2).map(|two| scale * (two[1] - two[0]));
+        wanted.given[1].is_some() || (scale * wanted.span(0) <= TAU && steps.all(|step| step < PI))
+    }
 }
 
 /// What is wanted: pairs, and which of the four numbers of the [`FunctionLaw`] are given.
@@ -72,6 +84,17 @@ impl WantedFunction {
             pairs: indices.iter().map(|&i| self.pairs[i]).collect(),
             ..*self
         }
+    }
+
+    /// The same of at most so many pairs, spread evenly over their indices.
+    pub(super) fn thinned(&self, most: usize) -> WantedFunction {
+        let last = self.pairs.len().saturating_sub(1);
+        if last < most {
+            return self.clone();
+        }
+        let parts = most.saturating_sub(1).max(1);
+        let indices: Vec<usize> = (0..most).map(|k| k * last / parts).collect();
+        self.at(&indices)
     }
 
     /// How far x (0) or y (1) ranges over the pairs; 1 where it does not.

@@ -1,6 +1,7 @@
 //! How many of a grid of usual tasks have a function generator that can be used, as a figure.
 
-use super::super::{FunctionRun, chebyshev_pairs, propose};
+use super::super::{FunctionRun, chebyshev_pairs};
+use super::propose;
 use crate::angle::unit;
 use crate::synthesis::{FunctionTask, Given, Output, Partner, Proposal};
 
