@@ -67,7 +67,7 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
         save(folder, &report, args, screen)?;
     }
     match found.good.is_empty() {
-        true => Err(Failure::Cannot(words().nothing_does_the_task().into())),
+        true => Err(Failure::Cannot(report.nothing())),
         false => Ok(()),
     }
 }

@@ -45,6 +45,8 @@ mod steps;
 mod stop_facts;
 mod sweep;
 mod synthesis;
+#[cfg(test)]
+mod synthesis_reasons;
 mod tables;
 mod tables_data;
 mod tables_page;

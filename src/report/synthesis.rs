@@ -4,8 +4,8 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{shortest, significant};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, Output, Partner, SceneGoals, SceneTitles, Synthesis, Task, TaskDefect,
-    TaskKind,
+    Candidate, MissedWish, OpenReason, Output, Partner, PosedDyad, SceneGoals, SceneTitles,
+    Synthesis, Task, TaskDefect, TaskKind,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -122,7 +122,36 @@ impl SynthesisReport<'_> {
             self.told().len(),
             found.defective.len(),
             found.is_complete,
+            &self.reason(),
         )
+    }
+
+    /// That nothing does the task, and why where that is known.
+    pub(crate) fn nothing(&self) -> String {
+        let reason = match self.found.defective.is_empty() {
+            true => self.reason(),
+            false => String::new(),
+        };
+        words().nothing_does_the_task(&reason)
+    }
+
+    /// Why there are none, or why there may be others; empty where a search says no more than it found.
+    fn reason(&self) -> String {
+        let Some(reason) = self.found.reason else {
+            return String::new();
+        };
+        match reason {
+            OpenReason::Range => words().poses_out_of_range().into(),
+            OpenReason::Turn(at) => {
+                let [x, y] = [at.x, at.y].map(|v| significant(v, DIGITS));
+                words().poses_turn_about(&x, &y)
+            }
+            OpenReason::Shift => words().poses_only_shift().into(),
+            OpenReason::Given => words().given_leads_nowhere().into(),
+            OpenReason::NoPair => words().no_pair_of_dyads().into(),
+            OpenReason::Far => words().dyads_out_of_reach().into(),
+            OpenReason::Rounding => words().poses_nearly_repeat().into(),
+        }
     }
 
     /// The unit of what is missed.
@@ -221,13 +250,30 @@ impl SynthesisReport<'_> {
                 "defects": candidate.defects.iter().map(reason).collect::<Vec<_>>(),
             })
         };
+        // A spot of the curves of four poses: a pivot with its pin at the first pose, or the guide of a slide with it.
+        let spot = |dyad: &PosedDyad| {
+            let pin = [dyad.pin.x, dyad.pin.y];
+            match dyad.held {
+                Partner::Rocker(at) => json!({ "pivot": [at.x, at.y], "pin": pin }),
+                Partner::Slide(angle) => json!({ "guide": angle, "pin": pin }),
+            }
+        };
+        let piece = |piece: &Vec<PosedDyad>| piece.iter().map(spot).collect::<Vec<_>>();
+        let about = if let Some(OpenReason::Turn(at)) = self.found.reason {
+            Some([at.x, at.y])
+        } else {
+            None
+        };
         json!({
             "task": self.file.name,
             "unit": self.file.unit.symbol(),
             "miss_unit": self.miss_unit(),
             "complete": self.found.is_complete,
+            "reason": self.found.reason.map(reason_name),
+            "turned_about": about,
             "candidates": self.told().iter().map(candidate).collect::<Vec<_>>(),
             "defective": self.found.defective.iter().map(candidate).collect::<Vec<_>>(),
+            "curves": self.found.curves.iter().map(piece).collect::<Vec<_>>(),
         })
     }
 
@@ -374,6 +420,19 @@ pub(super) fn lacking(missed: &[MissedWish]) -> String {
     match names.is_empty() {
         true => "-".into(),
         false => names.join(", "),
+    }
+}
+
+/// Why there are none, or why there may be others, for programs.
+fn reason_name(reason: OpenReason) -> &'static str {
+    match reason {
+        OpenReason::Range => "range",
+        OpenReason::Turn(_) => "turn",
+        OpenReason::Shift => "shift",
+        OpenReason::Given => "given",
+        OpenReason::NoPair => "pair",
+        OpenReason::Far => "far",
+        OpenReason::Rounding => "rounding",
     }
 }
 

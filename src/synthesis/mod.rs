@@ -46,7 +46,7 @@ pub use defects::TaskDefect;
 pub use goals::SceneGoals;
 pub use machine::{SceneTitles, scene_text};
 pub use paths::PathSearch;
-pub use proposal::{Partner, PosedDyad, Proposal, Proposals};
+pub use proposal::{OpenReason, Partner, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisOrder};
 pub use task::{
     FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,

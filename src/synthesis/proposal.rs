@@ -41,8 +41,30 @@ pub struct Proposals {
     pub found: Vec<Proposal>,
     /// Whether there are no others: a search with many starts proves nothing.
     pub is_complete: bool,
+    /// Why there are none, or why there may be others; none where a search says no more than what it found.
+    pub reason: Option<OpenReason>,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie, in the order of the curve.
     pub curves: Vec<Vec<PosedDyad>>,
+}
+
+/// Why a method proposes nothing, or cannot tell whether there are others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum OpenReason {
+    /// Coordinates are too large or too small to be computed with.
+    Range,
+    /// All poses are turns about this point of the ground: a pivot there leads the body, and nothing else.
+    Turn(Vec2),
+    /// The body does not turn, and its places are on no circle.
+    Shift,
+    /// No link and no slide holds what is given in all poses.
+    Given,
+    /// No two of the links and slides that lead through the poses are a linkage of a kind that is looked for.
+    NoPair,
+    /// What leads through the poses lies far away, or has lengths out of all proportion.
+    Far,
+    /// The poses nearly repeat: their rounding leaves open whether there are others.
+    Rounding,
 }
 
 impl Proposal {

@@ -1,6 +1,7 @@
 //! From the motion of a planted linkage to a task, and by [`Synthesis::run`] back to it; and figures against the solver's own.
 
 use super::planted::PlantedDrive;
+use super::poses::{PoseReach, propose};
 use super::*;
 use crate::Vec2;
 use crate::angle::{degrees, unit};
@@ -131,6 +132,19 @@ fn five_poses_come_back_alone() {
             ..PoseTask::default()
         }));
         comes_back(&task, proposal, planted.size(), 1e-5);
+    });
+}
+
+/// Within a degree of the crank: as near as the rounding of the poses, which counts the more the nearer they are, allows.
+#[test]
+fn five_poses_that_nearly_repeat_come_back() {
+    let turns = [0.0, 0.25, 0.5, 0.75, 1.0];
+    each_planted(12, &turns, &mut |planted, proposal| {
+        let task = task(TaskKind::Poses(PoseTask {
+            poses: poses(proposal),
+            ..PoseTask::default()
+        }));
+        comes_back(&task, proposal, planted.size(), 1e-3);
     });
 }
 
@@ -386,4 +400,33 @@ fn a_closed_path_is_not_come_round_by_who_swings() {
     let judged = Candidate::judge(&closed, &proposal);
     assert!(!judged.figures.full_turn);
     assert_eq!(judged.defects, [TaskDefect::Order { from: 2, to: 0 }]);
+}
+
+/// Of four poses that are near each other, pivots and pins lie further away than the poses are apart: where none within the
+/// usual reach does it, a wider one is searched before that is said.
+#[test]
+fn four_poses_near_each_other_have_linkages_that_do_it() {
+    let mut chance = SeededChance::new(23);
+    let (mut done, mut narrow) = (0, 0);
+    let mut seen = 0;
+    while seen < 12 {
+        let planted = PlantedDrive::random(&mut chance, false);
+        let Some(proposal) = planted.proposal(&[0.0, 2.0, 4.0, 6.0]) else {
+            continue;
+        };
+        let through = PoseTask {
+            poses: poses(&proposal),
+            ..PoseTask::default()
+        };
+        let usual = propose(&through, true, false, None, PoseReach::Usual);
+        let task = task(TaskKind::Poses(through));
+        if !Candidate::judge(&task, &proposal).does_it() {
+            continue;
+        }
+        seen += 1;
+        narrow += usize::from(!Synthesis::of(&task, usual, 2).good.is_empty());
+        let found = Synthesis::run(&task, ORDER, &mut |_| true);
+        done += usize::from(!found.good.is_empty());
+    }
+    assert!(done >= 10 && narrow < done - 3, "{done} {narrow}");
 }

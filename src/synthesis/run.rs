@@ -2,7 +2,11 @@
 
 use super::candidate::Candidate;
 use super::functions::FunctionSearch;
-use super::{PathSearch, PathTask, PosedDyad, Proposal, Proposals, Task, TaskKind, poses};
+use super::poses::PoseReach;
+use super::{
+    OpenReason, PathSearch, PathTask, PoseTask, PosedDyad, Proposal, Proposals, Task, TaskKind,
+    poses,
+};
 use crate::parallel;
 use std::cmp::Ordering;
 
@@ -29,6 +33,8 @@ pub struct Synthesis {
     pub defective: Vec<Candidate>,
     /// Whether there are no others.
     pub is_complete: bool,
+    /// Why there are none, or why there may be others.
+    pub reason: Option<OpenReason>,
     /// Of four poses the pieces of the curves on which every pivot and its pin lie.
     pub curves: Vec<Vec<PosedDyad>>,
 }
@@ -43,12 +49,11 @@ impl Synthesis {
         watch: &mut dyn FnMut(f64) -> bool,
     ) -> Synthesis {
         let proposals = match &task.kind {
-            TaskKind::Poses(poses) => poses::propose(
-                poses,
-                task.four_bars,
-                task.slider_cranks,
-                task.wishes.inside,
-            ),
+            TaskKind::Poses(poses) => {
+                let found = Synthesis::through(task, poses, order.threads);
+                watch(1.0);
+                return found;
+            }
             TaskKind::Function(function) => {
                 let threads = order.threads;
                 let search = FunctionSearch {
@@ -74,6 +79,23 @@ impl Synthesis {
         found
     }
 
+    /// Through poses: where the linkages are a choice and none within the usual reach does it, of a wider one.
+    fn through(task: &Task, poses: &PoseTask, threads: usize) -> Synthesis {
+        let propose = |reach| {
+            let inside = task.wishes.inside;
+            poses::propose(poses, task.four_bars, task.slider_cranks, inside, reach)
+        };
+        let found = Synthesis::of(task, propose(PoseReach::Usual), threads);
+        if !found.good.is_empty() || found.is_complete {
+            return found;
+        }
+        let wider = Synthesis::of(task, propose(PoseReach::Wide), threads);
+        match wider.good.is_empty() && !found.defective.is_empty() {
+            true => found,
+            false => wider,
+        }
+    }
+
     /// Judges all that is proposed.
     #[must_use]
     pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {
@@ -91,6 +113,7 @@ impl Synthesis {
             good,
             defective,
             is_complete: proposals.is_complete,
+            reason: proposals.reason,
             curves: proposals.curves,
         }
     }

@@ -108,6 +108,7 @@ impl FunctionSearch<'_> {
         Proposals {
             found,
             is_complete,
+            reason: None,
             curves: Vec::new(),
         }
     }

@@ -109,6 +109,7 @@ impl PathSearch<'_> {
                 .map(|ranked| self.proposal(&ranked.fit, &wanted))
                 .collect(),
             is_complete: false,
+            reason: None,
             curves: Vec::new(),
         }
     }

@@ -15,8 +15,9 @@
 use super::form::{self, Form};
 use super::space::{self, Triple};
 use crate::arithmetic::U;
-use crate::synthesis::{Partner, PoseTask, PosedDyad};
+use crate::synthesis::{OpenReason, Partner, Pose, PoseTask, PosedDyad};
 use crate::{Double, Vec2, angle};
+use std::ops::RangeInclusive;
 
 /// What a pin may miss its circle or its line by, as a part of the size.
 const MISS: f64 = 1e-9;
@@ -32,6 +33,11 @@ const LEVEL: f64 = 1e-14;
 const RIDGE: f64 = 1e-20;
 /// The share of what the equations say that is of turns, where turns and moves count alike: two of seven coordinates.
 const BALANCED: f64 = 2.0 / 7.0;
+/// What equations say of moves, where they are turns alone, is the square of their rounding.
+const NO_MOVE: f64 = 1e-20;
+/// Coordinates, and differences of them, from the least to the greatest that are computed with: squares of squares of them
+/// are numbers.
+const COORDINATES: RangeInclusive<f64> = 1e-70..=1e70;
 /// Doublings of the unit: turns that are smaller are rounding.
 const MOST_DOUBLINGS: u8 = 50;
 
@@ -79,6 +85,11 @@ impl Guidance {
             .map(|pose| [pose.at.exactly(), Double::unit(pose.angle)])
             .collect();
         let size = size(task);
+        let far = task.poses.iter().map(|pose| pose.at.norm());
+        let far = far.fold(size, f64::max);
+        if !(COORDINATES.contains(&size) && COORDINATES.contains(&far)) {
+            return None;
+        }
         let unit = 2.0_f64.powi(space::exponent(size)?);
         let (middle, quietest) = least_moved(task)?;
         let mut guidance = Guidance {
@@ -113,6 +124,22 @@ impl Guidance {
         }
         (self.unit, self.forms, self.error) = (first, forms, error);
         Some(())
+    }
+
+    /// Why no linkage leads through the poses, or none that was found.
+    pub(super) fn reason_for_none(&self, task: &PoseTask, is_complete: bool) -> OpenReason {
+        let turning = form::turning(&self.forms);
+        let first = task.poses.first().map_or(0.0, |pose| pose.angle);
+        let keeps = |pose: &Pose| angle::wrapped(pose.angle - first) == 0.0;
+        if task.poses.iter().all(keeps) {
+            OpenReason::Shift
+        } else if self.forms.len() as f64 - turning <= NO_MOVE {
+            OpenReason::Turn(self.plain(self.middle.exactly()))
+        } else if is_complete {
+            OpenReason::NoPair
+        } else {
+            OpenReason::Far
+        }
     }
 
     /// Whether a solution of the equations is none of a linkage: the pin is at infinity, stands still, or is its pivot.

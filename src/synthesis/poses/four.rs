@@ -33,7 +33,7 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     let Ok(forms) = guidance.forms.as_slice().try_into() else {
         return Vec::new();
     };
-    let slide = slide(guidance, forms);
+    let slide = slide(guidance);
     let dyads = |piece: &Piece| {
         let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         let before = slide.iter().filter(|_| piece.begins_at_slide).cloned();
@@ -60,7 +60,10 @@ pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece
 
 /// The one pin whose four places are on a line. The determinant of the equations with a normal `(X, Y, 0)` for the pivot
 /// is `(X^2 + Y^2) (p X + q Y)`: its values along both axes are p and q.
-pub(super) fn slide(guidance: &Guidance, forms: &[Form; 3]) -> Option<PinHeld> {
+///
+/// None unless the equations are three.
+pub(super) fn slide(guidance: &Guidance) -> Option<PinHeld> {
+    let forms: &[Form; 3] = guidance.forms.as_slice().try_into().ok()?;
     let rows = |normal: Triple| forms.map(|f| form::of_pivot(&f, normal));
     let along = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
     let p = space::determinant(rows(along(1.0, 0.0)));

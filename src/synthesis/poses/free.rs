@@ -3,7 +3,7 @@
 use super::dyad::{Guidance, PinHeld};
 use super::{family, five, four, three};
 use crate::Vec2;
-use crate::synthesis::{Partner, PoseTask, PosedDyad};
+use crate::synthesis::{OpenReason, Partner, PoseTask, PosedDyad};
 use std::ops::RangeInclusive;
 
 /// Linkages that are proposed of a grid, and of a curve.
@@ -15,6 +15,27 @@ const DYADS_OF_CURVE: usize = 96;
 /// shorter or longer than these.
 const REACH: f64 = 6.0;
 const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
+/// How many times as far the wide reach goes, and how many times the lengths are out of proportion.
+const WIDE: f64 = 4.0;
+
+/// How far away what is proposed may be, where there is any number of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PoseReach {
+    /// By how far the poses are apart.
+    Usual,
+    /// Some times as far, by where the pivots and pins of poses that nearly repeat lie.
+    Wide,
+}
+
+impl PoseReach {
+    /// As a multiple of the usual one.
+    pub(super) fn times(self, guidance: &Guidance) -> f64 {
+        match self {
+            PoseReach::Usual => 1.0,
+            PoseReach::Wide => WIDE * (guidance.unit / guidance.size).max(1.0),
+        }
+    }
+}
 
 /// What there is.
 pub(super) struct Free {
@@ -22,6 +43,8 @@ pub(super) struct Free {
     pub single: Vec<PinHeld>,
     /// Where there are others in any number, or may be.
     pub choice: Option<DyadChoice>,
+    /// Why it is open whether there are others, where that is not for their number.
+    pub reason: Option<OpenReason>,
     /// The curve that these are on, if they are on one.
     pub curves: Vec<Vec<PosedDyad>>,
 }
@@ -35,7 +58,12 @@ pub(super) struct DyadChoice {
 
 impl Free {
     /// By how many equations the poses are: those that repeat what others say do not count.
-    pub(super) fn new(guidance: &Guidance, task: &PoseTask, inside: Option<[Vec2; 2]>) -> Free {
+    pub(super) fn new(
+        guidance: &Guidance,
+        task: &PoseTask,
+        inside: Option<[Vec2; 2]>,
+        reach: PoseReach,
+    ) -> Free {
         let five = five::dyads(guidance);
         let are_all = five.as_ref().is_some_and(|five| five.are_all);
         let single = five.map_or_else(Vec::new, |five| five.found);
@@ -43,16 +71,22 @@ impl Free {
             return Free {
                 single,
                 choice: None,
+                reason: None,
                 curves: Vec::new(),
             };
         }
-        let is_handy = |dyad: &PinHeld| is_handy(guidance, dyad, inside);
+        let times = reach.times(guidance);
+        let handy_within = |dyad: &PinHeld, times| is_handy(guidance, dyad, inside, times);
+        let is_handy = |dyad: &PinHeld| handy_within(dyad, times);
         let mut pieces = four::pieces(guidance);
         pieces.extend(family::pieces(guidance));
         let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
         let curves = pieces.iter().map(seen).collect();
+        // A family is a curve; a few by themselves are what rounding leaves of one, or all that there is.
+        let is_family = pieces.iter().any(|piece| piece.len() > 1);
+        let reason = (!single.is_empty() && !is_family).then_some(OpenReason::Rounding);
         let choice = if pieces.is_empty() && single.is_empty() {
-            let dyads = three::dyads(guidance, task, inside);
+            let dyads = three::dyads(guidance, task, inside, times);
             DyadChoice {
                 dyads: dyads.into_iter().filter(is_handy).collect(),
                 most: MOST_OF_GRID,
@@ -63,6 +97,10 @@ impl Free {
                 handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
             let mut dyads = thinned(&links);
             dyads.extend(thinned(&slides));
+            // The one slide of four poses stands alone on its curve, and may go further.
+            let slide =
+                four::slide(guidance).filter(|_| slides.is_empty() && task.poses.len() == 4);
+            dyads.extend(slide.filter(|slide| handy_within(slide, WIDE * times)));
             DyadChoice {
                 dyads,
                 most: MOST_OF_CURVE,
@@ -71,6 +109,7 @@ impl Free {
         Free {
             single,
             choice: Some(choice),
+            reason,
             curves,
         }
     }
@@ -82,9 +121,10 @@ fn thinned(dyads: &[PinHeld]) -> Vec<PinHeld> {
     dyads.iter().step_by(stride).cloned().collect()
 }
 
-fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>) -> bool {
+fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>, times: f64) -> bool {
     let size = guidance.size;
-    let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * size;
+    let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * times * size;
+    let lengths = LENGTHS.start() / times..=LENGTHS.end() * times;
     let is_inside = |at: Vec2| {
         inside.is_none_or(|[a, b]| {
             let between = |v: f64, p: f64, q: f64| p.min(q) <= v && v <= p.max(q);
@@ -99,7 +139,7 @@ fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>) -> b
             let length = (pin - pivot).norm() / size;
             // Of a box that is given one is as near as another.
             let is_near = inside.is_some() || is_near(pivot);
-            is_near && is_inside(pivot) && LENGTHS.contains(&length)
+            is_near && is_inside(pivot) && lengths.contains(&length)
         }
         Partner::Slide(_) => true,
     };

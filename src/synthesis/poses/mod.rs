@@ -30,15 +30,16 @@ mod tests;
 mod three;
 mod trace;
 
-use super::{PoseTask, PosedDyad, Proposal, Proposals};
+use super::{OpenReason, PoseTask, PosedDyad, Proposal, Proposals};
 use crate::Vec2;
 use choice::DyadPairing;
 use dyad::{Guidance, PinHeld};
 use free::Free;
+pub(crate) use free::PoseReach;
 
 /// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
 /// `inside` are two opposite corners of a box in which free pivots are wished to be: those outside are left out where
-/// there are any number of them.
+/// there are any number of them, and as those that are further away than `reach`.
 ///
 /// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is how far apart the poses are.
 /// With five poses the linkages are complete, but where any number of dyads lead through them, or the rounding of the poses
@@ -49,16 +50,20 @@ pub(crate) fn propose(
     four_bars: bool,
     slider_cranks: bool,
     inside: Option<[Vec2; 2]>,
+    reach: PoseReach,
 ) -> Proposals {
     let Some(guidance) = Guidance::new(task) else {
-        return Proposals::default();
+        return Proposals {
+            reason: Some(OpenReason::Range),
+            ..Proposals::default()
+        };
     };
     let pairing = DyadPairing {
         guidance: &guidance,
         four_bars,
         slider_cranks,
     };
-    let free = Free::new(&guidance, task, inside);
+    let free = Free::new(&guidance, task, inside, reach);
     let given = given(&guidance, task);
     let (found, is_complete) = match given.as_deref() {
         Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
@@ -75,9 +80,15 @@ pub(crate) fn propose(
         }
         Some([..]) | None => (Vec::new(), true),
     };
+    let reason = match (found.is_empty(), given.is_some()) {
+        (true, false) => Some(OpenReason::Given),
+        (true, true) => Some(guidance.reason_for_none(task, is_complete)),
+        (false, _) => free.reason.filter(|_| !is_complete),
+    };
     Proposals {
         found,
         is_complete,
+        reason,
         curves: free.curves,
     }
 }

@@ -18,13 +18,14 @@ const REACH: f64 = 1.25;
 const DIRECTIONS: u8 = 24;
 
 /// Dyads on a grid of pivots, on a grid of pins, and of slides in all directions. `inside` are two opposite corners of a
-/// box in which pivots are wished to be.
+/// box in which pivots are wished to be; without it the grids are so many `times` as wide as usually.
 pub(super) fn dyads(
     guidance: &Guidance,
     task: &PoseTask,
     inside: Option<[Vec2; 2]>,
+    times: f64,
 ) -> Vec<PinHeld> {
-    let reach = Vec2::new(1.0, 1.0) * (REACH * guidance.size);
+    let reach = Vec2::new(1.0, 1.0) * (REACH * times * guidance.size);
     let count = task.poses.len() as f64;
     let middle = task
         .poses

@@ -76,7 +76,7 @@ catalogue! {
             let form = if closed { "a closed path" } else { "a path" };
             format!("{form} through {count} points")
         };
-        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool, reason: &str) = {
             let most = match good > told {
                 true => format!(", the best {told} of them below"),
                 false => String::new(),
@@ -88,13 +88,23 @@ catalogue! {
                 1 => "; one more that does not".into(),
                 count => format!("; {count} more that do not"),
             };
-            let proof = match complete {
-                true => "; there are no others",
-                false => "; a search, which proves nothing of others",
+            let proof = match (complete, reason) {
+                (true, "") => "; there are no others".into(),
+                (true, reason) => format!("; there are no others: {reason}"),
+                (false, "") => "; a search, which proves nothing of others".into(),
+                (false, reason) => format!("; {reason}"),
             };
             let good = counted(good, "linkage that does it", "linkages that do it");
             format!("{good}{most}{others}{proof}")
         };
+        poses_out_of_range = "the coordinates are too large or too small to be computed with: write the task in another unit";
+        poses_turn_about(x: &str, y: &str) =
+            "all poses are turns about one point, ({x}, {y}): a pivot there leads the body, and no linkage does";
+        poses_only_shift = "the body does not turn, and its places lie on no circle on which equal links could lead it";
+        given_leads_nowhere = "no link and no slide holds what is given in all poses";
+        no_pair_of_dyads = "no two of the links and slides through these poses make such a linkage";
+        dyads_out_of_reach = "what leads through these poses lies far away, or has lengths out of all proportion";
+        poses_nearly_repeat = "the poses nearly repeat, and their rounding leaves open whether there are others";
         head_transmission = "transm.";
         head_miss = "miss";
         head_turns = "crank";
@@ -166,7 +176,12 @@ catalogue! {
         candidates_in_workbench = "Go through the linkages in the workbench, each on its way, and take one as a scene";
         folder_of_candidates = "A folder for a scene of each linkage that is told";
         tolerance_is_no_length = "--tolerance must be a length, and not negative";
-        nothing_does_the_task = "no linkage was found that does the task";
+        nothing_does_the_task(reason: &str) = {
+            match reason {
+                "" => "no linkage was found that does the task".into(),
+                reason => format!("no linkage was found that does the task: {reason}"),
+            }
+        };
         no_task_and_no_file(name: &str, meant: &str) = "there is no task and no file `{name}`; there is {meant}";
         example_is_a_task(name: &str) = "it is a task: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` is a preset, not a task: krank {name} opens it (krank help synthesis)";

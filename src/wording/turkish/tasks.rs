@@ -73,7 +73,7 @@ catalogue! {
             let form = if closed { "kapalı bir yol" } else { "bir yol" };
             format!("{count} noktadan geçen {form}")
         };
-        candidates_found(good: usize, told: usize, defective: usize, complete: bool) = {
+        candidates_found(good: usize, told: usize, defective: usize, complete: bool, reason: &str) = {
             let most = match good > told {
                 true => format!(", en iyi {told} tanesi aşağıda"),
                 false => String::new(),
@@ -82,12 +82,22 @@ catalogue! {
                 0 => String::new(),
                 count => format!("; yapamayan {count} mekanizma daha"),
             };
-            let proof = match complete {
-                true => "; başkası yok",
-                false => "; bu bir arama, başkaları için bir şey kanıtlamaz",
+            let proof = match (complete, reason) {
+                (true, "") => "; başkası yok".into(),
+                (true, reason) => format!("; başkası yok: {reason}"),
+                (false, "") => "; bu bir arama, başkaları için bir şey kanıtlamaz".into(),
+                (false, reason) => format!("; {reason}"),
             };
             format!("görevi yapan {good} mekanizma{most}{others}{proof}")
         };
+        poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yazın";
+        poses_turn_about(x: &str, y: &str) =
+            "bütün konumlar tek bir noktanın, ({x}, {y}), çevresindeki dönmelerdir: cismi oradaki bir mesnet götürür, bir mekanizma götürmez";
+        poses_only_shift = "cisim dönmüyor, yerleri de eşit uzuvların onu götürebileceği bir çember üzerinde değil";
+        given_leads_nowhere = "verilenleri bütün konumlarda tutan bir uzuv ya da kızak yok";
+        no_pair_of_dyads = "bu konumlardan geçen uzuv ve kızakların hiçbir ikisi böyle bir mekanizma oluşturmuyor";
+        dyads_out_of_reach = "bu konumlardan geçenler çok uzakta ya da uzunlukları çok orantısız";
+        poses_nearly_repeat = "konumlar neredeyse aynı, yuvarlamaları başkası olup olmadığını açık bırakıyor";
         head_transmission = "bağlama";
         head_miss = "sapma";
         head_turns = "krank";
@@ -159,7 +169,12 @@ catalogue! {
         candidates_in_workbench = "Mekanizmaları çalışma tezgâhında yolları boyunca gezdir, birini sahne olarak al";
         folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
         tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
-        nothing_does_the_task = "görevi yapan bir mekanizma bulunamadı";
+        nothing_does_the_task(reason: &str) = {
+            match reason {
+                "" => "görevi yapan bir mekanizma bulunamadı".into(),
+                reason => format!("görevi yapan bir mekanizma bulunamadı: {reason}"),
+            }
+        };
         no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
         example_is_a_task(name: &str) = "bu bir görev: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` hazır bir sahne, görev değil: krank {name} onu açar (krank help synthesis)";

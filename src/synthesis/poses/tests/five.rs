@@ -3,7 +3,7 @@
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
 use crate::synthesis::poses::dyad::{Guidance, PinHeld};
-use crate::synthesis::poses::{five, propose};
+use crate::synthesis::poses::{PoseReach, five, propose};
 use crate::synthesis::{Partner, Pose, PoseTask, Proposals};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
@@ -15,7 +15,7 @@ fn dyads(task: &PoseTask) -> Option<Vec<PinHeld>> {
 }
 
 fn both(task: &PoseTask) -> Proposals {
-    propose(task, true, true, None)
+    propose(task, true, true, None, PoseReach::Usual)
 }
 
 /// Both planted dyads, an even number of them in all, and at most four: they are roots of a real quartic.
@@ -57,7 +57,9 @@ fn all_pairs_are_proposed_and_come_through_the_poses() {
         assert!(miss < 1e-11 * size, "{n}: {miss:e}");
         most = most.max(all.found.len());
         let kinds = [(true, false), (false, true)];
-        let apart = kinds.map(|(four, slider)| propose(&planted.task, four, slider, None).found);
+        let apart = kinds.map(|(four, slider)| {
+            propose(&planted.task, four, slider, None, PoseReach::Usual).found
+        });
         assert_eq!(apart[0].len() + apart[1].len(), all.found.len());
         assert!(
             apart[0]

@@ -2,8 +2,8 @@
 
 use super::planted::{Planted, PlantedForm, worst_miss};
 use crate::synthesis::poses::dyad::{Guidance, PinHeld};
-use crate::synthesis::poses::{four, propose};
-use crate::synthesis::{Partner, Pose, PoseTask};
+use crate::synthesis::poses::{PoseReach, four, propose};
+use crate::synthesis::{Partner, Pose, PoseTask, Proposal};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
 
@@ -164,14 +164,14 @@ fn linkages_of_four_poses_come_through_them() {
     let mut chance = Chance(15);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
-        let all = propose(&planted.task, true, true, None);
+        let all = propose(&planted.task, true, true, None, PoseReach::Usual);
         assert!(!all.is_complete && all.found.len() <= 200, "{n}");
         assert!(all.found.len() > 30, "{n}: {}", all.found.len());
         let size = Guidance::new(&planted.task).unwrap().size;
         let miss = worst_miss(&planted.task, &all.found);
         assert!(miss < 1e-10 * size, "{n}: {miss:e}");
         let inside = [Vec2::new(-4.0, -4.0), Vec2::new(4.0, 4.0)];
-        let boxed = propose(&planted.task, true, false, Some(inside));
+        let boxed = propose(&planted.task, true, false, Some(inside), PoseReach::Usual);
         let is_inside = |at: Vec2| at.x.abs() <= 4.0 && at.y.abs() <= 4.0;
         for linkage in boxed.found {
             assert!(is_inside(linkage.pivot), "{n}");
@@ -198,7 +198,7 @@ fn what_is_given_of_four_poses_is_kept() {
                 pivots: pivots.to_vec(),
                 pins: pins.to_vec(),
             };
-            propose(&task, true, true, None)
+            propose(&task, true, true, None, PoseReach::Usual)
         };
         for both in [with(&[a, d], &[]), with(&[a], &[c])] {
             assert!(
@@ -274,7 +274,7 @@ fn two_pairs_of_equal_angles_have_a_conic() {
         {
             assert!(cubic(&task, held.pin).abs() < 1e-8, "{held:?}");
         }
-        let all = propose(&task, true, true, None);
+        let all = propose(&task, true, true, None, PoseReach::Usual);
         assert!(!all.found.is_empty() && worst_miss(&task, &all.found) < 1e-9);
     }
 }
@@ -308,4 +308,44 @@ fn mirrored_poses_have_a_line_and_a_circle() {
         .count();
     assert!(aside > 30, "{aside}");
     assert!(sliced(&task, &pieces) > 30);
+}
+
+/// Of planted slider-cranks the slide is in proposals as it was planted, and with the crank's pivot the whole linkage, down
+/// to poses that are a few degrees apart.
+#[test]
+fn planted_slider_cranks_come_back() {
+    // The nearer the poses, the further their own rounding moves what leads through them.
+    for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
+        let mut chance = Chance(70);
+        let (mut checked, mut proposed) = (0, 0);
+        while checked < 60 {
+            let shape = PlantedForm::slider_crank(&mut chance);
+            let from = chance.within(0.0, 360.0);
+            let poses = (0..4).map(|k| shape.pose(from + apart * f64::from(k)));
+            let Some(poses) = poses.collect::<Option<Vec<Pose>>>() else {
+                continue;
+            };
+            checked += 1;
+            let planted = shape.planted(poses);
+            let guidance = Guidance::new(&planted.task).unwrap();
+            let slide: Vec<PinHeld> = four::slide(&guidance).into_iter().collect();
+            let off = planted.off(1, &slide);
+            assert!(off < within, "{apart} {checked}: {off:e}");
+            let (Partner::Rocker(pivot), _) = planted.dyads[0] else {
+                panic!("a crank has a pivot");
+            };
+            let given = PoseTask {
+                pivots: vec![pivot],
+                ..planted.task.clone()
+            };
+            let whole = propose(&given, false, true, None, PoseReach::Wide);
+            assert!(planted.is_among(&whole.found, within), "{apart} {checked}");
+            let all = propose(&planted.task, false, true, None, PoseReach::Wide);
+            let first = planted.task.poses[0];
+            let pin = first.at + planted.dyads[1].1.turned(angle::unit(first.angle));
+            let slides = |linkage: &Proposal| (linkage.places[0][1] - pin).norm() < within;
+            proposed += usize::from(all.found.iter().any(slides));
+        }
+        assert_eq!(proposed, checked, "{apart}");
+    }
 }

@@ -4,5 +4,6 @@ mod five;
 mod four;
 mod near;
 mod newton;
+mod none;
 mod planted;
 mod three;

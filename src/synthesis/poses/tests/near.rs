@@ -3,7 +3,7 @@
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
 use crate::synthesis::poses::dyad::Guidance;
-use crate::synthesis::poses::{five, propose};
+use crate::synthesis::poses::{PoseReach, five, propose};
 use crate::synthesis::{Partner, Pose, PoseTask};
 use crate::tests::Chance;
 use crate::{Vec2, angle};
@@ -56,7 +56,7 @@ fn poses_that_nearly_repeat_have_their_planted_dyads() {
             let all = five::dyads(&Guidance::new(&planted.task).unwrap()).unwrap();
             let off = planted.off(0, &all.found).max(planted.off(1, &all.found));
             assert!(off < 1e-9 * MILLIMETRES, "{span} {n}: {off:e}");
-            let proposals = propose(&planted.task, true, false, None);
+            let proposals = propose(&planted.task, true, false, None, PoseReach::Usual);
             assert!(
                 planted.is_among(&proposals.found, 1e-9 * MILLIMETRES),
                 "{span} {n}"
@@ -96,7 +96,10 @@ fn no_family_is_told_to_be_a_few() {
                 poses: poses.collect(),
                 ..PoseTask::default()
             };
-            assert!(!propose(&task, true, true, None).is_complete, "{span} {n}");
+            assert!(
+                !propose(&task, true, true, None, PoseReach::Usual).is_complete,
+                "{span} {n}"
+            );
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::planted::{Planted, worst_miss};
 use crate::Vec2;
 use crate::synthesis::poses::dyad::Guidance;
-use crate::synthesis::poses::{propose, three};
+use crate::synthesis::poses::{PoseReach, propose, three};
 use crate::synthesis::{Partner, Pose, PoseTask};
 use crate::tests::Chance;
 
@@ -25,7 +25,7 @@ fn given_pivots_or_pins_are_the_planted_linkage() {
                 pivots,
                 pins,
             };
-            let found = propose(&task, true, false, None);
+            let found = propose(&task, true, false, None, PoseReach::Usual);
             assert!(found.is_complete && found.found.len() == 1, "{n}");
             assert!(planted.is_among(&found.found, 1e-9), "{n}");
         }
@@ -49,7 +49,10 @@ fn a_pin_on_a_line_slides() {
             ..planted.task.clone()
         };
         assert!(
-            planted.is_among(&propose(&task, true, true, None).found, 1e-9),
+            planted.is_among(
+                &propose(&task, true, true, None, PoseReach::Usual).found,
+                1e-9
+            ),
             "{n}"
         );
     }
@@ -62,7 +65,7 @@ fn pins_that_slide_are_on_a_circle() {
     for n in 0..50 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
         let guidance = Guidance::new(&planted.task).unwrap();
-        let all = three::dyads(&guidance, &planted.task, None);
+        let all = three::dyads(&guidance, &planted.task, None, 1.0);
         let slides: Vec<Vec2> = all
             .iter()
             .filter(|h| matches!(h.by, Partner::Slide(_)))
@@ -91,7 +94,7 @@ fn free_linkages_are_many_different_and_right() {
     let mut slider_cranks = 0;
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 3, 20.0);
-        let all = propose(&planted.task, true, true, None);
+        let all = propose(&planted.task, true, true, None, PoseReach::Usual);
         assert!(
             !all.is_complete && (30..=100).contains(&all.found.len()),
             "{n}: {}",
@@ -105,7 +108,7 @@ fn free_linkages_are_many_different_and_right() {
                 .any(|l| matches!(l.partner, Partner::Slide(_))),
         );
         let boxed = [Vec2::new(-3.0, -1.0), Vec2::new(-1.0, 2.0)];
-        for linkage in propose(&planted.task, true, false, Some(boxed)).found {
+        for linkage in propose(&planted.task, true, false, Some(boxed), PoseReach::Usual).found {
             let at = linkage.pivot;
             assert!(
                 (-3.0..=-1.0).contains(&at.x) && (-1.0..=2.0).contains(&at.y),
@@ -129,7 +132,7 @@ fn three_shifts_have_parallelograms() {
         poses,
         ..PoseTask::default()
     };
-    let all = propose(&task, true, false, None);
+    let all = propose(&task, true, false, None, PoseReach::Usual);
     assert!(!all.found.is_empty() && worst_miss(&task, &all.found) < 1e-12);
     for linkage in all.found {
         let (crank, _, rocker) = linkage.lengths().unwrap();
@@ -148,13 +151,17 @@ fn three_shifts_along_a_line_have_no_linkage() {
         poses,
         ..PoseTask::default()
     };
-    assert!(propose(&task, true, true, None).found.is_empty());
+    assert!(
+        propose(&task, true, true, None, PoseReach::Usual)
+            .found
+            .is_empty()
+    );
 }
 
 /// The same task has the same linkages, whatever ran before.
 #[test]
 fn proposals_are_the_same_again() {
     let planted = Planted::four_bar(&mut Chance(25), 3, 20.0);
-    let run = || propose(&planted.task, true, true, None);
+    let run = || propose(&planted.task, true, true, None, PoseReach::Usual);
     assert_eq!(run(), run());
 }

@@ -53,6 +53,8 @@ pub(crate) struct FoundCandidates {
     pub(super) synthesis: Synthesis,
     rows: Vec<CandidateRow>,
     verdict: String,
+    /// That nothing does the task, and why.
+    nothing: String,
     /// The unit of what is missed.
     miss_unit: &'static str,
     /// Of four poses, where pivots may stand.
@@ -75,6 +77,7 @@ impl FoundCandidates {
         let mut found = FoundCandidates {
             rows: Vec::new(),
             verdict: String::new(),
+            nothing: String::new(),
             miss_unit: "",
             pivots: curve(pivot),
             pins: curve(|dyad| Some(dyad.pin)),
@@ -91,6 +94,7 @@ impl FoundCandidates {
         let all = found.good.iter().chain(&found.defective);
         self.rows = all.map(|candidate| report.row(candidate)).collect();
         (self.verdict, self.miss_unit) = (report.verdict(), report.miss_unit());
+        self.nothing = report.nothing();
     }
 
     /// All that does the task is told.
@@ -183,6 +187,11 @@ impl CandidateList {
     /// How many were found, and whether there are others.
     pub(crate) fn verdict(&self) -> &str {
         self.found.as_ref().map_or("", |found| &found.verdict)
+    }
+
+    /// That nothing does the task, and why.
+    pub(crate) fn nothing(&self) -> &str {
+        self.found.as_ref().map_or("", |found| &found.nothing)
     }
 
     /// The unit of what is missed.

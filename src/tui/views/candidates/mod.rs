@@ -129,7 +129,7 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     }
     let lines = lines(list);
     if lines.is_empty() {
-        paragraph(app, words().nothing_does_the_task(), area, style, buffer);
+        paragraph(app, list.nothing(), area, style, buffer);
         return;
     }
     let places = CandidateColumns::of(list.rows().len());

@@ -1,0 +1,64 @@
+//! What is told where poses have no linkage, and of the curves of four.
+
+use super::SynthesisReport;
+use crate::synthesis::{Synthesis, SynthesisOrder};
+use crate::task_file::TaskFile;
+use crate::wording::Language;
+use serde_json::Value;
+
+const ORDER: SynthesisOrder = SynthesisOrder {
+    seed: 1,
+    threads: 2,
+};
+
+/// The text and the JSON of a task with these poses.
+fn told(poses: &str) -> (String, Value) {
+    let text = format!("kind = \"poses\"\nunit = \"mm\"\nposes = {poses}\n");
+    let file = TaskFile::parse(&text, "task").unwrap();
+    let found = Synthesis::run(&file.task, ORDER, &mut |_| true);
+    let report = SynthesisReport {
+        file: &file,
+        found: &found,
+        top: 5,
+    };
+    (
+        report.verdict() + " / " + &report.nothing(),
+        report.to_json(),
+    )
+}
+
+#[test]
+fn poses_without_a_linkage_are_told_why() {
+    Language::English.speak();
+    let turn = "[[30, 0, 0], [0, 30, 90], [-30, 0, 180], [0, -30, 270]]";
+    let shift = "[[0, 0, 5], [10, 2, 5], [20, 10, 5], [25, -10, 5]]";
+    let large = "[[1e300, 0, 0], [0, 1e300, 30], [1e300, 1e300, 60]]";
+    let small = "[[1e-200, 0, 0], [0, 1e-200, 30], [1e-200, 1e-200, 60]]";
+    for (poses, reason, words) in [
+        (turn, "turn", "turns about one point, (0, 0)"),
+        (shift, "shift", "the body does not turn"),
+        (large, "range", "too large or too small"),
+        (small, "range", "too large or too small"),
+    ] {
+        let (text, json) = told(poses);
+        assert_eq!(json["reason"], reason, "{text}");
+        assert_eq!(text.matches(words).count(), 2, "{text}");
+        assert_eq!(json["turned_about"].is_array(), reason == "turn");
+    }
+}
+
+/// Every spot of the curves is a pivot with its pin, or a guide; three poses have none.
+#[test]
+fn the_curves_of_four_poses_are_in_the_json() {
+    let (_, json) = told("[[0, 0, 0], [10, 3, 25], [17, 12, 60], [15, 25, 95]]");
+    let pieces = json["curves"].as_array().unwrap();
+    let spots: Vec<&Value> = pieces.iter().flat_map(|p| p.as_array().unwrap()).collect();
+    assert!(spots.len() > 100, "{}", spots.len());
+    let pair = |at: &Value| at.as_array().is_some_and(|at| at.len() == 2);
+    for spot in spots {
+        assert!(pair(&spot["pin"]) && (pair(&spot["pivot"]) || spot["guide"].is_number()));
+    }
+    assert_eq!(json["reason"], Value::Null);
+    let (_, json) = told("[[0, 0, 0], [10, 3, 25], [17, 12, 60]]");
+    assert_eq!(json["curves"].as_array().unwrap().len(), 0);
+}
