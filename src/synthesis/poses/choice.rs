@@ -1,6 +1,7 @@
 //! Two dyads make a linkage; of many, those that promise most and are different.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
+use super::guidance::Guidance;
 use crate::synthesis::{Partner, Proposal};
 use crate::{Vec2, angle};
 

@@ -4,8 +4,9 @@
 //! All of them solve any three of the four equations, and are on the curve of these. What is a part of that curve solves
 //! the fourth along it; what is not, where the fourth changes its sign.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
 use super::form::{self, Form};
+use super::guidance::Guidance;
 use super::space;
 use super::trace::CurveSpot;
 use super::{five, four};

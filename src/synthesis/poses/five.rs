@@ -8,8 +8,9 @@
 //!
 //! All in twice the digits: in doubles, nearly repeated poses would leave no digit of the quartic.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
 use super::form::{self, Form};
+use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use crate::{Double, Vec2};

@@ -64,11 +64,11 @@ pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) 
     (found, error / least)
 }
 
-/// How much of these forms of length one is of turns.
-pub(super) fn turning(forms: &[Form]) -> f64 {
+/// How much of these forms of length one is of moves: all but what is of turns.
+pub(super) fn moving(forms: &[Form]) -> f64 {
     let part = |form: &Form| {
-        let [[a, b, _], [c, d, _], _] = form.map(|row| row.map(|c| c.hi));
-        a * a + b * b + c * c + d * d
+        let [[_, _, a], [_, _, b], [c, d, e]] = form.map(|row| row.map(|c| c.hi));
+        a * a + b * b + c * c + d * d + e * e
     };
     forms.iter().map(part).sum()
 }

@@ -13,8 +13,9 @@
 //! and none has to be searched. Over an interval `[l, u]` with `x = l + (u - l) cos^2(s / 2)` both roots y together are
 //! one smooth closed piece, s from 0 to 360 degrees.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
 use super::form::{self, Form};
+use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use super::trace::{self, CurveSpot, Piece};

@@ -1,6 +1,7 @@
 //! What dyads there are, where none is given.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
+use super::guidance::Guidance;
 use super::{family, five, four, three};
 use crate::Vec2;
 use crate::synthesis::{OpenReason, Partner, PoseTask, PosedDyad};

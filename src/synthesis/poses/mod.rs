@@ -7,6 +7,7 @@
 //! space       homogeneous coordinates in twice the digits
 //! polynomial  real roots, determinants of linear forms
 //! form        bilinear equations in pin and pivot, made independent
+//! guidance    poses and their equations, in the unit that suits both
 //! dyad        the equation of a dyad; a solution as a pin and what holds it, checked at every pose
 //! three       a pin for each pivot, a pivot for each pin, a slide for each direction
 //! four        the curve of all dyads        trace   along its length, in pieces
@@ -23,6 +24,7 @@ mod five;
 mod form;
 mod four;
 mod free;
+mod guidance;
 mod polynomial;
 mod space;
 #[cfg(test)]
@@ -33,9 +35,10 @@ mod trace;
 use super::{OpenReason, PoseTask, PosedDyad, Proposal, Proposals};
 use crate::Vec2;
 use choice::DyadPairing;
-use dyad::{Guidance, PinHeld};
+use dyad::PinHeld;
 use free::Free;
 pub(crate) use free::PoseReach;
+use guidance::Guidance;
 
 /// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
 /// `inside` are two opposite corners of a box in which free pivots are wished to be: those outside are left out where

@@ -3,8 +3,9 @@
 //!
 //! What is free is taken from grids: a choice, not all that there is.
 
-use super::dyad::{Guidance, PinHeld};
+use super::dyad::PinHeld;
 use super::form;
+use super::guidance::Guidance;
 use super::space;
 use crate::synthesis::PoseTask;
 use crate::{Double, Vec2};

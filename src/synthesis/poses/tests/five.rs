@@ -2,7 +2,8 @@
 
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
-use crate::synthesis::poses::dyad::{Guidance, PinHeld};
+use crate::synthesis::poses::dyad::PinHeld;
+use crate::synthesis::poses::guidance::Guidance;
 use crate::synthesis::poses::{PoseReach, five, propose};
 use crate::synthesis::{Partner, Pose, PoseTask, Proposals};
 use crate::tests::Chance;

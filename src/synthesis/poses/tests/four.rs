@@ -1,7 +1,8 @@
 //! The curve of four poses, held against slices of it and against planted dyads.
 
 use super::planted::{Planted, PlantedForm, worst_miss};
-use crate::synthesis::poses::dyad::{Guidance, PinHeld};
+use crate::synthesis::poses::dyad::PinHeld;
+use crate::synthesis::poses::guidance::Guidance;
 use crate::synthesis::poses::{PoseReach, four, propose};
 use crate::synthesis::{Partner, Pose, PoseTask, Proposal};
 use crate::tests::Chance;

@@ -2,7 +2,7 @@
 
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
-use crate::synthesis::poses::dyad::Guidance;
+use crate::synthesis::poses::guidance::Guidance;
 use crate::synthesis::poses::{PoseReach, five, propose};
 use crate::synthesis::{Partner, Pose, PoseTask};
 use crate::tests::Chance;

@@ -2,7 +2,7 @@
 
 use super::planted::{Planted, worst_miss};
 use crate::Vec2;
-use crate::synthesis::poses::dyad::Guidance;
+use crate::synthesis::poses::guidance::Guidance;
 use crate::synthesis::poses::{PoseReach, propose, three};
 use crate::synthesis::{Partner, Pose, PoseTask};
 use crate::tests::Chance;
