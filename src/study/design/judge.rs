@@ -115,7 +115,7 @@ impl Judge {
             if rows.is_empty() || missed <= NOUGHT {
                 break;
             }
-            let better = self.slopes(&design, false).and_then(|slopes| {
+            let better = self.slopes(&design, DIFFERENCE, false).and_then(|slopes| {
                 let way = self.way_onto(&design, &slopes, &rows)?;
                 (0..=HALVINGS).find_map(|k| {
                     let part = 0.5_f64.powi(i32::try_from(k).unwrap_or(0));
@@ -182,8 +182,9 @@ impl Judge {
         moved.collect()
     }
 
-    /// The derivatives at a design, by differences to both sides or, where that is enough, to one.
-    pub(super) fn slopes(&mut self, design: &Judged, to_both: bool) -> Option<Slopes> {
+    /// The derivatives at a design, by differences of this part of the way between the ends: to both sides or, where that
+    /// is enough, to one.
+    pub(super) fn slopes(&mut self, design: &Judged, part: f64, to_both: bool) -> Option<Slopes> {
         let count = self.ends.len();
         let mut slopes = Slopes {
             value: DVector::zeros(count),
@@ -201,9 +202,9 @@ impl Judge {
                 let is_within = low <= numbers[i] && numbers[i] <= high;
                 is_within.then(|| self.judge(numbers)).flatten()
             };
-            let above = beside(DIFFERENCE);
+            let above = beside(part);
             let below = match to_both || above.is_none() {
-                true => beside(-DIFFERENCE),
+                true => beside(-part),
                 false => None,
             };
             let (from, to) = match (&below, &above) {

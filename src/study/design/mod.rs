@@ -14,11 +14,17 @@
 //! optimise   the best numbers under constraints: differential evolution
 //! judge      how good a design is there, and the shortest way onto what is to be equal
 //! polish     from the best design of it to the best one around
+//! hold       what holds it there: constraints and ends
+//! kink       the same where the figure has no slope
 //! ```
 
+#[cfg(test)]
+mod best_tests;
 mod evaluation;
 mod goal;
+mod hold;
 mod judge;
+mod kink;
 mod levenberg;
 mod optimise;
 mod plan;

@@ -46,8 +46,8 @@ pub struct BestDesign {
     pub generations: u32,
     /// Whether the last of them lay together in one place.
     pub settled: bool,
-    /// Whether no small step that keeps the constraints betters it, to first order; at a kink of a figure that cannot
-    /// be told.
+    /// Whether no small step that keeps the constraints betters it, to first order; at a kink of the figure by the slopes
+    /// from all sides.
     pub stationary: bool,
 }
 

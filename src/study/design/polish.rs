@@ -2,21 +2,19 @@
 //! matrix that is gathered on the way (sequential quadratic programming with Broyden, Fletcher, Goldfarb and Shanno's
 //! update), each brought back onto the constraints, until the first-order condition of Karush, Kuhn and Tucker holds.
 
-use super::GoalSense;
-use super::judge::{Judge, Judged, Slopes, is_finite};
+use super::hold::Hold;
+use super::judge::{DIFFERENCE, Judge, Judged, Slopes, is_finite};
+use super::kink::KinkLook;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps at the most, and how often one is halved that betters nothing.
+/// Steps at the most, those at kinks, and how often one is halved that betters nothing.
 const STEPS: usize = 100;
+const KINKS: usize = 30;
 const HALVINGS: i32 = 30;
+/// How far beside a kink slopes are taken, in parts of the way between the ends.
+const BESIDE: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
 /// The longest step, in parts of the way between the ends.
 const LONGEST: f64 = 0.25;
-/// A constraint with so little left, in parts of its size, holds the design.
-const HELD: f64 = 1e-7;
-/// What differences to both sides leave of a slope that is nought, in parts of it or of the figure.
-const FLAT: f64 = 1e-6;
-/// A singular value that is so small a part of the greatest is none.
-const SINGULAR: f64 = 1e-9;
 /// How much of its curvature an update keeps at least, so that the matrix stays positive (Powell, 1978).
 const KEPT: f64 = 0.2;
 
@@ -28,25 +26,12 @@ pub(super) struct Polished {
     pub(super) is_stationary: bool,
 }
 
-/// What holds a design: constraints by their numbers, and numbers at an end.
-#[derive(Clone, Debug)]
-struct Hold {
-    /// Constraints.
-    rows: Vec<usize>,
-    /// The slopes of what holds it, a row each: these constraints, then the ends.
-    normals: DMatrix<f64>,
-    /// By how much of each the slope of the figure is held.
-    multipliers: DVector<f64>,
-    /// What is left of that slope.
-    free: DVector<f64>,
-}
-
 /// Goes on from a design to where no small step along the constraints betters it, if it comes there.
 pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
     let mut here = judge.onto(design, Some(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
-    let Some(mut slopes) = judge.slopes(&here, true) else {
+    let Some(mut slopes) = judge.slopes(&here, DIFFERENCE, true) else {
         return Polished {
             design: here,
             is_stationary: false,
@@ -81,80 +66,36 @@ pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
         is_fresh = false;
         (here, slopes) = (better, after);
     }
+    if !is_stationary && here.worth.0 == 0.0 {
+        return at_kink(judge, here);
+    }
     Polished {
         design: here,
         is_stationary,
     }
 }
 
-impl Hold {
-    /// What holds a design where its figure falls: what would let it go is left out, one after the other.
-    fn of(judge: &Judge, here: &Judged, slopes: &Slopes) -> Hold {
-        let count = here.numbers.len();
-        // Each with the slope of what is left of it, and whether it holds to one side alone.
-        let mut all: Vec<(Option<usize>, DVector<f64>, bool)> = Vec::new();
-        for (i, goal) in judge.constraints.iter().enumerate() {
-            let is_equal = goal.sense == GoalSense::Equal;
-            if is_equal || here.slacks[i] <= HELD {
-                all.push((Some(i), slopes.slacks.row(i).transpose(), !is_equal));
+/// The same from a design at which slopes are not one: by those from all sides, nearer and nearer to it.
+fn at_kink(judge: &mut Judge, mut here: Judged) -> Polished {
+    let mut is_stationary = false;
+    for beside in BESIDE {
+        for _ in 0..KINKS {
+            let look = KinkLook::at(judge, &here, beside);
+            is_stationary = matches!(look, KinkLook::Lowest);
+            let KinkLook::Down(way) = look else {
+                break;
+            };
+            let length = LONGEST / way.amax().max(f64::MIN_POSITIVE);
+            match bettered(judge, &here, &(way * length), &[]) {
+                Some(better) => here = better,
+                None => break,
             }
         }
-        for (i, (number, [low, high])) in here.numbers.iter().zip(&judge.ends).enumerate() {
-            let inwards = if number <= low {
-                1.0
-            } else if number >= high {
-                -1.0
-            } else {
-                continue;
-            };
-            let mut normal = DVector::zeros(count);
-            normal[i] = inwards;
-            // Ends that are one hold to both sides.
-            all.push((None, normal, low < high));
-        }
-        loop {
-            let normals = DMatrix::from_fn(all.len(), count, |row, i| all[row].1[i]);
-            let multipliers = multipliers(&normals, &slopes.value);
-            let lets_go = |&i: &usize| all[i].2 && multipliers[i] < 0.0;
-            let worst = (0..all.len())
-                .filter(lets_go)
-                .min_by(|&a, &b| multipliers[a].total_cmp(&multipliers[b]));
-            if let Some(worst) = worst {
-                all.remove(worst);
-                continue;
-            }
-            return Hold {
-                rows: all.iter().filter_map(|(row, ..)| *row).collect(),
-                free: &slopes.value - normals.tr_mul(&multipliers),
-                normals,
-                multipliers,
-            };
-        }
     }
-
-    fn is_stationary(&self, here: &Judged, slopes: &Slopes) -> bool {
-        self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
+    Polished {
+        design: here,
+        is_stationary,
     }
-
-    /// The slope of the figure less what holds it, by the multipliers of another place.
-    fn lagrangian(&self, slopes: &Slopes) -> DVector<f64> {
-        let mut slope = slopes.value.clone();
-        for (&row, by) in self.rows.iter().zip(self.multipliers.iter()) {
-            slope -= slopes.slacks.row(row).transpose() * *by;
-        }
-        slope
-    }
-}
-
-/// The multipliers with which normals hold a slope best.
-fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
-    if normals.nrows() == 0 || !is_finite(normals) {
-        return DVector::zeros(0);
-    }
-    let parts = normals.transpose().svd(true, true);
-    let least = SINGULAR * parts.singular_values.max();
-    let found = parts.solve(slope, least);
-    found.unwrap_or_else(|_| DVector::zeros(normals.nrows()))
 }
 
 /// A step that betters the design, and the slopes there.
@@ -166,13 +107,25 @@ fn step(
     curvature: &DMatrix<f64>,
 ) -> Option<(Judged, Slopes)> {
     let way = way(hold, &slopes.value, curvature)?;
-    let mut length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
+    let length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
+    let there = bettered(judge, here, &(way * length), &hold.rows)?;
+    let slopes = judge.slopes(&there, DIFFERENCE, true)?;
+    Some((there, slopes))
+}
+
+/// A better design on a way, halved as often as that takes, and brought back onto what is held.
+fn bettered(
+    judge: &mut Judge,
+    here: &Judged,
+    way: &DVector<f64>,
+    held: &[usize],
+) -> Option<Judged> {
+    let mut length = 1.0;
     for _ in 0..HALVINGS {
-        if let Some(there) = judge.judge(judge.moved(&here.numbers, &(&way * length))) {
-            let there = judge.onto(there, Some(&hold.rows));
+        if let Some(there) = judge.judge(judge.moved(&here.numbers, &(way * length))) {
+            let there = judge.onto(there, Some(held));
             if there.worth < here.worth {
-                let slopes = judge.slopes(&there, true)?;
-                return Some((there, slopes));
+                return Some(there);
             }
         }
         length *= 0.5;

@@ -61,7 +61,7 @@ catalogue! {
         polished_best(stationary: bool) = {
             match stationary {
                 true => "no small step that keeps all of that betters it",
-                false => "whether a small step betters it is not certain: a figure may have a kink there",
+                false => "whether a small step betters it is not certain",
             }
             .to_owned()
         };

@@ -59,7 +59,7 @@ catalogue! {
         polished_best(stationary: bool) = {
             match stationary {
                 true => "hepsini koruyan hiçbir küçük adım onu iyileştirmiyor",
-                false => "küçük bir adımın onu iyileştirip iyileştirmediği kesin değil: bir büyüklüğün orada kırığı olabilir",
+                false => "küçük bir adımın onu iyileştirip iyileştirmediği kesin değil",
             }
             .to_owned()
         };

@@ -1,0 +1,141 @@
+//! What holds a design where its figure falls: constraints with nothing left, and ends, each by its multiplier.
+
+use super::GoalSense;
+use super::judge::{Judge, Judged, Slopes, is_finite};
+use nalgebra::{DMatrix, DVector};
+
+/// A constraint with so little left, in parts of its size, holds the design.
+const HELD: f64 = 1e-7;
+/// What differences to both sides leave of a slope that is nought, in parts of it or of the figure.
+const FLAT: f64 = 1e-6;
+/// A singular value that is so small a part of the greatest is none.
+const SINGULAR: f64 = 1e-9;
+
+/// What may hold a design: constraints with nothing left, and ends.
+#[derive(Clone, Debug)]
+pub(super) struct Holds(Vec<MayHold>);
+
+#[derive(Clone, Debug)]
+struct MayHold {
+    /// Which constraint it is, if it is one.
+    row: Option<usize>,
+    /// The slope of what is left of it.
+    normal: DVector<f64>,
+    /// Whether it holds to one side alone.
+    is_one_sided: bool,
+}
+
+/// What holds a design where its figure falls.
+#[derive(Clone, Debug)]
+pub(super) struct Hold {
+    /// Constraints.
+    pub(super) rows: Vec<usize>,
+    /// The slopes of what holds it, a row each: these constraints, then the ends.
+    pub(super) normals: DMatrix<f64>,
+    /// By how much of each the slope of the figure is held.
+    multipliers: DVector<f64>,
+    /// What is left of that slope.
+    pub(super) free: DVector<f64>,
+}
+
+impl Holds {
+    /// At a design.
+    pub(super) fn at(judge: &Judge, here: &Judged, slopes: &Slopes) -> Holds {
+        let mut all = Vec::new();
+        for (i, goal) in judge.constraints.iter().enumerate() {
+            let is_equal = goal.sense == GoalSense::Equal;
+            if is_equal || here.slacks[i] <= HELD {
+                all.push(MayHold {
+                    row: Some(i),
+                    normal: slopes.slacks.row(i).transpose(),
+                    is_one_sided: !is_equal,
+                });
+            }
+        }
+        for (i, (number, [low, high])) in here.numbers.iter().zip(&judge.ends).enumerate() {
+            let inwards = if number <= low {
+                1.0
+            } else if number >= high {
+                -1.0
+            } else {
+                continue;
+            };
+            let mut normal = DVector::zeros(here.numbers.len());
+            normal[i] = inwards;
+            all.push(MayHold {
+                row: None,
+                normal,
+                // Ends that are one hold to both sides.
+                is_one_sided: low < high,
+            });
+        }
+        Holds(all)
+    }
+
+    /// Their slopes, a row each.
+    pub(super) fn normals(&self) -> DMatrix<f64> {
+        let count = self.0.first().map_or(0, |one| one.normal.len());
+        DMatrix::from_fn(self.0.len(), count, |row, i| self.0[row].normal[i])
+    }
+
+    /// Whether multipliers hold a design, and none would let it go.
+    pub(super) fn keep(&self, multipliers: &DVector<f64>) -> bool {
+        let size = multipliers.amax();
+        let all = self.0.iter().zip(multipliers.iter());
+        all.into_iter()
+            .all(|(one, by)| !one.is_one_sided || *by >= -FLAT * size)
+    }
+}
+
+impl Hold {
+    /// What holds a design where its figure falls: what would let it go is left out, one after the other.
+    pub(super) fn of(judge: &Judge, here: &Judged, slopes: &Slopes) -> Hold {
+        let mut all = Holds::at(judge, here, slopes);
+        loop {
+            let normals = all.normals();
+            let multipliers = multipliers(&normals, &slopes.value);
+            let lets_go = |&i: &usize| all.0[i].is_one_sided && multipliers[i] < 0.0;
+            let worst = (0..all.0.len())
+                .filter(lets_go)
+                .min_by(|&a, &b| multipliers[a].total_cmp(&multipliers[b]));
+            if let Some(worst) = worst {
+                all.0.remove(worst);
+                continue;
+            }
+            let held = match normals.nrows() {
+                0 => DVector::zeros(slopes.value.len()),
+                _ => normals.tr_mul(&multipliers),
+            };
+            return Hold {
+                rows: all.0.iter().filter_map(|one| one.row).collect(),
+                free: &slopes.value - held,
+                normals,
+                multipliers,
+            };
+        }
+    }
+
+    pub(super) fn is_stationary(&self, here: &Judged, slopes: &Slopes) -> bool {
+        self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
+    }
+
+    /// The slope of the figure less what holds it, by the multipliers of another place.
+    pub(super) fn lagrangian(&self, slopes: &Slopes) -> DVector<f64> {
+        let mut slope = slopes.value.clone();
+        for (&row, by) in self.rows.iter().zip(self.multipliers.iter()) {
+            slope -= slopes.slacks.row(row).transpose() * *by;
+        }
+        slope
+    }
+}
+
+/// The multipliers with which normals hold a slope best.
+pub(super) fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
+    if normals.nrows() == 0 || !is_finite(normals) {
+        return DVector::zeros(0);
+    }
+    let parts = normals.transpose().svd(true, true);
+    let least = SINGULAR * parts.singular_values.max();
+    let found = parts.solve(slope, least);
+    found.unwrap_or_else(|_| DVector::zeros(normals.nrows()))
+}

@@ -1,0 +1,110 @@
+//! A design at a kink of the figure that is to be the best, as the least of several angles has it where two of them are
+//! equal: there the figure has no slope. It is the best around where nought lies among the slopes from all sides and what
+//! lies between them (Goldstein's condition, with the slopes that are taken by Burke, Lewis and Overton's sampling).
+
+use super::hold::{Holds, multipliers};
+use super::judge::{Judge, Judged};
+use nalgebra::{DMatrix, DVector};
+
+/// Differences, in parts of how far beside the design slopes are taken: none shall reach over the kink.
+const DIFFERENCE: f64 = 0.1;
+/// What is left of the slopes where nought lies between them, in parts of the greatest: they bend on the way beside.
+const FLAT: f64 = 1e-3;
+/// Steps to the shortest of all slopes between those that were taken.
+const STEPS: usize = 4000;
+
+/// What the slopes from all sides say.
+#[derive(Clone, Debug)]
+pub(super) enum KinkLook {
+    /// No small step betters the design.
+    Lowest,
+    /// It is bettered this way, as far as slopes tell.
+    Down(DVector<f64>),
+    /// They do not tell.
+    Open,
+}
+
+impl KinkLook {
+    /// Looks at the slopes so far beside a design that keeps the constraints, in parts of the way between the ends.
+    pub(super) fn at(judge: &mut Judge, here: &Judged, beside: f64) -> KinkLook {
+        let part = DIFFERENCE * beside;
+        let Some(own) = judge.slopes(here, part, true) else {
+            return KinkLook::Open;
+        };
+        let holds = Holds::at(judge, here, &own);
+        let normals = holds.normals();
+        let count = here.numbers.len();
+        let (mut free, mut held, mut greatest) = (Vec::new(), Vec::new(), 0.0_f64);
+        for (i, sense) in (0..count).flat_map(|i| [(i, -1.0), (i, 1.0)]) {
+            let mut way = DVector::zeros(count);
+            way[i] = sense * beside;
+            let there = judge.judge(judge.moved(&here.numbers, &way));
+            let Some(slopes) = there.and_then(|there| judge.slopes(&there, part, true)) else {
+                return KinkLook::Open;
+            };
+            let by = multipliers(&normals, &slopes.value);
+            let held_back = match normals.nrows() {
+                0 => DVector::zeros(count),
+                _ => normals.tr_mul(&by),
+            };
+            free.push(&slopes.value - held_back);
+            held.push(by);
+            greatest = greatest.max(slopes.value.norm());
+        }
+        let (shortest, parts) = shortest_between(&free);
+        if shortest.norm() > FLAT * greatest.max(here.value.abs()) {
+            return KinkLook::Down(-shortest);
+        }
+        let mut held_by = DVector::zeros(normals.nrows());
+        for (by, part) in held.iter().zip(&parts) {
+            held_by += by * *part;
+        }
+        match holds.keep(&held_by) {
+            true => KinkLook::Lowest,
+            false => KinkLook::Open,
+        }
+    }
+}
+
+/// The shortest of all that lies between some slopes, and the parts that each has in it (Frank and Wolfe's method, with
+/// steps from the worst of those that take part to the best of all).
+fn shortest_between(slopes: &[DVector<f64>]) -> (DVector<f64>, Vec<f64>) {
+    let mut parts = vec![1.0 / slopes.len().max(1) as f64; slopes.len()];
+    let size = slopes.first().map_or(0, DVector::len);
+    let matrix = DMatrix::from_fn(size, slopes.len(), |i, k| slopes[k][i]);
+    for _ in 0..STEPS {
+        let here = &matrix * DVector::from_column_slice(&parts);
+        let along = matrix.tr_mul(&here);
+        let taking_part = (0..parts.len()).filter(|&k| parts[k] > 0.0);
+        let worst = taking_part.max_by(|&a, &b| along[a].total_cmp(&along[b]));
+        let best = (0..parts.len()).min_by(|&a, &b| along[a].total_cmp(&along[b]));
+        let (Some(worst), Some(best)) = (worst, best) else {
+            break;
+        };
+        let way = &slopes[best] - &slopes[worst];
+        let gain = along[worst] - along[best];
+        if !(gain > f64::EPSILON * here.norm_squared()) {
+            break;
+        }
+        let step = (gain / way.norm_squared()).min(parts[worst]);
+        parts[best] += step;
+        parts[worst] -= step;
+    }
+    (&matrix * DVector::from_column_slice(&parts), parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between (1, 3) and (1, -1) the shortest is (1, 0), a quarter and three quarters; around nought it is nought.
+    #[test]
+    fn the_shortest_between_slopes_is_found() {
+        let slope = |x: f64, y: f64| DVector::from_vec(vec![x, y]);
+        let (shortest, parts) = shortest_between(&[slope(1.0, 3.0), slope(1.0, -1.0)]);
+        assert!((shortest - slope(1.0, 0.0)).norm() < 1e-9);
+        assert!((parts[0] - 0.25).abs() < 1e-9, "{parts:?}");
+        let around = [slope(2.0, 0.1), slope(-1.0, 3.0), slope(-0.5, -4.0)];
+        assert!(shortest_between(&around).0.norm() < 1e-6);
+    }
+}
