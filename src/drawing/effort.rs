@@ -48,6 +48,7 @@ pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
         turns,
         is_dotted: false,
         link: None,
+        band: None,
     };
     let axis = |name: &str, unit: &str, low: f64, high: f64| Axis {
         name: name.to_owned(),

@@ -224,6 +224,7 @@ impl GridMap {
             turns: Vec::new(),
             is_dotted: false,
             link: None,
+            band: None,
         };
         levels.labels().enumerate().map(curve).collect()
     }

@@ -15,6 +15,7 @@
 //! where the driver is. Curves are drawn through every sample that has a value, and nowhere else: what
 //! does not exist, and where a figure jumps, is a gap. Nothing here knows a terminal.
 
+mod band;
 mod chart;
 mod frame;
 mod layout;
@@ -26,6 +27,7 @@ mod path;
 mod tests;
 mod ticks;
 
+pub use band::PlotBand;
 pub use chart::{Chart, Datum, DecadeAxis};
 pub use map::GridMap;
 
@@ -87,6 +89,8 @@ pub struct PlotCurve {
     pub is_dotted: bool,
     /// What it is drawn as, if it is not one of several of its panel: a link.
     pub link: Option<Role>,
+    /// What it lies beside a curve by, if it is the two edges of a band.
+    pub band: Option<PlotBand>,
 }
 
 impl PlotCurve {
@@ -194,6 +198,7 @@ impl Plot {
                 turns: Vec::new(),
                 is_dotted: false,
                 link: None,
+                band: None,
             });
         }
         for panel in &mut panels {
@@ -236,6 +241,7 @@ impl Plot {
                         is_dotted: true,
                         pieces: line.pieces.clone(),
                         link: None,
+                        band: None,
                     }));
             }
         }
@@ -261,6 +267,7 @@ impl Plot {
             // A line to itself is a point.
             pieces: places.into_iter().map(|place| vec![place, place]).collect(),
             link: None,
+            band: None,
         });
     }
 
@@ -308,6 +315,7 @@ impl Plot {
             turns: Vec::new(),
             is_dotted: true,
             link: Some(role),
+            band: Some(PlotBand::new(&curves.along, offsets)),
         });
     }
 
@@ -431,6 +439,7 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
         turns: turns.filter(|turn| turn.at.is_finite()).collect(),
         is_dotted: false,
         link: None,
+        band: None,
     }
 }
 

@@ -211,6 +211,10 @@ impl PlotPainter<'_> {
     /// What a legend says of a curve: its name, and its value here.
     fn entry(&self, panel: &Panel, frame: &PanelArea, i: usize, with_value: bool) -> String {
         let line = &panel.curves[i];
+        let along = self.here.and_then(|here| here.along).filter(|_| with_value);
+        if let Some(off) = along.and_then(|x| line.band.as_ref()?.text(x)) {
+            return format!("{} {off}", line.name);
+        }
         let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
         let width = width[0].max(width[1]);
         let figure = line.figure.filter(|_| with_value);

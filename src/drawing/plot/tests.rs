@@ -50,6 +50,7 @@ fn line(points: &[(f64, f64)]) -> PlotCurve {
         turns: Vec::new(),
         is_dotted: false,
         link: None,
+        band: None,
     }
 }
 

@@ -1,8 +1,8 @@
 //! How far figures may be off along the motion: what plots draw beside a curve.
 
 use super::ToleranceStudy;
-use super::box_grid::BoxGrid;
-use super::corners::MOST_LENGTHS;
+use super::corners::{MOST_LENGTHS, QUICK, THOROUGH};
+use super::machines::CornerEffort;
 
 /// Which limits are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,21 +31,23 @@ pub type Offsets = [f64; 2];
 const PLACES: usize = 72;
 
 /// So many machines are solved for a band before a person who edits notices: some hundredths of a second.
-const QUICK_STATES: usize = 100_000;
+const QUICK_MACHINES: usize = 100_000;
 
 impl ToleranceStudy {
-    /// The band that is worked out while somebody waits, over so many places: the worst case where its machines are few.
-    #[must_use]
-    pub fn quick_band(&self, places: usize) -> BandKind {
+    /// The band that is worked out while somebody waits: the worst case where its machines are few, else the root of the
+    /// sum of squares.
+    pub fn quick_band(&mut self, places: &[f64]) -> (BandKind, Vec<Vec<Option<Offsets>>>) {
+        let kind = self.quick_kind(places.len());
+        (kind, self.band_by(places, kind, QUICK))
+    }
+
+    pub(super) fn quick_kind(&self, places: usize) -> BandKind {
         let lengths = self.acting().len();
-        let is_by_corners = lengths <= MOST_LENGTHS && !self.off.has_pins();
-        let is_quick = || {
-            knots(places)
-                .len()
-                .saturating_mul(BoxGrid::of(lengths).count())
-                <= QUICK_STATES
-        };
-        match is_by_corners && is_quick() {
+        if lengths > MOST_LENGTHS || self.off.has_pins() {
+            return BandKind::RootSumSquare;
+        }
+        let machines = QUICK.machines(lengths, self.figures().len());
+        match knots(places).len().saturating_mul(machines) <= QUICK_MACHINES {
             true => BandKind::Worst,
             false => BandKind::RootSumSquare,
         }
@@ -54,12 +56,21 @@ impl ToleranceStudy {
     /// Figure by figure the offsets at every one of these places, which follow one another; `None` where there are
     /// none at the worked-out places beside it.
     pub fn band(&mut self, places: &[f64], kind: BandKind) -> Vec<Vec<Option<Offsets>>> {
+        self.band_by(places, kind, THOROUGH)
+    }
+
+    fn band_by(
+        &mut self,
+        places: &[f64],
+        kind: BandKind,
+        effort: CornerEffort,
+    ) -> Vec<Vec<Option<Offsets>>> {
         let knots = knots(places.len());
         let stride = stride(places.len());
         let found: Vec<Vec<Option<Offsets>>> = knots
             .iter()
             .filter_map(|&knot| places.get(knot))
-            .map(|&at| self.offsets(at, kind))
+            .map(|&at| self.offsets(at, kind, effort))
             .collect();
         let between = |figure: usize, i: usize| {
             let (before, behind) = (i / stride, (i / stride + 1).min(knots.len() - 1));
@@ -73,12 +84,12 @@ impl ToleranceStudy {
         (0..self.figures().len()).map(all).collect()
     }
 
-    fn offsets(&mut self, at: f64, kind: BandKind) -> Vec<Option<Offsets>> {
+    fn offsets(&mut self, at: f64, kind: BandKind, effort: CornerEffort) -> Vec<Option<Offsets>> {
         let slopes = self.slopes_at(at);
         match kind {
             BandKind::Worst => {
                 let nominal = self.machines.go(at);
-                let worst = self.worst(at, &nominal, slopes.as_ref());
+                let worst = self.worst(at, &nominal, slopes.as_ref(), effort);
                 let pairs = nominal.iter().zip(worst);
                 let offsets = pairs.map(|(nominal, worst)| {
                     let (nominal, worst) = ((*nominal)?, worst?);

@@ -5,8 +5,6 @@
 
 use super::worst::MetRange;
 
-/// Sides of which the middles are looked at as well: 3^9 places.
-const MOST_WITH_MIDDLES: usize = 9;
 /// What is less than this part of all that a figure does is its rounding,
 const ROUNDING: f64 = 1e-9;
 /// and what is less than this part of the figure itself.
@@ -19,8 +17,9 @@ pub(super) struct BoxGrid {
 }
 
 impl BoxGrid {
-    pub(super) fn of(sides: usize) -> BoxGrid {
-        let levels = if sides <= MOST_WITH_MIDDLES { 3 } else { 2 };
+    /// With the middles between corners, where there are no more sides than `middles`.
+    pub(super) fn of(sides: usize, middles: usize) -> BoxGrid {
+        let levels = if sides <= middles { 3 } else { 2 };
         BoxGrid { sides, levels }
     }
 

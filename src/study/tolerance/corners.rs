@@ -2,13 +2,24 @@
 
 use super::ToleranceStudy;
 use super::contributions::Slopes;
-use super::machines::{of_all_corners, of_derivatives};
+use super::machines::{CornerEffort, of_all_corners, of_derivatives};
 use super::worst::{WorstCase, WorstKind};
 use crate::Ball;
 use crate::solver::State;
 
 /// So many lengths have all their corners solved, 65,536; of more the worst is enclosed.
 pub(super) const MOST_LENGTHS: usize = 16;
+
+/// Up to 3^9 places of the grid, and what leads further inside.
+pub(super) const THOROUGH: CornerEffort = CornerEffort {
+    middles: 9,
+    tries: 100,
+};
+/// The same while somebody waits.
+pub(super) const QUICK: CornerEffort = CornerEffort {
+    middles: 9,
+    tries: 8,
+};
 
 impl ToleranceStudy {
     /// The lengths that anything that is read follows.
@@ -23,10 +34,11 @@ impl ToleranceStudy {
         at: f64,
         nominal: &[Option<f64>],
         slopes: Option<&Slopes>,
+        effort: CornerEffort,
     ) -> Vec<Option<WorstCase>> {
         let acting = self.acting();
         if acting.len() <= MOST_LENGTHS && !self.off.has_pins() {
-            return of_all_corners(&mut self.machines, &self.off, &acting, nominal);
+            return of_all_corners(&mut self.machines, &self.off, &acting, nominal, effort);
         }
         let limits = &self.off.limits;
         let enclosure = self

@@ -17,14 +17,31 @@ pub(super) trait Machines {
     fn kind(&self) -> Option<LoopKind>;
 }
 
+/// How much is done to find a worst case by corners.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CornerEffort {
+    /// So many sides of the box at the most have their middles looked at as well.
+    pub(super) middles: usize,
+    /// So many machines are made for each side, where a figure may be worse than on the grid, at either of its ends.
+    pub(super) tries: usize,
+}
+
+impl CornerEffort {
+    /// How many machines are made at the most, of so many sides and figures.
+    pub(super) fn machines(self, sides: usize, figures: usize) -> usize {
+        BoxGrid::of(sides, self.middles).count() + 2 * figures * self.tries * sides
+    }
+}
+
 /// The worst case of every figure by every corner of the box of these lengths; the others are as given.
 pub(super) fn of_all_corners(
     machines: &mut impl Machines,
     off: &ToleranceBox,
     acting: &[usize],
     nominal: &[Option<f64>],
+    effort: CornerEffort,
 ) -> Vec<Option<WorstCase>> {
-    let grid = BoxGrid::of(acting.len());
+    let grid = BoxGrid::of(acting.len(), effort.middles);
     let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
     let mut by = off.nothing();
     let mut values = nominal.to_vec();
@@ -36,7 +53,7 @@ pub(super) fn of_all_corners(
             found.push(value.unwrap_or(f64::NAN));
         }
     }
-    let mut search = Search::new(off, acting, &grid, nominal.len());
+    let mut search = Search::new(off, acting, &grid, effort.tries, nominal.len());
     let figures = nominal.iter().zip(&found).enumerate();
     let worst = figures.map(|(figure, (&nominal, found))| {
         let nominal = nominal?;

@@ -132,7 +132,7 @@ impl ToleranceStudy {
     pub fn at(&mut self, at: f64) -> Vec<Option<ToleranceFigure>> {
         let nominal = self.machines.go(at);
         let slopes = self.slopes_at(at);
-        let worst = self.worst(at, &nominal, slopes.as_ref());
+        let worst = self.worst(at, &nominal, slopes.as_ref(), corners::THOROUGH);
         machines::told(&self.off, &nominal, worst, |i| slopes.as_ref()?.of(i))
     }
 

@@ -15,8 +15,6 @@ const TRIED_LESS: f64 = 0.25;
 /// down to this one, a billionth of a thousandth, where one has led further: at an edge of assembly figures go with the
 /// root of the way.
 const SHORTEST: f64 = 1e-12;
-/// So many machines are made for each side, and then it is enough.
-const MOST_PER_SIDE: usize = 200;
 
 /// The worst that was found of a figure at one end of what it can be.
 #[derive(Clone, Copy, Debug)]
@@ -31,22 +29,26 @@ pub(super) struct Search<'b> {
     off: &'b ToleranceBox,
     acting: &'b [usize],
     grid: &'b BoxGrid,
+    /// So many machines are made for one end of a figure, and then it is enough.
+    most: usize,
     by: Vec<f64>,
     values: Vec<Option<f64>>,
 }
 
 impl<'b> Search<'b> {
-    /// Among so many figures.
+    /// Among so many figures, with so many machines for each side.
     pub(super) fn new(
         off: &'b ToleranceBox,
         acting: &'b [usize],
         grid: &'b BoxGrid,
+        tries: usize,
         figures: usize,
     ) -> Search<'b> {
         Search {
             off,
             acting,
             grid,
+            most: tries * acting.len(),
             by: off.nothing(),
             values: vec![None; figures],
         }
@@ -73,7 +75,7 @@ impl<'b> Search<'b> {
         }
         let mut step = self.grid.half_way();
         let mut is_inside = false;
-        let mut left = MOST_PER_SIDE * self.acting.len();
+        let mut left = self.most;
         let shortest = |is_inside| if is_inside { SHORTEST } else { SHORTEST_TRY };
         while step > shortest(is_inside) && left > 0 {
             let mut leads = false;

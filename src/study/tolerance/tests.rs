@@ -499,7 +499,7 @@ fn a_quick_band_is_limited_by_its_states() {
         let mut tolerances = links(&scene, 0.1);
         tolerances.lengths.truncate(most);
         let study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
-        study.quick_band(places)
+        study.quick_kind(places)
     };
     let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
     assert_eq!(kind(FOUR_BAR, 9, 721), BandKind::Worst);

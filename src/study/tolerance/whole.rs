@@ -3,7 +3,7 @@
 //! Each machine is opened as it was made, and followed. Derivatives are differences, of figures that are good to their
 //! last digits: a hundredth of each tolerance to both sides.
 
-use super::machines::{Machines, of_all_corners, of_derivatives, told};
+use super::machines::{CornerEffort, Machines, of_all_corners, of_derivatives, told};
 use super::tolerance_box::ToleranceBox;
 use super::worst::WorstCase;
 use super::{NoTolerance, SampleOrder, Samples, ToleranceFigure};
@@ -13,8 +13,12 @@ use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures};
 use crate::{Length, Mechanism, Tolerances};
 
-/// So many lengths have all their corners opened, and the middles between them: some thousand machines.
+/// So many lengths have all their corners opened: some thousand machines, each of which is followed.
 const MOST_LENGTHS: usize = 12;
+const EFFORT: CornerEffort = CornerEffort {
+    middles: 7,
+    tries: 20,
+};
 /// The part of a tolerance by which differences are taken.
 const DIFFERENCE: f64 = 0.01;
 
@@ -129,7 +133,7 @@ impl WholeTolerance {
             .collect();
         let (machines, off) = (&mut self.machines, &self.off);
         if acting.len() <= MOST_LENGTHS && !off.has_pins() {
-            return of_all_corners(machines, off, &acting, nominal);
+            return of_all_corners(machines, off, &acting, nominal, EFFORT);
         }
         let figures = slopes.iter().enumerate();
         let worst = figures.map(|(i, slopes)| {

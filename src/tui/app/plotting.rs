@@ -28,6 +28,17 @@ impl App {
                     false => words().extrema_not_marked(),
                 });
             }
+            PlotsAction::Band => {
+                let is_exact = self.player.open_scene.scene().tolerances().is_exact();
+                let told = if is_exact {
+                    words().no_tolerances()
+                } else if self.plots.toggle_band() {
+                    words().band_drawn()
+                } else {
+                    words().band_not_drawn()
+                };
+                self.shell.say(told);
+            }
         }
         self.sample();
     }

@@ -200,6 +200,8 @@ pub(crate) enum PlotsAction {
     Abscissa,
     /// Mark the extrema.
     Extrema,
+    /// Draw what tolerances do.
+    Band,
 }
 
 /// What the scene view alone can do.
@@ -369,6 +371,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Plots, entry(A::Plots(P::Choose), "choose-plots", W::choose_plots, W::choose_what_is_plotted, &[Char('x'), Key::Enter])),
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
+        within(Plots, entry(A::Plots(P::Band), "band", W::band, W::draw_the_band, &[Char('b')])),
         within(Accuracy, entry(A::Method, "method", W::method, W::watch_a_method, &[Char('m')])),
         within(Accuracy, entry(A::Guess, "guess", W::guess, W::type_where_it_begins, &[Key::Enter, Char('x')])),
         ] },

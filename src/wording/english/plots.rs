@@ -10,6 +10,8 @@ catalogue! {
         over_time = "over time: 0 s is where the scene opens";
         extrema_marked = "maxima and minima are marked";
         extrema_not_marked = "maxima and minima are not marked";
+        band_drawn = "what tolerances do is drawn";
+        band_not_drawn = "what tolerances do is not drawn";
         nothing_plotted = "nothing is plotted yet";
         nothing_plotted_to_write = "nothing is plotted that could be written";
         no_value_anywhere(names: &str) = "no value anywhere in this motion: {names}";

@@ -10,6 +10,8 @@ catalogue! {
         over_time = "zamana karşı: 0 s sahnenin açıldığı yer";
         extrema_marked = "en büyük ve en küçük değerler işaretli";
         extrema_not_marked = "en büyük ve en küçük değerler işaretsiz";
+        band_drawn = "toleransların yaptığı çiziliyor";
+        band_not_drawn = "toleransların yaptığı çizilmiyor";
         nothing_plotted = "henüz çizilen bir şey yok";
         nothing_plotted_to_write = "çizilmiş, yazılabilecek bir şey yok";
         no_value_anywhere(names: &str) = "bu hareketin hiçbir yerinde değeri yok: {names}";

@@ -37,6 +37,8 @@ pub(crate) struct Plots {
     along: Option<Along>,
     /// Whether extrema are marked.
     extrema: bool,
+    /// Whether it is drawn what tolerances do.
+    band: bool,
     /// What the figure does that may be chosen next.
     note: ExcursionNote,
     /// `None` until they are looked at, and when something else has been chosen.
@@ -67,6 +69,7 @@ impl Default for Plots {
             chosen: None,
             along: None,
             extrema: true,
+            band: true,
             note: ExcursionNote::default(),
             sampled: None,
         }
@@ -93,7 +96,9 @@ impl Plots {
                     Some(_) => plot,
                     None => {
                         let mut plot = plot.in_hues_of(&open_scene.scene().mechanism, &curves);
-                        add_bands(&mut plot, &curves, open_scene);
+                        if self.band {
+                            add_bands(&mut plot, &curves, open_scene);
+                        }
                         plot
                     }
                 };
@@ -203,6 +208,13 @@ impl Plots {
         self.extrema
     }
 
+    /// Draws what tolerances do, or no longer.
+    pub(crate) fn toggle_band(&mut self) -> bool {
+        self.band = !self.band;
+        self.sampled = None;
+        self.band
+    }
+
     pub(crate) fn extrema(&self) -> bool {
         self.extrema
     }
@@ -296,8 +308,7 @@ fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
     let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &figures);
     // Where no tolerance is given, or none can be told of, curves stand alone.
     let Ok(mut study) = study else { return };
-    let kind = study.quick_band(curves.at.len());
-    let bands = study.band(&curves.at, kind);
+    let (kind, bands) = study.quick_band(&curves.at);
     for ((figure, quantity), offsets) in places.into_iter().zip(&figures).zip(bands) {
         let name = format!("{} {}", quantity.name, kind.word());
         plot.add_band(curves, figure, &offsets, name);
