@@ -25,6 +25,7 @@ mod searching;
 mod shell;
 mod storing;
 mod synthesizing;
+mod telling;
 mod touring;
 mod typing;
 mod writing;
@@ -430,6 +431,7 @@ impl App {
             Action::Plots(action) => self.plot(action),
             Action::Method => self.watch_next(),
             Action::Guess => self.ask_for_guess(),
+            Action::Tolerance => self.tell_tolerance(),
             Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => {

@@ -74,7 +74,7 @@ impl App {
         found.map_or(first, |line| line + 1)
     }
 
-    fn found_line(&self) -> Option<usize> {
+    pub(super) fn found_line(&self) -> Option<usize> {
         self.found.as_ref().map(|found| found.line)
     }
 

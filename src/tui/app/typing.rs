@@ -164,7 +164,7 @@ impl App {
         }
         if self.shell.mode != Mode::Normal {
             self.shell.mode = self.below();
-        } else if self.drop_gathered() {
+        } else if self.drop_gathered() || self.leave_tolerance() {
         } else if self.is_watching() {
             self.watch_method(None);
         } else if self.is_working() {

@@ -116,6 +116,8 @@ pub(crate) enum Action {
     Method,
     /// Type where it begins.
     Guess,
+    /// All that tolerances do to a figure, in the view of lengths alone.
+    Tolerance,
     /// Of the scene view alone.
     Scene(SceneAction),
     /// Show or hide the keys.
@@ -298,7 +300,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
     use PlotsAction as P;
     use SceneAction as S;
     use TablesAction as T;
-    use View::{Accuracy, Motion, Plots, Scene, Tables};
+    use View::{Accuracy, Lengths, Motion, Plots, Scene, Tables};
     type W = dyn Words;
     [
         ActionSection { title: W::the_motion, entries: &[
@@ -374,6 +376,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Plots, entry(A::Plots(P::Band), "band", W::band, W::draw_the_band, &[Char('b')])),
         within(Accuracy, entry(A::Method, "method", W::method, W::watch_a_method, &[Char('m')])),
         within(Accuracy, entry(A::Guess, "guess", W::guess, W::type_where_it_begins, &[Key::Enter, Char('x')])),
+        within(Lengths, entry(A::Tolerance, "tolerance", W::tolerance, W::what_tolerances_do_to_it, &[Key::Enter])),
         ] },
         ActionSection { title: W::the_scene, entries: &[
         within(Scene, entry(A::Scene(S::Edit), "edit", W::edit, W::type_another_value, &[Key::Enter])),

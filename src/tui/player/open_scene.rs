@@ -4,11 +4,13 @@ use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
 use crate::quantity::{Catalogue, DriverStand, Quantity, Sensitivity};
-use crate::report::{Answers, Forces, PositionMethod, Tables, ToleranceAnswers, Verdict};
+use crate::report::{
+    Answers, Forces, PositionMethod, Tables, ToleranceAnswers, ToleranceReport, Verdict,
+};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
-use crate::study::ToleranceStudy;
+use crate::study::{Distribution, SampleOrder, ToleranceStudy};
 use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::assembly_list::AssemblyList;
@@ -65,7 +67,12 @@ struct LengthsQuestion {
     answers: Answers,
     /// What tolerances do, where the scene has any.
     tolerances: Option<(ToleranceStudy, ToleranceAnswers)>,
+    /// All that tolerances do to one figure, where the driver was when that was asked.
+    told: Option<ToleranceReport>,
 }
+
+/// So many machines are made by chance for what is told of one figure.
+const MACHINES: u32 = 10_000;
 
 /// Of more lengths than this a frame would be late.
 const MOST_LENGTHS: usize = 200;
@@ -324,6 +331,7 @@ impl OpenScene {
                 sensitivity,
                 answers,
                 tolerances,
+                told: None,
             });
         }
     }
@@ -342,6 +350,39 @@ impl OpenScene {
     pub(crate) fn tolerance_answers(&self) -> Option<&ToleranceAnswers> {
         let (_, found) = self.answers.as_ref()?.tolerances.as_ref()?;
         Some(found)
+    }
+
+    /// Finds all that tolerances do to a figure here, while it is asked what lengths do.
+    ///
+    /// # Errors
+    /// In words: why nothing can be told of it.
+    pub(crate) fn tell_tolerance(&mut self, figure: Quantity) -> Result<(), String> {
+        let at = self.at();
+        let Opened { scene, solver, .. } = &self.opened;
+        let mut study = ToleranceStudy::new(scene, solver, scene.tolerances(), &[figure])
+            .map_err(|why| why.to_string())?;
+        let order = SampleOrder {
+            count: MACHINES,
+            seed: 1,
+            distribution: Distribution::default(),
+        };
+        let condition = self.state.condition();
+        let report = ToleranceReport::at(scene, &mut study, at, condition, Some(order));
+        if let Some(asked) = &mut self.answers {
+            asked.told = Some(report);
+        }
+        Ok(())
+    }
+
+    /// All that tolerances do to the figure that was asked about.
+    pub(crate) fn told_tolerance(&self) -> Option<&ToleranceReport> {
+        self.answers.as_ref()?.told.as_ref()
+    }
+
+    /// Drops that; false where there is none.
+    pub(crate) fn leave_tolerance(&mut self) -> bool {
+        let told = self.answers.as_mut().and_then(|asked| asked.told.take());
+        told.is_some()
     }
 
     pub(crate) fn scene(&self) -> &Scene {

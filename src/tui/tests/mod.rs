@@ -3,6 +3,7 @@
 mod candidates;
 mod monkey;
 mod mouse;
+mod tolerances;
 
 use super::app::{App, View};
 use super::is_room_alone;

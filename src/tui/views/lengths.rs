@@ -11,6 +11,7 @@ use super::{Sketch, inset, page};
 use crate::page::{Content, Line, Page, Row, cut};
 use crate::report::Answers;
 use crate::tui::app::{App, View};
+use crate::tui::commands::action::Action;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -53,6 +54,28 @@ impl Pane for LengthsView {
         Need::Lengths
     }
 
+    fn hints(&self, app: &App) -> &'static [Action] {
+        match app.open_scene().tolerance_answers() {
+            Some(_) => &[
+                Action::Help,
+                Action::Tolerance,
+                Action::MOTION,
+                Action::LineDown,
+                Action::Quit,
+                Action::Play,
+                Action::StepForward,
+            ],
+            None => &[
+                Action::Help,
+                Action::MOTION,
+                Action::LineDown,
+                Action::Quit,
+                Action::Play,
+                Action::StepForward,
+            ],
+        }
+    }
+
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
         let (head, rows) = lines(app, area);
@@ -88,6 +111,9 @@ fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     let Some(answers) = app.open_scene().answers() else {
         return (None, page::words(words().too_many_lengths(), area));
     };
+    if let Some(told) = app.open_scene().told_tolerance() {
+        return (None, page::lines(app, &told.page(), area));
+    }
     let mut page = Page::default();
     if let Some(off) = app.open_scene().tolerance_answers() {
         page.table(off.table());

@@ -129,6 +129,8 @@ catalogue! {
         what_stands_along_x = "what stands along x";
         extrema = "extrema";
         mark_the_extrema = "mark the extrema";
+        tolerance = "tolerance";
+        what_tolerances_do_to_it = "one figure's tolerances";
         band = "band";
         draw_the_band = "what tolerances do";
 

@@ -61,6 +61,8 @@ catalogue! {
             "in {some} of {rows} rows not every machine within its tolerances closes; worst cases \
              are of those that do";
 
+        no_figure_in_line = "no figure stands in this line: find one with /";
+
         // What a scene says of them.
         tolerance_of_point(name: &str) = "tolerance of {name}";
         clearance_of_pin(name: &str) = "clearance of {name}";

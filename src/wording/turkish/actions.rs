@@ -129,6 +129,8 @@ catalogue! {
         what_stands_along_x = "x ekseninde ne olduğu";
         extrema = "uç değerler";
         mark_the_extrema = "uç değerleri işaretle";
+        tolerance = "tolerans";
+        what_tolerances_do_to_it = "bir büyüklüğün toleransları";
         band = "bant";
         draw_the_band = "toleransların yaptığı";
 

@@ -59,6 +59,8 @@ catalogue! {
             "{rows} satırdan {some} tanesinde toleransı içindeki her makine kapanmıyor; en kötü \
              durum kapananlarınki";
 
+        no_figure_in_line = "bu satırda büyüklük yok: / ile birini bulun";
+
         // What a scene says of them.
         tolerance_of_point(name: &str) = "{name} noktasının toleransı";
         clearance_of_pin(name: &str) = "{name} piminin boşluğu";

@@ -1,0 +1,48 @@
+//! All that tolerances do to one figure, in the view of lengths.
+
+use super::super::views;
+use super::{App, View};
+use crate::quantity::Catalogue;
+use crate::wording::words;
+
+impl App {
+    /// Tells what tolerances do to the figure that was found, or else to the first one that is seen; or goes back to
+    /// all figures.
+    pub(super) fn tell_tolerance(&mut self) {
+        if self.leave_tolerance() {
+            return;
+        }
+        if self.player.open_scene.scene().tolerances().is_exact() {
+            self.shell.say(words().no_tolerances());
+            return;
+        }
+        let first = self.found_line().unwrap_or(self.scroll(View::Lengths));
+        let lines = views::lines_looked_at(self);
+        let catalogue = Catalogue::new(self.player.open_scene.scene());
+        let named = |line: &String| catalogue.find(line.split_whitespace().next()?);
+        let figure = lines.iter().skip(first).find_map(named);
+        let told = match figure {
+            Some(figure) => self.player.open_scene.tell_tolerance(figure),
+            None => Err(words().no_figure_in_line().into()),
+        };
+        match told {
+            Ok(()) => self.begin_lengths_anew(),
+            Err(why) => self.shell.say(why),
+        }
+    }
+
+    /// Leaves what is told of one figure; false where nothing is.
+    pub(super) fn leave_tolerance(&mut self) -> bool {
+        let was_told = self.player.open_scene.leave_tolerance();
+        if was_told {
+            self.begin_lengths_anew();
+        }
+        was_told
+    }
+
+    /// Other lines stand there now.
+    fn begin_lengths_anew(&mut self) {
+        self.found = None;
+        self.shell.scroll[View::Lengths as usize] = 0;
+    }
+}

@@ -1,0 +1,68 @@
+//! What the workbench tells of tolerances: the band beside a curve, and the page of a figure.
+
+use crate::capability::Colours;
+use crate::drawing::Glyphs;
+use crate::scene::presets;
+use crate::tui::document::opening;
+use crate::tui::{Origin, Workbench};
+
+/// A four-bar whose lengths may be off by 0.5 mm, on a screen with room for names.
+fn workbench() -> Workbench {
+    let preset = presets::find("four-bar").unwrap();
+    let text = format!("tolerance = 0.5\n{}", preset.text);
+    let opened = opening::text(&text, Origin::New("four-bar".into())).unwrap();
+    Workbench::new(opened, Glyphs::Ascii, Colours::None, 120, 40)
+}
+
+#[test]
+fn enter_tells_all_that_tolerances_do_to_a_figure() {
+    let mut workbench = workbench();
+    workbench.press("9");
+    let all = workbench.text();
+    assert!(
+        all.contains("within tolerances") && !all.contains("worst case"),
+        "{all}"
+    );
+    workbench.press("Enter");
+    let first = workbench.text();
+    assert!(
+        first.contains("r3.angle [deg]") && first.contains("worst case"),
+        "{first}"
+    );
+    workbench.press("Enter");
+    assert_eq!(workbench.text(), all);
+    workbench.press("/ C . y Enter Enter");
+    let found = workbench.text();
+    assert!(
+        found.contains("C.y [mm]") && found.contains("99.73 % of samples"),
+        "{found}"
+    );
+    assert!(!found.contains("r3.angle [deg]"), "{found}");
+    workbench.press("Esc");
+    assert!(!workbench.text().contains("worst case"));
+}
+
+#[test]
+fn the_band_is_told_at_the_cursor_and_has_a_key() {
+    let mut workbench = workbench();
+    workbench.press("3 O");
+    let with = workbench.text();
+    let at = with
+        .find("r4.omega worst -")
+        .expect("the band has a legend");
+    assert!(
+        with[at..]
+            .lines()
+            .next()
+            .is_some_and(|line| line.contains('+')),
+        "{with}"
+    );
+    workbench.press("b");
+    let without = workbench.text();
+    assert!(
+        !without.contains("worst -") && without.contains("not drawn"),
+        "{without}"
+    );
+    workbench.press("b");
+    assert!(workbench.text().contains("r4.omega worst -"));
+}
