@@ -8,11 +8,11 @@ use super::box_grid::{BoxGrid, rounding};
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
 
+/// Where no step leads further, each is made so much shorter.
+const SHORTER: f64 = 0.25;
 /// Steps are parts of a tolerance. Down to this one they are tried at a corner,
 const SHORTEST_TRY: f64 = 1.0 / 64.0;
-/// by so much shorter each time;
-const TRIED_LESS: f64 = 0.25;
-/// down to this one, a billionth of a thousandth, where one has led further: at an edge of assembly figures go with the
+/// and down to this one, a billionth of a thousandth, where one has led further: at an edge of assembly figures go with the
 /// root of the way.
 const SHORTEST: f64 = 1e-12;
 
@@ -98,7 +98,7 @@ impl<'b> Search<'b> {
             }
             is_inside |= leads;
             if !leads {
-                step *= if is_inside { 0.5 } else { TRIED_LESS };
+                step *= SHORTER;
             }
         }
         FurthestFound { value, is_inside }
