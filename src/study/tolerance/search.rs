@@ -12,8 +12,7 @@ use super::tolerance_box::ToleranceBox;
 const SHORTER: f64 = 0.25;
 /// Steps are parts of a tolerance. Down to this one they are tried at a corner,
 const SHORTEST_TRY: f64 = 1.0 / 64.0;
-/// and down to this one, a billionth of a thousandth, where one has led further: at an edge of assembly figures go with the
-/// root of the way.
+/// and down to this one where one has led further: at an edge of assembly figures go with the root of the way.
 const SHORTEST: f64 = 1e-12;
 
 /// The worst that was found of a figure at one end of what it can be.
