@@ -1,5 +1,7 @@
 //! The figure of a scene in a state.
 
+mod stops;
+
 use super::figure::{Figure, Role, Shape};
 use super::lit;
 use super::outline::{self, Corner};
@@ -62,6 +64,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
         // A joint at the same place is drawn over a centre of mass or a rider, as the pin of a block is.
         sketch.marks(&[Role::CentreOfMass, Role::Rider]);
         sketch.slides();
+        sketch.stops();
         sketch.lit_line();
         sketch.marks(&[Role::Joint]);
     }

@@ -396,7 +396,7 @@ fn every_kind_of_group_is_held_by_its_stops() {
 #[test]
 fn a_stop_behind_a_coupled_group_is_the_nearest_double() {
     let plain = open(preset("stephenson-six-bar")).unwrap();
-    for limit in [[-5.0, 8.0], [-4.3, 7.1], [-3.7, 6.9], [-2.2, 5.5]] {
+    for limit in [[-5.0, 8.0], [-4.3, 7.7], [-3.7, 7.9], [-2.2, 7.6]] {
         let [low, high] = limit;
         let solver = stopped(
             preset("stephenson-six-bar"),
