@@ -175,17 +175,22 @@ impl MotorReport {
             .map(|alone| alone || self.does_with_flywheel())
     }
 
-    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then neither the root
-    /// of the mean square nor the largest torque is asked of the motor. How little the speed changes then is that of a
-    /// motor whose torque stays at the mean.
+    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then the root of the
+    /// mean square is not asked of the motor. Nor is the largest torque where the fluctuation is as small as is wished:
+    /// it is that of a motor whose torque stays at the mean. Where it is larger, how much of the peak the flywheel takes
+    /// depends on how much the motor gives way, and the peak is asked all the same.
     fn does_with_flywheel(&self) -> bool {
         let Some(mean) = self.mean_with_flywheel() else {
             return false;
         };
         let motor = &self.wishes.motor;
-        let mut torques = [motor.rated, motor.peak].into_iter().flatten();
+        let has_peak = match self.is_even_enough() {
+            Some(true) => motor.peak.is_none_or(|peak| mean <= peak),
+            Some(false) | None => self.fit.peak.is_none_or(|peak| peak.is_enough()),
+        };
+        let has_rated = motor.rated.is_none_or(|rated| mean <= rated);
         let is_fast = self.fit.speed.is_none_or(|speed| speed.is_enough());
-        torques.all(|has| mean <= has) && is_fast
+        has_rated && has_peak && is_fast
     }
 
     /// Everything as JSON; what does not exist is null.
