@@ -143,7 +143,7 @@ fn save(
         };
         if is_lost {
             return Err(Failure::Cannot(
-                words().would_be_lost(&path.display().to_string()),
+                words().scene_would_be_lost(&path.display().to_string()),
             ));
         }
     }

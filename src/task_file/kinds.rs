@@ -103,6 +103,13 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
             same_twice(reader, (k, &pair[0].1), (k + 1, &pair[1].1), help);
         }
     }
+    if let ([first, .., last], Some(true)) = (&read[..], closed)
+        && first.0 == last.0
+    {
+        let again = (read.len() - 1, &last.1);
+        let help = words().take_out_last_point();
+        same_twice(reader, (0, &first.1), again, help);
+    }
     if let Some((_, place)) = pivots.get(2) {
         reader.report(
             Diagnostic::new(words().more_than_two_pivots())
@@ -163,6 +170,24 @@ fn as_many(
             .at(written.span.clone(), ""),
     );
     None
+}
+
+/// Reports a second pivot where slider-cranks alone are looked for, at `linkages`.
+pub(super) fn slider_cranks_have_one_pivot(
+    reader: &mut Reader<'_>,
+    file: &WrittenTask,
+    linkages: &ByteSpan,
+) {
+    // What is no list of points is reported where it is read.
+    let pivots = file.pivots.as_ref().and_then(|pivots| pivots.get());
+    if let Some(second) = pivots.and_then(|pivots| pivots.get(1)) {
+        reader.report(
+            Diagnostic::new(words().slider_crank_has_one_pivot())
+                .at(second.span.clone(), words().one_too_many())
+                .and(linkages.clone(), words().slider_cranks_alone())
+                .help(words().take_out_one_pivot()),
+        );
+    }
 }
 
 /// Pivots or pins that are given, each once.

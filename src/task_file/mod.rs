@@ -72,15 +72,35 @@ struct WrittenTask {
     wishes: Option<Lenient<wishes::WrittenWishes>>,
 }
 
-/// What each kind is called, and the keys that it alone has.
-const KINDS: [(&str, &[&str]); 3] = [
-    ("poses", &["poses", "pivots", "pins"]),
-    (
-        "function",
-        &["pairs", "function", "crank", "output", "size"],
-    ),
-    ("path", &["points", "pivots", "closed", "turns", "weights"]),
-];
+/// The kinds of tasks that are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum WrittenKind {
+    Poses,
+    Function,
+    Path,
+}
+
+impl WrittenKind {
+    const ALL: [WrittenKind; 3] = [WrittenKind::Poses, WrittenKind::Function, WrittenKind::Path];
+
+    /// As `kind` has it.
+    fn name(self) -> &'static str {
+        match self {
+            WrittenKind::Poses => "poses",
+            WrittenKind::Function => "function",
+            WrittenKind::Path => "path",
+        }
+    }
+
+    /// The keys that it has, and not every other kind.
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            WrittenKind::Poses => &["poses", "pivots", "pins"],
+            WrittenKind::Function => &["pairs", "function", "crank", "output", "size"],
+            WrittenKind::Path => &["points", "pivots", "closed", "turns", "weights"],
+        }
+    }
+}
 
 impl TaskFile {
     /// Whether a file is meant as a task: it has a `kind`, which no scene has.
@@ -144,14 +164,25 @@ fn task_file(
     let wishes = wishes::wishes(reader, file.wishes.as_ref());
     let (four_bars, slider_cranks) = linkages(reader, file.linkages.as_ref());
     let kind = kind(reader, root, file)?;
-    if let (true, true, "function", Some(both)) = (four_bars, slider_cranks, kind, &file.linkages) {
-        reader.report(Diagnostic::new(words().one_output()).at(both.span.clone(), ""));
+    if let Some(linkages) = &file.linkages {
+        match kind {
+            WrittenKind::Function if four_bars && slider_cranks => {
+                let place = linkages.span.clone();
+                reader.report(Diagnostic::new(words().one_output()).at(place, ""));
+            }
+            WrittenKind::Poses | WrittenKind::Path if slider_cranks && !four_bars => {
+                kinds::slider_cranks_have_one_pivot(reader, file, &linkages.span);
+            }
+            WrittenKind::Poses | WrittenKind::Function | WrittenKind::Path => {}
+        }
     }
     let task = Task {
         kind: match kind {
-            "poses" => TaskKind::Poses(kinds::poses(reader, file)?),
-            "function" => TaskKind::Function(functions::function(reader, file, slider_cranks)?),
-            _ => TaskKind::Path(kinds::path(reader, file)?),
+            WrittenKind::Poses => TaskKind::Poses(kinds::poses(reader, file)?),
+            WrittenKind::Function => {
+                TaskKind::Function(functions::function(reader, file, slider_cranks)?)
+            }
+            WrittenKind::Path => TaskKind::Path(kinds::path(reader, file)?),
         },
         four_bars,
         slider_cranks,
@@ -172,8 +203,8 @@ fn kind(
     reader: &mut Reader<'_>,
     root: &Lenient<WrittenTask>,
     file: &WrittenTask,
-) -> Option<&'static str> {
-    let names = KINDS.map(|(name, _)| name);
+) -> Option<WrittenKind> {
+    let names = WrittenKind::ALL.map(WrittenKind::name);
     let Some(written) = &file.kind else {
         reader.report(
             Diagnostic::new(words().task_without_kind())
@@ -183,7 +214,8 @@ fn kind(
         return None;
     };
     let written = reader.string("`kind`", written)?;
-    let Some(&(kind, own)) = KINDS.iter().find(|(name, _)| *name == written.text) else {
+    let kinds = WrittenKind::ALL.into_iter();
+    let Some(kind) = kinds.clone().find(|kind| kind.name() == written.text) else {
         let near = did_you_mean(written.text, names);
         let help = near.unwrap_or_else(|| words().these_are_known(&names.join("`, `")));
         reader.report(
@@ -193,12 +225,13 @@ fn kind(
         );
         return None;
     };
-    let others = KINDS.iter().flat_map(|(_, keys)| keys.iter());
+    let own = kind.keys();
+    let others = kinds.flat_map(WrittenKind::keys);
     for key in &root.keys {
         let name = key.get_ref().as_str();
         if others.clone().any(|other| *other == name) && !own.contains(&name) {
             reader.report(
-                Diagnostic::new(words().key_of_another_kind(name, kind))
+                Diagnostic::new(words().key_of_another_kind(name, kind.name()))
                     .at(key.span(), words().belongs_to_another_kind())
                     .help(words().known_keys(&format!("`{}`", own.join("`, `")))),
             );

@@ -354,6 +354,7 @@ fn scenes_are_not_written_over() {
     let again = krank(&args);
     assert_eq!(again.code, 1);
     assert!(again.err.contains("candidate-1.toml"), "{}", again.err);
+    assert!(!again.err.contains("exercise"), "{}", again.err);
     assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
     // A file is no folder.
     let args = [&args[..5], &[path.to_str().unwrap()]].concat();

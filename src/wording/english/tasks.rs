@@ -34,6 +34,10 @@ catalogue! {
         };
         one_too_many = "one too many";
         what_poses_leave_free = "with three poses two of pivots and pins may be given, with more none";
+        take_out_last_point = "take the last one out: `closed = true` says that the path comes back to its first point";
+        slider_crank_has_one_pivot = "a slider-crank has one pivot on the ground, the crank's";
+        slider_cranks_alone = "slider-cranks alone are looked for";
+        take_out_one_pivot = "give one pivot, or add \"four-bar\" to `linkages`";
         count_of_points(count: usize, most: usize) = "a path has 2 to {most} points, not {count}";
         more_than_two_pivots = "a four-bar has two pivots";
         weights_are_positive = "every weight must be more than 0";
@@ -185,6 +189,8 @@ catalogue! {
         no_task_and_no_file(name: &str, meant: &str) = "there is no task and no file `{name}`; there is {meant}";
         example_is_a_task(name: &str) = "it is a task: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` is a preset, not a task: krank {name} opens it (krank help synthesis)";
+        scene_would_be_lost(file: &str) =
+            "`{file}` holds something else, which would be lost; write to another folder, or move it away";
         candidates_written(count: usize, folder: &str) = {
             format!("{} in {folder}", counted(count, "scene", "scenes"))
         };

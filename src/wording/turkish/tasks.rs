@@ -31,6 +31,10 @@ catalogue! {
         too_much_given(poses: usize, given: usize) = "{poses} konumla verilmiş {given} mesnet ya da mafsala yer yok";
         one_too_many = "bir fazla";
         what_poses_leave_free = "üç konumla mesnet ve mafsallardan ikisi verilebilir, daha çok konumla hiçbiri";
+        take_out_last_point = "sonuncuyu çıkarın: `closed = true` yolun ilk noktasına döndüğünü söyler";
+        slider_crank_has_one_pivot = "bir krank-biyelin şasede tek mesnedi vardır, krankınki";
+        slider_cranks_alone = "yalnızca krank-biyel aranıyor";
+        take_out_one_pivot = "tek mesnet verin ya da `linkages` listesine \"four-bar\" ekleyin";
         count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
         more_than_two_pivots = "bir dört çubuk mekanizmasının iki mesnedi vardır";
         weights_are_positive = "her ağırlık 0 değerinden büyük olmalı";
@@ -178,6 +182,8 @@ catalogue! {
         no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
         example_is_a_task(name: &str) = "bu bir görev: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` hazır bir sahne, görev değil: krank {name} onu açar (krank help synthesis)";
+        scene_would_be_lost(file: &str) =
+            "`{file}` içinde başka bir şey var, kaybolurdu; başka bir klasöre yazın ya da onu başka yere taşıyın";
         candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
         examples_of_synthesize = "\
 Örnekler:
