@@ -45,6 +45,7 @@ mod steps;
 mod stop_facts;
 mod sweep;
 mod synthesis;
+mod synthesis_csv;
 #[cfg(test)]
 mod synthesis_reasons;
 mod tables;

@@ -1,7 +1,7 @@
 //! What came of a task: linkages that do it, and those that do not with the reason.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::number::{shortest, significant};
+use super::number::significant;
+use super::synthesis_csv::{defect_words, family};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
     Candidate, MissedWish, OpenReason, Output, Partner, PosedDyad, SceneGoals, SceneTitles,
@@ -10,7 +10,6 @@ use crate::synthesis::{
 use crate::task_file::TaskFile;
 use crate::wording::words;
 use serde_json::{Value, json};
-use std::io;
 
 /// Digits of lengths, and of misses and angles.
 const DIGITS: usize = 6;
@@ -224,12 +223,17 @@ impl SynthesisReport<'_> {
                 Partner::Rocker(d) => json!({ "D": [d.x, d.y] }),
                 Partner::Slide(angle) => json!({ "guide": angle }),
             };
-            let [crank, coupler, rocker, _] = candidate.proposal.all_lengths();
+            let [crank, coupler, rocker, ground] = candidate.proposal.all_lengths();
+            let defect = |defect: &TaskDefect| {
+                let (state, [from, to]) = defect_words(defect);
+                json!({ "state": state, "from": from, "to": to })
+            };
             let figures = &candidate.figures;
             // What was never opened has no figures.
             let told = |figure: f64| is_driven(candidate).then_some(figure);
             let first = candidate.proposal.places.first();
             json!({
+                "family": family(candidate),
                 "A": [pivot.x, pivot.y],
                 "partner": held,
                 "B": first.map(|place| [place[0].x, place[0].y]),
@@ -238,6 +242,7 @@ impl SynthesisReport<'_> {
                 "r2": crank,
                 "r3": coupler,
                 "r4": rocker,
+                "r1": ground,
                 "driver": candidate.at,
                 "full_turn": is_driven(candidate).then_some(figures.full_turn),
                 "transmission": told(figures.transmission),
@@ -247,7 +252,7 @@ impl SynthesisReport<'_> {
                 "rms": told(figures.rms),
                 "angle_miss": told(figures.angle_miss),
                 "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
-                "defects": candidate.defects.iter().map(reason).collect::<Vec<_>>(),
+                "defects": candidate.defects.iter().map(defect).collect::<Vec<_>>(),
             })
         };
         // A spot of the curves of four poses: a pivot with its pin at the first pose, or the guide of a slide with it.
@@ -276,108 +281,6 @@ impl SynthesisReport<'_> {
             "curves": self.found.curves.iter().map(piece).collect::<Vec<_>>(),
         })
     }
-
-    /// A row for each candidate, the defective ones behind the others.
-    ///
-    /// # Errors
-    /// Those of writing.
-    pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
-        const HEADS: [&str; 23] = [
-            "candidate",
-            "A.x",
-            "A.y",
-            "D.x",
-            "D.y",
-            "guide",
-            "B.x",
-            "B.y",
-            "C.x",
-            "C.y",
-            "P.x",
-            "P.y",
-            "r2",
-            "r3",
-            "r4",
-            "transmission",
-            "ratio",
-            "miss",
-            "rms",
-            "angle_miss",
-            "full_turn",
-            "wishes_missed",
-            "state",
-        ];
-        let length = self.file.unit.symbol();
-        let miss = self.miss_unit();
-        let unit = |head: &str| match head {
-            "guide" | "transmission" | "angle_miss" => "deg",
-            "miss" | "rms" => miss,
-            "candidate" | "ratio" | "full_turn" | "wishes_missed" | "state" => "",
-            _ => length,
-        };
-        let head = |head: &str| match unit(head) {
-            "" => head.to_owned(),
-            unit => format!("{head} [{unit}]"),
-        };
-        let mut rows = CsvSheet::new(dialect, to);
-        rows.record(HEADS.map(head))?;
-        let good = (1..).zip(self.told());
-        let good = good.map(|(number, candidate): (usize, _)| (number.to_string(), candidate));
-        let defective = self.found.defective.iter();
-        let defective = defective.map(|candidate| (String::new(), candidate));
-        for (number, candidate) in good.chain(defective) {
-            let proposal = &candidate.proposal;
-            let (d, guide) = match proposal.partner {
-                Partner::Rocker(d) => (Some(d), None),
-                Partner::Slide(angle) => (None, Some(angle)),
-            };
-            let first = proposal.places.first();
-            let places = [
-                Some(proposal.pivot),
-                d,
-                first.map(|place| place[0]),
-                first.map(|place| place[1]),
-                proposal.tracer,
-            ];
-            let [a, d, b, c, p] = places.map(|at| [at.map(|at| at.x), at.map(|at| at.y)]);
-            let [crank, coupler, rocker, _] = candidate.proposal.all_lengths();
-            let figures = &candidate.figures;
-            // What was never opened has no figures.
-            let told = |figure: f64| is_driven(candidate).then_some(figure);
-            let numbers = [a, d, [guide, b[0]], [b[1], c[0]], [c[1], p[0]]];
-            let numbers = numbers.into_iter().flatten().chain([
-                p[1],
-                crank,
-                coupler,
-                rocker,
-                told(figures.transmission),
-                told(figures.ratio),
-                told(figures.miss),
-                told(figures.rms),
-                told(figures.angle_miss),
-            ]);
-            let cell = |number: Option<f64>| {
-                let mut cell = String::new();
-                if let Some(number) = number {
-                    shortest(number, &mut cell);
-                }
-                cell
-            };
-            let state = match candidate.does_it() {
-                true => "ok".to_owned(),
-                false => self.reasons(candidate),
-            };
-            let wishes: Vec<&str> = candidate.missed.iter().map(wish).collect();
-            let turns = told(f64::from(u8::from(figures.full_turn)));
-            let cells = std::iter::once(number).chain(numbers.map(cell)).chain([
-                cell(turns),
-                wishes.join(" "),
-                state,
-            ]);
-            rows.record(cells)?;
-        }
-        rows.finish()
-    }
 }
 
 /// The motion that is wanted, in a few words.
@@ -390,7 +293,7 @@ pub(crate) fn wanted(task: &Task) -> String {
 }
 
 /// Whether the solver could open it at the first point.
-fn is_driven(candidate: &Candidate) -> bool {
+pub(super) fn is_driven(candidate: &Candidate) -> bool {
     !candidate.defects.contains(&TaskDefect::Unopened)
 }
 
@@ -412,6 +315,7 @@ fn reason(defect: &TaskDefect) -> String {
         TaskDefect::Short => words().short_of_range().into(),
         TaskDefect::StructuralError => words().misses_its_function().into(),
         TaskDefect::Missed { point } => words().point_missed(point + 1),
+        TaskDefect::Far { point } => words().point_far_off(point + 1),
     }
 }
 
@@ -437,7 +341,7 @@ fn reason_name(reason: OpenReason) -> &'static str {
 }
 
 /// As the task file names it.
-fn wish(wish: &MissedWish) -> &'static str {
+pub(super) fn wish(wish: &MissedWish) -> &'static str {
     match wish {
         MissedWish::FullTurn => "full-turn",
         MissedWish::Transmission => "transmission",

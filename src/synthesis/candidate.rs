@@ -12,6 +12,8 @@ use crate::solver::{Condition, Order, Range, Solver};
 /// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage, and a body beside a pose that
 /// is to be met: an angle in radians.
 const SAME: f64 = 1e-7;
+/// What the led point of a path may miss of a point, in parts of the path's size: beyond that it is another path.
+const FAR: f64 = 0.05;
 /// Linkages that differ by less than this part of their size are one.
 const ONE: f64 = 1e-6;
 
@@ -133,8 +135,10 @@ impl Candidate {
             scene: &scene,
             solver: &solver,
         };
-        if let Err(point) = drive.measure(&at[..points], &mut figures) {
-            defects.push(TaskDefect::Missed { point });
+        match drive.measure(&at[..points], &mut figures) {
+            Err(point) => defects.push(TaskDefect::Missed { point }),
+            Ok(Some(point)) if defects.is_empty() => defects.push(TaskDefect::Far { point }),
+            Ok(_) => {}
         }
         if let TaskKind::Function(function) = &task.kind {
             match run.and_then(|run| output_misses(function, &run)) {
@@ -220,7 +224,10 @@ impl TaskDefect {
                 (from < to).then_some(*to)
             }
             TaskDefect::Missed { point } => Some(*point),
-            TaskDefect::Order { .. } | TaskDefect::Short | TaskDefect::StructuralError => None,
+            TaskDefect::Order { .. }
+            | TaskDefect::Short
+            | TaskDefect::StructuralError
+            | TaskDefect::Far { .. } => None,
         }
     }
 }
@@ -234,11 +241,12 @@ struct TaskDrive<'a> {
 }
 
 impl TaskDrive<'_> {
-    /// By how much it misses each point, by the solver's figures alone.
+    /// By how much it misses each point, by the solver's figures alone. The point of a path that is missed most, as far as
+    /// it counts, where that is another path.
     ///
     /// # Errors
     /// The point at which the solver does not find the linkage where it was proposed, or the body in its pose.
-    fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<(), usize> {
+    fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<Option<usize>, usize> {
         let mechanism = self.solver.mechanism();
         let named = |name: &str| {
             let mut points = mechanism.point_ids();
@@ -251,6 +259,8 @@ impl TaskDrive<'_> {
         let mut turned_from = 0.0;
         let mut squares = 0.0;
         let mut weights = 0.0;
+        // A miss counts by the root of its weight, as in the mean square.
+        let mut farthest = (None, FAR * self.task.size());
         for (point, &at) in at.iter().enumerate() {
             if self.solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
                 return Err(point);
@@ -281,6 +291,11 @@ impl TaskDrive<'_> {
                 }) => {
                     let p = p.and_then(place).ok_or(point)?;
                     let weight = weights.get(point).copied().unwrap_or(1.0);
+                    let most = weights.iter().copied().fold(weight, f64::max);
+                    let counts = (weight / most).sqrt() * (p - points[point]).norm();
+                    if counts > farthest.1 {
+                        farthest = (Some(point), counts);
+                    }
                     ((p - points[point]).norm(), 0.0, weight)
                 }
                 // Told of the whole range, below.
@@ -296,7 +311,7 @@ impl TaskDrive<'_> {
         } else {
             0.0
         };
-        Ok(())
+        Ok(farthest.0)
     }
 }
 

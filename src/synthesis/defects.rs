@@ -45,6 +45,11 @@ pub enum TaskDefect {
         /// The point.
         point: usize,
     },
+    /// The led point of a path passes this point at a distance that is no small part of the path's size.
+    Far {
+        /// The point that is missed most, as far as it counts.
+        point: usize,
+    },
 }
 
 /// On which side of its dead points a linkage stands: 0 where it stands in one.

@@ -318,6 +318,9 @@ fn csv_has_the_doubles_of_json() {
             ("P.x", &candidate["P"][0]),
             ("r2", &candidate["r2"]),
             ("r4", &candidate["r4"]),
+            ("r1", &candidate["r1"]),
+            ("from", &candidate["defects"][0]["from"]),
+            ("to", &candidate["defects"][0]["to"]),
             ("transmission", &candidate["transmission"]),
             ("ratio", &candidate["ratio"]),
             ("miss", &candidate["miss"]),
@@ -330,7 +333,37 @@ fn csv_has_the_doubles_of_json() {
     }
     assert_eq!(table[0][0], "1");
     assert_eq!(table[0][column("state")], "ok");
+    assert_eq!(table[0][column("family")], "four-bar");
     assert_eq!(table[good.len()][0], "", "what is defective has no number");
+    assert_eq!(table[good.len()][column("state")], "circuit");
+    assert_eq!(table[good.len() + 1][column("state")], "branch");
+    // What programs read is no matter of the language.
+    for format in ["csv", "json"] {
+        let args = ["synthesize", "hatch", "--format", format];
+        assert_eq!(spoken("tr", &folder("synthesize"), &args).out, of(format));
+    }
+}
+
+/// No four-bar draws a square: the nearest ones are told as such, and none as doing it.
+#[test]
+fn what_passes_far_off_does_no_task() {
+    let points = "[[0, 0], [50, 0], [100, 0], [100, 50], [100, 100], [50, 100], [0, 100], [0, 50]]";
+    let text = format!("kind = \"path\"\nclosed = true\npoints = {points}\n");
+    let ended = krank(&[
+        "synthesize",
+        &task("square.toml", &text),
+        "--format",
+        "json",
+    ]);
+    assert_eq!(ended.code, 1, "{}", ended.err);
+    let told = json(&ended.out);
+    assert_eq!(told["candidates"].as_array().unwrap().len(), 0);
+    let first = &told["defective"][0];
+    assert_eq!(first["defects"][0]["state"], "far");
+    assert!(
+        number(&first["miss"]) > 0.05 * 100.0 * 2.0_f64.sqrt(),
+        "{first}"
+    );
 }
 
 #[test]

@@ -124,6 +124,7 @@ catalogue! {
         short_of_range = "it comes to every pair, but does not close over the whole range";
         misses_its_function = "structural error: it misses the function by more than a tenth of the output's swing (rms)";
         point_missed(point: usize) = "it does not come to point {point}";
+        point_far_off(point: usize) = "far off: it passes point {point} at more than 5 % of the path's size";
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
         candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
         driven_as_written(miss: &str, unit: &str) =

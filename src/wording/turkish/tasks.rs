@@ -117,6 +117,7 @@ catalogue! {
         short_of_range = "her çifte gelir, ama aralığın tümünde kapanmaz";
         misses_its_function = "yapısal hata: işlevden, çıkışın salınımının onda birinden çok sapıyor (rms)";
         point_missed(point: usize) = "{point} noktasına gelmiyor";
+        point_far_off(point: usize) = "uzak: {point} noktasının yanından yolun boyutunun % 5'inden daha uzakta geçer";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
         driven_as_written(miss: &str, unit: &str) =

@@ -1,0 +1,173 @@
+//! Candidates as CSV: one table of columns, and words that are the same in every language.
+
+use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::number::shortest;
+use super::synthesis::{SynthesisReport, is_driven, wish};
+use crate::Vec2;
+use crate::synthesis::{Candidate, Partner, TaskDefect};
+use std::io;
+
+/// In what a column measures.
+#[derive(Clone, Copy)]
+enum ColumnMeasure {
+    Plain,
+    Degrees,
+    /// The task's unit.
+    Length,
+    /// Degrees of a function of angles, else lengths.
+    Miss,
+}
+
+/// What stands in a cell.
+enum CellValue {
+    Number(Option<f64>),
+    Word(String),
+}
+
+type Column = (&'static str, ColumnMeasure, fn(&Candidate) -> CellValue);
+
+/// All columns behind the number of the candidate.
+const COLUMNS: [Column; 27] = {
+    use CellValue::{Number, Word};
+    use ColumnMeasure::{Degrees, Length, Miss, Plain};
+    [
+        ("family", Plain, |c| Word(family(c).to_owned())),
+        ("A.x", Length, |c| Number(Some(c.proposal.pivot.x))),
+        ("A.y", Length, |c| Number(Some(c.proposal.pivot.y))),
+        ("D.x", Length, |c| Number(far_pivot(c).map(|d| d.x))),
+        ("D.y", Length, |c| Number(far_pivot(c).map(|d| d.y))),
+        ("guide", Degrees, |c| Number(guide(c))),
+        ("B.x", Length, |c| Number(pin(c, 0).map(|b| b.x))),
+        ("B.y", Length, |c| Number(pin(c, 0).map(|b| b.y))),
+        ("C.x", Length, |c| Number(pin(c, 1).map(|at| at.x))),
+        ("C.y", Length, |c| Number(pin(c, 1).map(|at| at.y))),
+        ("P.x", Length, |c| Number(c.proposal.tracer.map(|p| p.x))),
+        ("P.y", Length, |c| Number(c.proposal.tracer.map(|p| p.y))),
+        ("r2", Length, |c| Number(c.proposal.all_lengths()[0])),
+        ("r3", Length, |c| Number(c.proposal.all_lengths()[1])),
+        ("r4", Length, |c| Number(c.proposal.all_lengths()[2])),
+        ("r1", Length, |c| Number(c.proposal.all_lengths()[3])),
+        ("transmission", Degrees, |c| {
+            Number(told(c, c.figures.transmission))
+        }),
+        ("transmission_throughout", Degrees, |c| {
+            Number(told(c, c.figures.transmission_throughout))
+        }),
+        ("ratio", Plain, |c| Number(told(c, c.figures.ratio))),
+        ("miss", Miss, |c| Number(told(c, c.figures.miss))),
+        ("rms", Miss, |c| Number(told(c, c.figures.rms))),
+        ("angle_miss", Degrees, |c| {
+            Number(told(c, c.figures.angle_miss))
+        }),
+        ("full_turn", Plain, |c| {
+            Number(told(c, f64::from(u8::from(c.figures.full_turn))))
+        }),
+        ("wishes_missed", Plain, |c| {
+            Word(c.missed.iter().map(wish).collect::<Vec<_>>().join(" "))
+        }),
+        ("state", Plain, |c| Word(first_defect(c).0.to_owned())),
+        ("from", Plain, |c| Number(counted(first_defect(c).1[0]))),
+        ("to", Plain, |c| Number(counted(first_defect(c).1[1]))),
+    ]
+};
+
+impl SynthesisReport<'_> {
+    /// A row for each candidate, the defective ones behind the others. `state` is `ok` or the first defect, `from` and `to`
+    /// the points between which it lies; JSON has all defects.
+    ///
+    /// # Errors
+    /// Those of writing.
+    pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
+        let head = |(name, measure, _): &Column| {
+            let unit = match measure {
+                ColumnMeasure::Plain => return (*name).to_owned(),
+                ColumnMeasure::Degrees => "deg",
+                ColumnMeasure::Length => self.file.unit.symbol(),
+                ColumnMeasure::Miss => self.miss_unit(),
+            };
+            format!("{name} [{unit}]")
+        };
+        let cells = |candidate: &Candidate| {
+            COLUMNS.map(|(_, _, value)| match value(candidate) {
+                CellValue::Word(word) => word,
+                CellValue::Number(number) => {
+                    let mut cell = String::new();
+                    if let Some(number) = number {
+                        shortest(number, &mut cell);
+                    }
+                    cell
+                }
+            })
+        };
+        let mut rows = CsvSheet::new(dialect, to);
+        let heads = std::iter::once("candidate".to_owned());
+        rows.record(heads.chain(COLUMNS.iter().map(head)))?;
+        for (number, candidate) in (1..).zip(self.told()) {
+            let number: usize = number;
+            rows.record(std::iter::once(number.to_string()).chain(cells(candidate)))?;
+        }
+        // What is defective has no number.
+        for candidate in &self.found.defective {
+            rows.record(std::iter::once(String::new()).chain(cells(candidate)))?;
+        }
+        rows.finish()
+    }
+}
+
+/// What a linkage is, as `linkages` of a task names it.
+pub(super) fn family(candidate: &Candidate) -> &'static str {
+    match candidate.proposal.partner {
+        Partner::Rocker(_) => "four-bar",
+        Partner::Slide(_) => "slider-crank",
+    }
+}
+
+/// A defect in a word that no language changes, and between which points it lies, counted from 1.
+pub(super) fn defect_words(defect: &TaskDefect) -> (&'static str, [Option<usize>; 2]) {
+    let between = |from: &usize, to: &usize| [Some(from + 1), Some(to + 1)];
+    let at = |point: &usize| [Some(point + 1); 2];
+    match defect {
+        TaskDefect::Unopened => ("unopened", [None; 2]),
+        TaskDefect::Branch { from, to } => ("branch", between(from, to)),
+        TaskDefect::Circuit { from, to } => ("circuit", between(from, to)),
+        TaskDefect::Order { from, to } => ("order", between(from, to)),
+        TaskDefect::Short => ("short", [None; 2]),
+        TaskDefect::Missed { point } => ("missed", at(point)),
+        TaskDefect::Far { point } => ("far", at(point)),
+        TaskDefect::StructuralError => ("far", [None; 2]),
+    }
+}
+
+fn first_defect(candidate: &Candidate) -> (&'static str, [Option<usize>; 2]) {
+    let first = candidate.defects.first();
+    first.map_or(("ok", [None; 2]), defect_words)
+}
+
+fn counted(point: Option<usize>) -> Option<f64> {
+    point.map(|point| point as f64)
+}
+
+fn far_pivot(candidate: &Candidate) -> Option<Vec2> {
+    match candidate.proposal.partner {
+        Partner::Rocker(d) => Some(d),
+        Partner::Slide(_) => None,
+    }
+}
+
+fn guide(candidate: &Candidate) -> Option<f64> {
+    match candidate.proposal.partner {
+        Partner::Rocker(_) => None,
+        Partner::Slide(angle) => Some(angle),
+    }
+}
+
+/// B or C where it opens.
+fn pin(candidate: &Candidate, which: usize) -> Option<Vec2> {
+    let first = candidate.proposal.places.first();
+    first.map(|pins| pins[which])
+}
+
+/// What was never opened has no figures.
+fn told(candidate: &Candidate, figure: f64) -> Option<f64> {
+    is_driven(candidate).then_some(figure)
+}
