@@ -63,7 +63,7 @@ fn a_value_is_typed_with_a_unit_and_everything_follows() {
             "D y 0 mm",
             "> r2 length 4,5 in",
             "r2 com x 0 mm",
-            "edit r2 length in mm, cm, m, in",
+            "edit r2 length [mm, cm, m, in]",
         ];
         assert_told(&typing, &told);
         let drawn_before = pane(&session.body(), true);
@@ -108,7 +108,7 @@ fn what_cannot_be_leaves_the_last_good_state() {
         ("5 kg", "kg does not fit here: mm, cm, m, in"),
         (
             "much",
-            "no number: much; type one, alone or in mm, cm, m, in",
+            "no number: much; type one, alone or with a unit: mm, cm, m, in",
         ),
     ] {
         let line = session
