@@ -43,6 +43,7 @@ mod rows;
 mod slide_facts;
 mod steps;
 mod stop_facts;
+mod structural_error;
 mod sweep;
 mod synthesis;
 mod synthesis_csv;

@@ -1,6 +1,7 @@
 //! What came of a task: linkages that do it, and those that do not with the reason.
 
 use super::number::significant;
+use super::structural_error::StructuralError;
 use super::synthesis_csv::{defect_words, family};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
@@ -100,6 +101,9 @@ impl SynthesisReport<'_> {
         if !self.told().is_empty() {
             page.table(self.table());
         }
+        if let Some(plot) = self.error_of_best() {
+            page.add(Content::Characters(plot));
+        }
         let reasons = self.found.defective.iter().take(MOST_DEFECTIVE);
         if reasons.len() > 0 {
             let mut facts = Facts::default();
@@ -111,6 +115,12 @@ impl SynthesisReport<'_> {
             page.add(Content::Facts(facts));
         }
         page
+    }
+
+    /// The structural error of the first over its whole range.
+    fn error_of_best(&self) -> Option<Vec<String>> {
+        let error = StructuralError::of(&self.file.task, self.told().first()?)?;
+        error.plot(self.miss_unit())
     }
 
     /// How many were found, and whether there are others.
@@ -251,6 +261,8 @@ impl SynthesisReport<'_> {
                 "miss": told(figures.miss),
                 "rms": told(figures.rms),
                 "angle_miss": told(figures.angle_miss),
+                "structural_error": StructuralError::of(&self.file.task, candidate)
+                    .map(|error| error.pairs()),
                 "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
                 "defects": candidate.defects.iter().map(defect).collect::<Vec<_>>(),
             })

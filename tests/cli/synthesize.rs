@@ -212,6 +212,12 @@ fn the_scenes_of_a_function_err_by_what_is_told() {
         let worst = worst.fold(0.0, f64::max);
         let miss = number(&candidate["miss"]);
         assert!((worst - miss).abs() < 0.01 * miss + 1e-9, "{worst} {miss}");
+        let told = candidate["structural_error"].as_array().unwrap();
+        assert!(told.len() > 100 && pair(&told[0])[0] == 1.0);
+        for one in told {
+            let [x, told] = pair(one);
+            assert!((error(x) - told).abs() < 1e-6, "{x} {told}");
+        }
     }
 }
 

@@ -123,6 +123,7 @@ catalogue! {
         order_between(from: usize, to: usize) = "order: the crank turns back from point {from} to {to}";
         short_of_range = "it comes to every pair, but does not close over the whole range";
         misses_its_function = "structural error: it misses the function by more than a tenth of the output's swing (rms)";
+        structural_error = "structural error of 1";
         point_missed(point: usize) = "it does not come to point {point}";
         point_far_off(point: usize) = "far off: it passes point {point} at more than 5 % of the path's size";
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";

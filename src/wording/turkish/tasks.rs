@@ -116,6 +116,7 @@ catalogue! {
         order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
         short_of_range = "her çifte gelir, ama aralığın tümünde kapanmaz";
         misses_its_function = "yapısal hata: işlevden, çıkışın salınımının onda birinden çok sapıyor (rms)";
+        structural_error = "1 için yapısal hata";
         point_missed(point: usize) = "{point} noktasına gelmiyor";
         point_far_off(point: usize) = "uzak: {point} noktasının yanından yolun boyutunun % 5'inden daha uzakta geçer";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
