@@ -1,9 +1,10 @@
 //! A proposal that was driven through its task.
 
 use super::defects::{GivenWay, TaskDefect, crank_way};
-use super::functions::{self, FunctionRun};
+use super::functions::FunctionRun;
 use super::machine::{SceneTitles, scene_text};
-use super::{FunctionTask, Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
+use super::output_misses::OutputMisses;
+use super::{Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
 use crate::Vec2;
 use crate::angle::{TURN, beside, degrees, unit};
 use crate::scene::Scene;
@@ -141,7 +142,7 @@ impl Candidate {
             Ok(_) => {}
         }
         if let TaskKind::Function(function) = &task.kind {
-            match run.and_then(|run| output_misses(function, &run)) {
+            match run.and_then(|run| OutputMisses::of(function, &run)) {
                 Some(misses) => {
                     (figures.miss, figures.rms) = (misses.worst, misses.rms);
                     // On another branch it misses for that reason.
@@ -430,44 +431,6 @@ fn missed(
         wish(turns, MissedWish::Sense);
     }
     missed
-}
-
-/// By how much an output misses what is wanted of it.
-struct OutputMisses {
-    worst: f64,
-    rms: f64,
-    /// How far it is to go.
-    swing: f64,
-}
-
-impl OutputMisses {
-    /// Whether it still follows its function.
-    fn follows(&self) -> bool {
-        self.rms <= functions::USELESS * self.swing
-    }
-}
-
-/// Over the range where that is known, else at the pairs. `None` where it does not close.
-fn output_misses(task: &FunctionTask, run: &FunctionRun) -> Option<OutputMisses> {
-    let mut worst = 0.0_f64;
-    for [x, y] in &task.pairs {
-        worst = worst.max(run.error(*x, *y)?.abs());
-    }
-    let range = match task.between.is_empty() {
-        true => &task.pairs,
-        false => &task.between,
-    };
-    let mut squares = 0.0;
-    for [x, y] in range {
-        let error = run.error(*x, *y)?;
-        worst = worst.max(error.abs());
-        squares += error * error;
-    }
-    Some(OutputMisses {
-        worst,
-        rms: (squares / range.len() as f64).sqrt(),
-        swing: run.swing(task.pairs.iter().chain(&task.between)),
-    })
 }
 
 /// Whether a place lies in the box of two opposite corners.

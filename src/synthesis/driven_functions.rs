@@ -1,7 +1,8 @@
 //! What is told of planted linkages when they are driven, against figures of the test's own formulas.
 
 use super::{
-    Candidate, FunctionTask, Given, Output, Task, TaskKind, Wishes, functions::FunctionSearch,
+    Candidate, FunctionTask, Given, Output, Task, TaskDefect, TaskKind, Wishes,
+    functions::FunctionSearch,
 };
 
 /// A planted function with its crank at x degrees, and the output at y.
@@ -76,6 +77,46 @@ impl PlantedRange {
         let looks = (0..=20_000).map(|k| from + (to - from) * f64::from(k) / 20_000.0);
         looks.map(|at| self.transmission(at)).fold(90.0, f64::min)
     }
+}
+
+/// What comes to every pair, but errs between them by more than a tenth of the swing, does not follow its function.
+#[test]
+fn a_linkage_that_strays_between_the_pairs_is_a_defect() {
+    let planted = PlantedRange {
+        output: Output::Angle,
+        lengths: [1.2, 0.9, 0.8],
+        side: 1.0,
+        ends: [20.0, 60.0],
+    };
+    // A wave that is 0 at all three pairs: its root mean square is its height by the root of 2.
+    let judged = |part: f64| {
+        let mut task = planted.task();
+        let TaskKind::Function(function) = &mut task.kind else {
+            unreachable!("it is a function")
+        };
+        let pairs = function.between.iter().map(|pair| pair[1]);
+        let (low, high) = pairs.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+            (low.min(y), high.max(y))
+        });
+        let height = part * (high - low) * 2.0_f64.sqrt();
+        for [x, y] in &mut function.between {
+            *y += height * ((*x - 20.0) / 20.0 * std::f64::consts::PI).sin();
+        }
+        let search = FunctionSearch {
+            task: function,
+            threads: 1,
+        };
+        let found = search.run(&mut |_| true).found;
+        let judged = found.iter().map(|one| Candidate::judge(&task, one));
+        let nearest = |a: &Candidate, b: &Candidate| a.figures.rms.total_cmp(&b.figures.rms);
+        let driven = judged.filter(|one| one.figures.rms > 0.0);
+        (driven.min_by(nearest).expect("it is found"), high - low)
+    };
+    let (near, swing) = judged(0.08);
+    assert_eq!(near.defects, []);
+    assert!((near.figures.rms - 0.08 * swing).abs() < 2e-3 * swing);
+    let (far, _) = judged(0.14);
+    assert_eq!(far.defects, [TaskDefect::StructuralError]);
 }
 
 /// The solver counts the crank of a linkage that swings from another turn than the task does.

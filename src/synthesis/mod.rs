@@ -27,6 +27,7 @@ mod driven_functions;
 pub mod functions;
 mod goals;
 mod machine;
+mod output_misses;
 mod paths;
 #[cfg(test)]
 mod planted;

@@ -76,7 +76,7 @@ pub(super) fn function(
     let all = || course.between.iter().chain(&course.pairs);
     // Of a formula the first in between is where its range begins; of pairs the first is the least.
     let [x, y] = *all().next()?;
-    let courses = [(0, x), (1, y)].map(|(part, first)| SideCourse {
+    let courses = [(0, x), (1, y)].map(|(part, first)| ValueCourse {
         first,
         span: span(all(), part),
     });
@@ -195,7 +195,7 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
 }
 
 /// The x, or the y, of a course.
-struct SideCourse {
+struct ValueCourse {
     /// Its value at the least x.
     first: f64,
     /// From its least value to its greatest.
@@ -216,7 +216,7 @@ fn side(
     reader: &mut Reader<'_>,
     key: &str,
     value: Option<&Lenient<WrittenSide>>,
-    course: &SideCourse,
+    course: &ValueCourse,
     measure: Dimension,
 ) -> Option<(Given, Given)> {
     let Some(value) = value else {

@@ -1,7 +1,8 @@
 //! Where algebra does not reach: least squares from many starts, which proves nothing complete.
 //!
-//! A start is a linkage through a few of the pairs, or nearly through all, by algebra; datums are found with it, and
-//! only scales are tried, by how far crank and output swing over the pairs. Starts are the same ones at every call.
+//! A start is a linkage through a few of the pairs, or nearly through all, by algebra. Datums are found with it, and scales
+//! are tried, by how far crank and output swing over the pairs; where scales are given and pairs are many, datums are tried
+//! as well. Starts are the same ones at every call.
 
 use super::refine::FunctionDesign;
 use super::stages::Stages;
@@ -56,13 +57,13 @@ pub(super) fn order(output: Output) -> [usize; 4] {
 pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec<f64> {
     let span = wanted.span(index / 2);
     // Each is more than the one before it by the same part.
-    let evenly = |[low, high]: [f64; 2], count: usize| {
+    let growing = |[low, high]: [f64; 2], count: usize| {
         let parts = count.saturating_sub(1).max(1) as f64;
         (0..count).map(move |k| low * (high / low).powf(k as f64 / parts))
     };
     let both = |swings: [f64; 2], unit: f64| {
         let half = count.div_ceil(2);
-        let swings = evenly(swings, half).map(|swing| swing * unit);
+        let swings = growing(swings, half).map(|swing| swing * unit);
         swings.flat_map(|swing| [swing, -swing]).collect()
     };
     let turn = PI / 180.0 / span;
@@ -99,9 +100,10 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
                 false => Some(lower),
             }
         };
-        let followed = stages.each([begun, done], found.len(), follow);
-        if followed.is_empty() {
-            break;
+        let mut followed = stages.each([begun, done], found.len(), follow);
+        if !stages.is_on() && number > 1 {
+            // What was not followed any more is what it was.
+            followed.extend(found.into_iter().map(Some));
         }
         found = different(if is_last { wanted } else { &leading }, followed);
         found.truncate(kept);
