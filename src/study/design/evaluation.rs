@@ -118,6 +118,20 @@ impl DesignFigures {
         }
     }
 
+    pub(super) fn cycle_figures(&self) -> &CycleFigures {
+        &self.figures
+    }
+
+    /// The solver of a design that is changed in place and whose numbers are lengths, and which each of them is.
+    pub(super) fn in_place(&mut self, numbers: &[f64]) -> Option<(Solver, Vec<Length>)> {
+        let quick = self.quick.as_mut().filter(|_| !self.has_formulas)?;
+        let plain = quick.plain.as_ref()?;
+        let mechanism = plainly_changed(&self.space, plain, &quick.lengths, numbers)?;
+        let lengths = plain.iter().map(|&length| quick.lengths[length]).collect();
+        let solver = quick.solver(self.space.solver().mechanism(), &mechanism)?;
+        Some((solver, lengths))
+    }
+
     pub(super) fn quickly(&mut self, numbers: &[f64]) -> Option<Vec<Result<f64, NoFigure>>> {
         let quick = self.quick.as_mut()?;
         if let Some(plain) = quick.plain.as_ref().filter(|_| !self.has_formulas) {

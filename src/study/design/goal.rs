@@ -133,6 +133,22 @@ impl Goal {
         self.miss(value) / self.size
     }
 
+    /// The derivative of [`Goal::part`] where the figure has this value and this derivative.
+    pub(super) fn slope_of_part(&self, value: f64, slope: f64) -> f64 {
+        match self.sense == GoalSense::Equal || self.miss(value) != 0.0 {
+            true => slope / self.size,
+            false => 0.0,
+        }
+    }
+
+    /// The derivative of [`Goal::slack`] where the figure has this derivative.
+    pub(super) fn slope_of_slack(&self, slope: f64) -> f64 {
+        match self.sense {
+            GoalSense::Equal | GoalSense::AtLeast => slope / self.size,
+            GoalSense::AtMost => -slope / self.size,
+        }
+    }
+
     /// What a value leaves, in parts of the goal's size: of what it is not to be less or more than how far it is on the
     /// good side, below nought where it is missed; of what it is to be equal to how much it is more.
     pub(super) fn slack(&self, value: f64) -> f64 {

@@ -182,9 +182,26 @@ impl Judge {
         moved.collect()
     }
 
-    /// The derivatives at a design, by differences of this part of the way between the ends: to both sides or, where that
+    fn exact_ones(&mut self, design: &Judged) -> Option<Slopes> {
+        let slopes = self.figures.exact_slopes(&design.numbers)?;
+        let size = |i: usize| self.ends[i][1] - self.ends[i][0];
+        let (value, slacks) = slopes.split_first()?;
+        let sense = if self.greatest { -1.0 } else { 1.0 };
+        let count = self.ends.len();
+        Some(Slopes {
+            value: DVector::from_fn(count, |i, _| sense * value[i] * size(i)),
+            slacks: DMatrix::from_fn(self.constraints.len(), count, |k, i| {
+                self.constraints[k].slope_of_slack(slacks[k][i] * size(i))
+            }),
+        })
+    }
+
+    /// The derivatives at a design: the solver's own where every figure has them, else by differences of this part of the way between the ends: to both sides or, where that
     /// is enough, to one.
     pub(super) fn slopes(&mut self, design: &Judged, part: f64, to_both: bool) -> Option<Slopes> {
+        if let Some(slopes) = self.exact_ones(design) {
+            return Some(slopes);
+        }
         let count = self.ends.len();
         let mut slopes = Slopes {
             value: DVector::zeros(count),

@@ -1,7 +1,7 @@
 //! The method of Levenberg and Marquardt: from one start to numbers that miss the goals least.
 //!
 //! Residuals are the goals' misses in parts of their size, those of `>=` and `<=` nought where they are met. The
-//! derivatives are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
+//! derivatives are the solver's own where figures are columns at some places; of others they are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
 //! them eight digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
 //! its start is found.
 
@@ -104,8 +104,26 @@ impl GoalSearch {
         }
     }
 
-    /// The derivatives of the misses by the numbers in parts of their sizes.
+    /// The derivatives of the misses by the numbers in parts of their sizes: by the solver's own where every figure has
+    /// them, else by differences.
     pub(super) fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
+        self.exact_ones(place).or_else(|| self.differences(place))
+    }
+
+    fn exact_ones(&mut self, place: &Place) -> Option<DMatrix<f64>> {
+        let slopes = self.figures.exact_slopes(&place.numbers)?;
+        let values = self.figures.of(&place.numbers).ok()?;
+        let values: Option<Vec<f64>> = values.into_iter().map(Result::ok).collect();
+        let values = values?;
+        let slope = |goal: usize, i: usize| {
+            let slope = slopes[goal][i] * self.sizes[i];
+            self.goals[goal].slope_of_part(values[goal], slope)
+        };
+        let count = place.numbers.len();
+        Some(DMatrix::from_fn(self.goals.len(), count, slope))
+    }
+
+    pub(super) fn differences(&mut self, place: &Place) -> Option<DMatrix<f64>> {
         let columns = (0..place.numbers.len()).map(|i| {
             let by = DIFFERENCE * self.sizes[i];
             let mut at = |by: f64| {

@@ -14,6 +14,7 @@
 //! optimise   the best numbers under constraints: differential evolution
 //! judge      how good a design is there, and the shortest way onto what is to be equal
 //! polish     from the best design of it to the best one around
+//! exact_slopes  derivatives of figures without differences
 //! hold       what holds it there: constraints and ends
 //! kink       the same where the figure has no slope
 //! ```
@@ -21,7 +22,10 @@
 #[cfg(test)]
 mod best_tests;
 mod evaluation;
+mod exact_slopes;
 mod goal;
+#[cfg(test)]
+mod goal_tests;
 mod hold;
 mod judge;
 mod kink;

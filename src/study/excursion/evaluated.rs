@@ -74,6 +74,47 @@ impl CycleFigures {
         &self.figures
     }
 
+    /// For each figure the column that it is of, and the places at which it is that, with their signs: a stroke is the
+    /// greatest less the least. To first order these places stay where they are while lengths change. `None` where a
+    /// figure is made otherwise, or the driver turns back: an end of its range moves.
+    pub(crate) fn places(&self, solver: &Solver) -> Option<Vec<(Quantity, Vec<(f64, f64)>)>> {
+        let Range::Full { .. } = solver.motion().range else {
+            return None;
+        };
+        let wish = ExcursionWish::default();
+        let excursions = Excursion::of_all(solver, &self.columns, wish);
+        let places = |figure: &CycleFigure| {
+            let CycleFigureSource::Of(column, property) = &figure.source else {
+                return None;
+            };
+            let excursion = || {
+                let place = self.columns.iter().position(|other| other == column)?;
+                let found = excursions.get(place)?.as_ref().ok()?;
+                (found.revolutions == 0.0 && !found.is_level()).then_some(found)
+            };
+            let places = match property {
+                FigureProperty::At(at) => vec![(*at, 1.0)],
+                FigureProperty::Least => vec![(excursion()?.least.at, 1.0)],
+                FigureProperty::Greatest => vec![(excursion()?.greatest.at, 1.0)],
+                FigureProperty::Stroke => {
+                    let found = excursion()?;
+                    vec![(found.greatest.at, 1.0), (found.least.at, -1.0)]
+                }
+                FigureProperty::LeastAt
+                | FigureProperty::GreatestAt
+                | FigureProperty::Turns
+                | FigureProperty::Ratio
+                | FigureProperty::Dwell
+                | FigureProperty::Fastest
+                | FigureProperty::FastestAt
+                | FigureProperty::Hardest
+                | FigureProperty::HardestAt => return None,
+            };
+            Some((column.clone(), places))
+        };
+        self.figures.iter().map(places).collect()
+    }
+
     /// Their values for a mechanism, each or the reason why there is none.
     #[must_use]
     pub fn of(&self, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
