@@ -110,7 +110,7 @@ impl Candidate {
         let range = solver.motion().range;
         let run = match &task.kind {
             TaskKind::Function(function) => FunctionRun::of(function, &proposal),
-            _ => None,
+            TaskKind::Poses(_) | TaskKind::Path(_) => None,
         };
         let way = given_way(task, &proposal, run.as_ref());
         let (at, mut defects) = crank_way(&proposal, range, &task.wishes, &way);
@@ -200,7 +200,8 @@ impl Candidate {
             let held = match (a.partner, b.partner) {
                 (Partner::Rocker(a), Partner::Rocker(b)) => near(a, b),
                 (Partner::Slide(a), Partner::Slide(b)) => (unit(a).cross(unit(b))).abs() <= ONE,
-                _ => false,
+                (Partner::Rocker(_), Partner::Slide(_))
+                | (Partner::Slide(_), Partner::Rocker(_)) => false,
             };
             let first = a.places.first().zip(b.places.first());
             held && near(a.pivot, b.pivot)

@@ -159,7 +159,9 @@ fn unit(from: Input, to: Input) -> Constant {
     match (from, to) {
         (Input::Turn(_), Input::Push(_)) => Constant::known(Double::DEGREES),
         (Input::Push(_), Input::Turn(_)) => Constant::known(Double::RADIAN),
-        _ => Constant::exactly(1.0),
+        (Input::Turn(_), Input::Turn(_)) | (Input::Push(_), Input::Push(_)) => {
+            Constant::exactly(1.0)
+        }
     }
 }
 

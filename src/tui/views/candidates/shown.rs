@@ -78,7 +78,9 @@ fn way(scene: &Scene, solver: &Solver, state: &mut Workspace, at: &[f64]) -> Arc
         let at = first + (last - first) * f64::from(k) / f64::from(SAMPLES);
         match solver.solve(at, Order::Position, state) {
             Condition::NoAssembly => nowhere,
-            _ => state.position(led).unwrap_or(nowhere),
+            Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
+                state.position(led).unwrap_or(nowhere)
+            }
         }
     });
     samples.collect()
