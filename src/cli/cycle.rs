@@ -20,7 +20,10 @@ pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure>
     };
     tell_of_near_misses(&scene, &solver, screen);
     let report = CycleReport::new(&scene, &solver, &columns, args.dwell);
-    let report = report.with_bounds(args.bounds);
+    let report = match args.bounds {
+        true => report.with_bounds(&solver),
+        false => report,
+    };
     let output = args.output.output.as_deref();
     match args.format {
         OutputFormat::Text => write_text(output, &report.to_text(screen.ascii)),

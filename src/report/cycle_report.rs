@@ -2,7 +2,7 @@
 
 use super::check::{ConditionFacts, ElementNames};
 use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::entry::seen;
+use super::entry::{NOISE, seen};
 use super::range_text::range_text;
 use crate::Body;
 use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
@@ -136,7 +136,7 @@ impl CycleReport {
     ) -> CycleReport {
         let catalogue = Catalogue::new(scene);
         let found = Excursion::of_all(solver, columns, wish);
-        let bounds = bounds(solver, columns, &found);
+        let bounds = bounds(solver, columns, &found, false);
         let figures = columns.iter().zip(found).zip(bounds);
         let figures = figures.map(|((quantity, excursion), bounds)| FollowedFigure {
             quantity: quantity.clone(),
@@ -159,11 +159,15 @@ impl CycleReport {
 
     /// The same with what the error of strokes and of values at turns does not exceed.
     #[must_use]
-    pub fn with_bounds(self, with_bounds: bool) -> CycleReport {
-        CycleReport {
-            with_bounds,
-            ..self
+    pub fn with_bounds(mut self, solver: &Solver) -> CycleReport {
+        for figure in &mut self.figures {
+            let columns = std::slice::from_ref(&figure.quantity);
+            let found = std::slice::from_ref(&figure.excursion);
+            let found = bounds(solver, columns, found, true).pop();
+            figure.bounds = found.unwrap_or_default();
         }
+        self.with_bounds = true;
+        self
     }
 
     /// As JSON; what does not exist is null, with the reason beside it.
@@ -396,39 +400,59 @@ pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     names.filter_map(|name| catalogue.find(&name)).collect()
 }
 
-/// By how much columns may be off where they turn, and at their extremes.
+/// By how much columns may be off where they turn, and at their extremes: in all of these places, or in those where it
+/// decides what is told, which are the limits of the motion and all in which a value may be 0.
 fn bounds(
     solver: &Solver,
     columns: &[Quantity],
     found: &[Result<Excursion, NoFigure>],
+    in_all: bool,
 ) -> Vec<Vec<(f64, Option<f64>)>> {
-    let (wanted, order) = demand(columns);
-    let solver = solver.only(&wanted);
-    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    let mut bound = |column: &Quantity, at: f64| {
-        if solver.solve(at, order, &mut state) == Condition::NoAssembly {
-            return None;
-        }
-        solver.enclose(&mut state, order, &mut enclosure);
-        column.bound(&state, &enclosure)
+    let limits = match solver.motion().range {
+        Range::Full { .. } => None,
+        Range::Limited { low, high } => Some([low, high]),
     };
-    let places = |excursion: &Excursion| {
+    let is_wanted = |place: &FigurePlace| {
+        let is_limit = limits.is_some_and(|limits| limits.contains(&place.at));
+        in_all || is_limit || place.value.abs() <= NOISE
+    };
+    let of_one = |column: &Quantity, excursion: &Excursion| {
         let ends = [excursion.least, excursion.greatest];
+        // Of what is rounding at both ends nothing else is told.
+        let is_small = !in_all && ends.iter().all(|end| end.value.abs() <= NOISE);
         let turnings = excursion.turnings.iter().map(|turning| turning.place);
-        let mut places: Vec<f64> = ends.into_iter().chain(turnings).map(|p| p.at).collect();
+        let turnings = turnings.filter(|_| !is_small);
+        let places = ends.into_iter().chain(turnings).filter(is_wanted);
+        let mut places: Vec<f64> = places.map(|place| place.at).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        places
+        bounds_at(solver, column, &places)
     };
     let figures = columns.iter().zip(found);
-    let figures = figures.map(|(column, excursion)| {
-        let places = excursion.as_ref().map(places).unwrap_or_default();
-        places
-            .into_iter()
-            .map(|at| (at, bound(column, at)))
-            .collect()
+    let figures = figures.map(|(column, excursion)| match excursion {
+        Ok(excursion) => of_one(column, excursion),
+        Err(_) => Vec::new(),
     });
     figures.collect()
+}
+
+/// By how much a column may be off at some places.
+fn bounds_at(solver: &Solver, column: &Quantity, places: &[f64]) -> Vec<(f64, Option<f64>)> {
+    if places.is_empty() {
+        return Vec::new();
+    }
+    let (wanted, order) = demand([column]);
+    let solver = solver.only(&wanted);
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let bound = |&at: &f64| {
+        let is_there = solver.solve(at, order, &mut state) != Condition::NoAssembly;
+        let bound = is_there.then(|| {
+            solver.enclose(&mut state, order, &mut enclosure);
+            column.bound(&state, &enclosure)
+        });
+        (at, bound.flatten())
+    };
+    places.iter().map(bound).collect()
 }
 
 /// Every dyad where its transmission angle is furthest from 90 degrees.

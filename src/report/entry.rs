@@ -52,7 +52,7 @@ impl Entry {
 
 /// Larger figures are shown even where the bound does not tell them from zero. Close to a change point
 /// bounds are wide and the figures good: a zero in place of one would be the only error seen.
-const NOISE: f64 = 1e-6;
+pub(super) const NOISE: f64 = 1e-6;
 /// Where nothing is proved, only so small a figure is taken for zero.
 const NOTHING: f64 = 1e-15;
 

@@ -16,6 +16,8 @@ const NEARER: [i32; 3] = [10, 20, 27];
 /// So many times the largest sample is passed on the way to a pole, and on that through one: rounding does not grow.
 const BEYOND: f64 = 2.0;
 const FARTHER: f64 = 512.0;
+/// Of so many samples one may change the sign.
+const OFTEN: usize = 8;
 /// So much larger than a sample farther on is what may be a pole.
 const HIGH: f64 = 256.0;
 
@@ -37,11 +39,18 @@ impl MotionSampler {
         }
         // Rounding is not the same in every place: what is no more than that of the figure's size is none of a pole.
         let farther = (FARTHER * sampled.most()).max(LEVEL * self.size(column));
-        for k in 1..sampled.at.len() {
-            let [a, b] = [k - 1, k].map(|k| (sampled.at[k], sampled.by_degree[0][k]));
-            if (a.1 < 0.0) != (b.1 < 0.0)
-                && let Some(at) = self.pole_between(column, [a, b], farther)
-            {
+        let changes = |k: &usize| {
+            let [a, b] = [k - 1, *k].map(|k| sampled.by_degree[0][k]);
+            (a < 0.0) != (b < 0.0)
+        };
+        let changes: Vec<usize> = (1..sampled.at.len()).filter(changes).collect();
+        // So often rounding alone changes its sign.
+        if changes.len() > sampled.at.len() / OFTEN {
+            return Ok(());
+        }
+        for k in changes {
+            let ends = [k - 1, k].map(|k| (sampled.at[k], sampled.by_degree[0][k]));
+            if let Some(at) = self.pole_between(column, ends, farther) {
                 return Err(NoFigure::Unbounded(first_period(at, self.range())));
             }
         }

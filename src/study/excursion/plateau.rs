@@ -31,6 +31,15 @@ impl Turnings {
         let first = sampled.at[0];
         for turning in &mut self.places {
             let place = turning.place;
+            // What stays longer than that stays on one of both sides for half of it.
+            let beside = [-0.5, 0.5].map(|part| place.at + part * shortest);
+            let mut stays_at = |at| {
+                let value = sampler.sample(column, at, place.value).value;
+                (value - place.value).abs() <= level
+            };
+            if !beside.into_iter().any(&mut stays_at) {
+                continue;
+            }
             let mut end = |forwards| stays(sampler, column, sampled, (place, forwards), level);
             let [back, on] = [end(false), end(true)];
             if on - back <= shortest {

@@ -19,7 +19,7 @@ catalogue! {
             "no value anywhere in this motion: {names}; {why}";
         put_something_else_along_x = "put something else along x";
         plot_what = "plot what?";
-        the_whole_cycle = "whole cycle";
+        the_whole_cycle = "cycle";
         no_figure_has_that = "no figure has that";
         measured_of(figure: &str) = "{figure} measured";
     }

@@ -19,7 +19,7 @@ catalogue! {
             "bu hareketin hiçbir yerinde değeri yok: {names}; {why}";
         put_something_else_along_x = "x eksenine başka bir şey koy";
         plot_what = "ne çizilsin?";
-        the_whole_cycle = "bütün döngü";
+        the_whole_cycle = "döngü";
         no_figure_has_that = "hiçbir büyüklükte bu yok";
         measured_of(figure: &str) = "ölçülen {figure}";
     }

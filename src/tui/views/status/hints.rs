@@ -1,6 +1,6 @@
 //! The keys that matter now.
 
-use super::{ROOM_FOR_GAPS, Writer, is_listing};
+use super::{Writer, is_listing};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::commands::key::Key;
@@ -8,6 +8,9 @@ use crate::tui::views::accuracy::study_run::Phase;
 use crate::tui::views::most_scroll;
 use crate::tui::views::motion::FIT;
 use crate::wording::words;
+
+/// Columns from which on keys of a list are told in several words.
+const ROOM_FOR_WORDS: u16 = 100;
 
 /// The key that comes first, and what it does.
 pub(super) fn first(app: &App) -> (String, &'static str) {
@@ -28,7 +31,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         return;
     }
     if let Mode::PlotList(list) = app.mode() {
-        let narrow = app.size().width < ROOM_FOR_GAPS;
+        let narrow = app.size().width < ROOM_FOR_WORDS;
         let hints = match list.read() {
             Some(_) => vec![(Key::Escape, words().back()), (Key::Down, words().scroll())],
             None => list_hints(list.is_typing(), narrow),
