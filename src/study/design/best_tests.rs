@@ -18,7 +18,7 @@ fn the_best_design_lies_on_its_constraint() {
     let constraints = goals(&space, &["transmission >= 60"]);
     let order = |threads| OptimiseOrder {
         greatest: true,
-        generations: 60,
+        generations: 20,
         seed: 4,
         threads,
     };
@@ -90,7 +90,7 @@ fn the_best_design_keeps_an_equality() {
     for seed in [1, 2] {
         let order = OptimiseOrder {
             greatest: true,
-            generations: 20,
+            generations: 8,
             seed,
             threads: 2,
         };

@@ -15,13 +15,13 @@ impl DesignFigures {
         let (solver, lengths) = self.in_place(numbers)?;
         let figures = self.cycle_figures();
         let places = figures.places(&solver)?;
-        let columns: Vec<_> = places.iter().map(|(column, _)| column.clone()).collect();
+        let columns: Vec<_> = places.iter().map(|placed| placed.column.clone()).collect();
         let scene = self.space().scene();
         let mut sensitivity = Sensitivity::by(scene, &solver, &columns, lengths);
         let mut slopes = Vec::with_capacity(places.len());
-        for (i, (_, places)) in places.iter().enumerate() {
+        for (i, placed) in places.iter().enumerate() {
             let mut slope = vec![0.0; numbers.len()];
-            for &(at, sign) in places {
+            for &(at, sign) in &placed.places {
                 let found = sensitivity.at(at)?;
                 for (all, by) in slope.iter_mut().zip(found.of(i)?) {
                     *all += sign * by;

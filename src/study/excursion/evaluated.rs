@@ -20,6 +20,15 @@ pub struct CycleFigures {
     condition: bool,
 }
 
+/// A figure that is a column at one place, or the difference of two.
+#[derive(Clone, Debug)]
+pub(crate) struct PlacedFigure {
+    /// The column.
+    pub(crate) column: Quantity,
+    /// The driver's coordinates at which it is taken, and with which sign.
+    pub(crate) places: Vec<(f64, f64)>,
+}
+
 impl CycleFigures {
     /// Of figures in their order; `tolerance` is that of dwells in the figure's own unit, a hundredth of the stroke
     /// if left out.
@@ -77,7 +86,7 @@ impl CycleFigures {
     /// For each figure the column that it is of, and the places at which it is that, with their signs: a stroke is the
     /// greatest less the least. To first order these places stay where they are while lengths change. `None` where a
     /// figure is made otherwise, or the driver turns back: an end of its range moves.
-    pub(crate) fn places(&self, solver: &Solver) -> Option<Vec<(Quantity, Vec<(f64, f64)>)>> {
+    pub(crate) fn places(&self, solver: &Solver) -> Option<Vec<PlacedFigure>> {
         let Range::Full { .. } = solver.motion().range else {
             return None;
         };
@@ -110,7 +119,10 @@ impl CycleFigures {
                 | FigureProperty::Hardest
                 | FigureProperty::HardestAt => return None,
             };
-            Some((column.clone(), places))
+            Some(PlacedFigure {
+                column: column.clone(),
+                places,
+            })
         };
         self.figures.iter().map(places).collect()
     }
