@@ -31,11 +31,11 @@ pub type Offsets = [f64; 2];
 const PLACES: usize = 72;
 
 /// So many machines are solved for a band before a person who edits notices: some hundredths of a second.
-const QUICK_MACHINES: usize = 100_000;
+const QUICK_MACHINES: usize = 200_000;
 
 impl ToleranceStudy {
-    /// The band that is worked out while somebody waits: the worst case where its machines are few, else the root of the
-    /// sum of squares.
+    /// The band that is worked out while somebody waits: the worst case where its machines are few, else the root of
+    /// the sum of squares.
     pub fn quick_band(&mut self, places: &[f64]) -> (BandKind, Vec<Vec<Option<Offsets>>>) {
         let kind = self.quick_kind(places.len());
         (kind, self.band_by(places, kind, QUICK))

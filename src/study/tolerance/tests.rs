@@ -424,7 +424,7 @@ fn a_worst_case_inside_the_box_is_an_estimate() {
     );
 }
 
-/// At 90 deg C stands at sqrt(l^2 - r^2): where a rod may be shorter than the crank, the least is 0, which no corner has.
+/// At 90 deg C stands at sqrt(l^2 - r^2): where a rod may be shorter than the crank, the least is 0, as at no corner.
 #[test]
 fn where_a_corner_does_not_close_the_worst_is_at_the_edge() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.5"));
@@ -491,21 +491,30 @@ fn a_figure_that_is_least_inside_the_box_is_searched_for() {
 
 /// A band costs no more than somebody who edits would notice: with all lengths of many bars it is the first order.
 #[test]
-fn a_quick_band_is_limited_by_its_states() {
-    let kind = |text: &str, most: usize, places: usize| {
+fn a_quick_band_is_limited_by_its_machines() {
+    let kind = |text: &str, point: &str, by: &dyn Fn(&Scene) -> Tolerances, places: usize| {
         let (scene, solver) = opened(text);
-        let name = scene.point_name(scene.mechanism.point_ids().last().unwrap());
-        let ask = figures(&scene, &[&format!("{}.x", name.unwrap())]);
-        let mut tolerances = links(&scene, 0.1);
-        tolerances.lengths.truncate(most);
-        let study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+        let ask = figures(&scene, &[&format!("{point}.x")]);
+        let study = ToleranceStudy::new(&scene, &solver, &by(&scene), &ask).unwrap();
         study.quick_kind(places)
     };
     let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
-    assert_eq!(kind(FOUR_BAR, 9, 721), BandKind::Worst);
-    assert_eq!(kind(jansen, 6, 721), BandKind::Worst);
-    assert_eq!(kind(jansen, 7, 721), BandKind::RootSumSquare);
-    assert_eq!(kind(jansen, 7, 40), BandKind::Worst);
+    let of_links = |scene: &Scene| links(scene, 0.1);
+    let of_all = |scene: &Scene| Tolerances {
+        lengths: scene
+            .mechanism
+            .lengths()
+            .into_iter()
+            .map(|l| (l, 0.1))
+            .collect(),
+        clearances: Vec::new(),
+    };
+    assert_eq!(kind(FOUR_BAR, "C", &of_links, 721), BandKind::Worst);
+    assert_eq!(kind(FOUR_BAR, "C", &of_all, 721), BandKind::Worst);
+    assert_eq!(kind(jansen, "T", &of_links, 721), BandKind::Worst);
+    assert_eq!(kind(jansen, "T", &of_all, 721), BandKind::RootSumSquare);
+    // Of one place all corners are few.
+    assert_eq!(kind(jansen, "T", &of_all, 1), BandKind::Worst);
 }
 
 /// The four-bar turned in the plane by so much, in degrees; its driver too.

@@ -130,7 +130,7 @@ catalogue! {
         extrema = "uç değerler";
         mark_the_extrema = "uç değerleri işaretle";
         tolerance = "tolerans";
-        what_tolerances_do_to_it = "bir büyüklüğün toleransları";
+        what_tolerances_do_to_it = "büyüklüğün toleransı";
         band = "bant";
         draw_the_band = "toleransların yaptığı";
 
