@@ -172,14 +172,10 @@ impl TimedMotorReport {
             true => "driver.torque",
             false => "driver.force",
         };
-        let rate = match self.turns {
-            true => "driver.omega",
-            false => "driver.rate",
-        };
         let mut header = vec![
             "time [s]".to_owned(),
             self.coordinate.clone(),
-            format!("{rate} [{speed}]"),
+            format!("driver.speed [{speed}]"),
             format!("{effort} [{unit}]"),
         ];
         header.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));

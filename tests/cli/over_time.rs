@@ -205,7 +205,7 @@ fn the_motor_goes_through_the_period_of_the_motion() {
     let csv = done(&["motor", &path, "--format", "csv"]);
     assert_eq!(
         csv.lines().next().unwrap(),
-        "time [s],driver.angle [deg],driver.omega [rad/s],driver.torque [N m],driver.torque.load [N m],\
+        "time [s],driver.angle [deg],driver.speed [rad/s],driver.torque [N m],driver.torque.load [N m],\
          driver.torque.gravity [N m],driver.torque.inertia [N m],driver.power [W],driver.work [J],ground.fx [N],\
          ground.fy [N],ground.moment [N m],state"
     );

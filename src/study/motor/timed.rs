@@ -98,7 +98,9 @@ const MOST_PIECES: usize = 4000;
 /// A sum whose last terms are less than this part of the largest stands for its function.
 const FINE: f64 = 1e-12;
 /// Cuts that are closer, as a part of the period, are one.
-const SAME: f64 = 1e-13;
+const SAME_TIME: f64 = 1e-13;
+/// Values that differ by less, as a part of the largest, are one.
+const SAME: f64 = 1e-12;
 /// Means that may be off by more are not believed.
 const CONVERGED: f64 = 1e-9;
 
@@ -167,7 +169,7 @@ impl MomentSource<'_> {
         let mut cuts: Vec<f64> = law.seams().chain(passed).collect();
         cuts.sort_by(f64::total_cmp);
         let period = law.period();
-        let apart = SAME * period;
+        let apart = SAME_TIME * period;
         cuts.dedup_by(|later, earlier| *later - *earlier <= apart);
         cuts.retain(|time| (apart..period - apart).contains(time));
         cuts.push(period);
@@ -329,14 +331,17 @@ impl TimedDuty {
 
 /// The largest value of a channel and the least.
 fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) -> [TimedPeak; 2] {
+    let sizes = pieces.iter().map(|piece| piece.sums[channel].size());
+    let size = sizes.fold(0.0, f64::max);
     let none = [f64::NEG_INFINITY, f64::INFINITY];
     let mut peaks = none.map(|value| (value, 0.0));
     for piece in pieces {
         let sum = &piece.sums[channel];
-        for &t in sum.turns().iter().chain(&[-1.0, 1.0]) {
+        // What rounding tells apart is as large as what came first, and what it leaves of nothing is nothing.
+        let beyond = SAME * size;
+        for &t in [-1.0].iter().chain(&sum.turns()).chain(&[1.0]) {
             let value = sum.at(t);
-            // What rounding tells apart is as large as what came first.
-            let beyond = 1e-12 * sum.size();
+            let value = if value.abs() <= beyond { 0.0 } else { value };
             if value > peaks[0].0 + beyond {
                 peaks[0] = (value, piece.time(t));
             }
@@ -465,7 +470,8 @@ mod tests {
                 load,
             );
             near(found.torque[0].value, 100.0);
-            near(found.torque[1].value, 0.0);
+            near(found.torque[0].at, 100.0);
+            assert_eq!((found.torque[1].value, found.torque[1].time), (0.0, 0.0));
             near(found.mean, 100.0 * under);
             near(found.rms, 100.0 * under.sqrt());
             near(found.energy[0], work);
