@@ -128,9 +128,13 @@ impl Clock {
     /// The moment of a coordinate that is passed with the scene's own speed, whatever its motion.
     #[must_use]
     pub fn passing(&self, at: f64) -> DriverMoment {
+        let moment = self.evenly(0.0);
+        let [_, speed, acceleration] = moment.off;
         DriverMoment {
             at,
-            ..self.evenly(0.0)
+            // The coordinate is as it was asked.
+            off: [0.0, speed, acceleration],
+            ..moment
         }
     }
 

@@ -132,6 +132,7 @@ impl Forces {
             mechanism: &scene.mechanism,
             state,
             enclosure,
+            is_timed: scene.motion.is_some(),
         };
         let (joints, guides) = (joints(scene, &reading), guides(scene, &reading));
         Some(Forces {

@@ -120,6 +120,7 @@ impl Tables {
             mechanism: &scene.mechanism,
             state,
             enclosure,
+            is_timed: scene.motion.is_some(),
         };
         let mechanism = &scene.mechanism;
         let named = scene.vectors.iter();
@@ -150,6 +151,8 @@ pub(super) struct ProvedState<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) state: &'a State,
     pub(super) enclosure: Option<&'a State<Ball>>,
+    /// Whether the scene has a motion over time: then nobody need have typed what its driver does.
+    pub(super) is_timed: bool,
 }
 
 impl ProvedState<'_> {
@@ -168,7 +171,7 @@ impl ProvedState<'_> {
     /// A rate of the driver: given, but in another unit perhaps, and converted.
     fn driver_rate(&self, aspect: Aspect, rate: f64) -> Entry {
         let given = Entry::given(rate);
-        if !self.mechanism.has_converted_rates() {
+        if !self.mechanism.has_converted_rates() && !self.is_timed {
             return given;
         }
         Entry {
@@ -292,14 +295,14 @@ fn turning(mechanism: &Mechanism, link: LinkId, reading: &ProvedState<'_>) -> [E
     let mut entries = read(Subject::Link(link), Aspect::TURNING, known, reading);
     if known == GivenCoordinate::Driven && entries[0].value.is_some() {
         // As it was asked, without the detour over the direction's components; but a coordinate that is not
-        // within one turn is no longer the number that was typed.
+        // within one turn, or that follows from a time, is no longer the number that was typed.
         let at = reading.state.at();
         let wrapped = angle::wrapped(at);
         let away = entries[0].value.map(|value| (value - wrapped).abs());
         let away = away.map(|away| away.min((angle::TURN - away).abs()));
         let bound = entries[0].bound.zip(away);
         entries[0].value = Some(wrapped);
-        entries[0].bound = match wrapped == at {
+        entries[0].bound = match wrapped == at && !reading.is_timed {
             true => Some(0.0),
             false => bound.map(|(bound, away)| (bound + away) * ROUNDED_UP),
         };

@@ -127,6 +127,32 @@ fn a_table_at_a_time_has_them_too_and_bounds_that_hold() {
     assert!(text.contains("C.ax"), "{text} {exact}");
 }
 
+/// Where the crank is at 0.2 s, to 50 digits: each nearest double and what it leaves out. What rounds on the way is in
+/// the bounds, of the driver's own figures too, and these are no wider than some roundings.
+#[test]
+fn what_the_law_rounds_is_within_the_bounds() {
+    let path = scene("bounds.toml", INDEXED);
+    let found = json(&done(&[
+        "table", &path, "--time", "0.2", "--bounds", "--format", "json",
+    ]));
+    let crank = &found["vectors"][0];
+    assert_eq!(crank["name"], "r2");
+    for (name, near, rest) in [
+        ("angle", 36.774_128_594_536_33, 2.839_057_259_884_229e-15),
+        ("omega", 7.577_592_666_329_897, 3.865_263_075_025_263e-16),
+        ("alpha", 30.939_775_535_579_795, 1.573_761_225_389_635_5e-15),
+    ] {
+        let value = crank[name].as_f64().unwrap();
+        let bound = crank[format!("{name}.bound")].as_f64().unwrap();
+        let miss = ((value - near) - rest).abs();
+        assert!(miss <= bound, "{name}: {miss:e} above {bound:e}");
+        assert!(
+            bound > 0.0 && bound < 32.0 * f64::EPSILON * value,
+            "{name}: {bound:e}"
+        );
+    }
+}
+
 #[test]
 fn at_a_coordinate_krank_says_that_the_motion_over_time_does_not_count() {
     let path = scene("coordinate.toml", INDEXED);
