@@ -67,6 +67,7 @@ impl Synthesis {
                     task: path,
                     four_bars: task.four_bars,
                     slider_cranks: task.slider_cranks,
+                    wishes: task.wishes,
                     seed: order.seed,
                     threads: order.threads,
                     starts: PathSearch::STARTS,

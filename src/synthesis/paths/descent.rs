@@ -275,6 +275,17 @@ impl Fit {
         }
     }
 
+    /// Whether it keeps every wish, where its start looked for that: then it goes no step beyond them.
+    fn holds_wishes(&self, wanted: &WantedPath) -> bool {
+        self.quarry.is_wished && self.lack(wanted) == 0.0
+    }
+
+    /// By how much it lacks what is wished.
+    pub(super) fn lack(&self, wanted: &WantedPath) -> f64 {
+        let ends = super::distinct::ends(self, wanted);
+        wanted.wishes.lack(&self.shape, &self.place, ends)
+    }
+
     /// Descends for some steps at the most; whether there was a place to start from.
     pub(super) fn descend(&mut self, wanted: &WantedPath, steps: usize) -> bool {
         let layout = Layout::of(wanted, &self.quarry);
@@ -284,6 +295,7 @@ impl Fit {
             return false;
         }
         self.square = now.square;
+        let holds = self.holds_wishes(wanted);
         let (mut damping, mut growth) = (1e-3, 2.0);
         let mut spare = Vec::new();
         let mut level = 0;
@@ -297,7 +309,9 @@ impl Fit {
             };
             let mut trial = self.stepped(layout, &step[..layout.count], &mut spare);
             now.turn(&mut trial.angles, &step[..layout.count], damping);
-            let is_better = trial.sum(wanted, layout, &mut next) && next.square < self.square;
+            let is_better = trial.sum(wanted, layout, &mut next)
+                && next.square < self.square
+                && !(holds && trial.lack(wanted) > 0.0);
             if is_better {
                 level = if next.square > self.square * (1.0 - LEVEL) {
                     level + 1
@@ -321,6 +335,7 @@ impl Fit {
         let layout = Layout::of(wanted, &self.quarry);
         let mut spare = Vec::new();
         let mut normal = NormalSums::new();
+        let holds = self.holds_wishes(wanted);
         for _ in 0..steps {
             let Some(step) = self.exact_step(wanted, layout) else {
                 return;
@@ -330,7 +345,8 @@ impl Fit {
             }
             let mut trial = self.stepped(layout, step.as_slice(), &mut spare);
             normal.turn(&mut trial.angles, step.as_slice(), 0.0);
-            if !(trial.sum(wanted, layout, &mut normal) && normal.square < self.square) {
+            let is_better = trial.sum(wanted, layout, &mut normal) && normal.square < self.square;
+            if !is_better || holds && trial.lack(wanted) > 0.0 {
                 return;
             }
             trial.square = normal.square;

@@ -15,12 +15,18 @@ const FLATTEST: f64 = 0.01;
 /// No part is longer or shorter than this in sizes of the path.
 const ENDS: [f64; 2] = [1e-3, 1e3];
 
+/// How many different linkages are followed to the end, and how many more of those that keep the wishes.
+const FOLLOWED: usize = 32;
+const WISHED: usize = 16;
+
 /// A linkage and what tells its place in the order.
 #[derive(Clone, Debug)]
 pub(super) struct Ranked {
     pub(super) fit: Fit,
     /// Whether its links close on the whole way without a dead point, with the crank turning one way.
     keeps: bool,
+    /// Whether it keeps every wish.
+    is_wished: bool,
     /// The largest of the lengths in sizes of the path, or the smallest turned over.
     extreme: f64,
     /// A, D, B and C at the first point.
@@ -52,6 +58,10 @@ impl Ranked {
             && [a, b, c, d].iter().all(|p| p.is_finite());
         is_one.then(|| Ranked {
             keeps: keeps(&fit, wanted),
+            is_wished: wanted
+                .wishes
+                .lack(&fit.shape, &fit.place, ends(&fit, wanted))
+                == 0.0,
             extreme,
             corners: [a, d, b, c],
             fit,
@@ -85,13 +95,7 @@ impl Ranked {
 /// Whether a linkage closes on its whole way without a dead point, with the crank turning one way.
 fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
     let angles = &fit.angles;
-    let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let (low, high) = if wanted.closed {
-        (0.0, 360.0)
-    } else {
-        (least, most)
-    };
+    let [low, high] = ends(fit, wanted);
     let (short, sine) = fit.shape.worst_between(low, high);
     if short > 0.0 || sine < FLATTEST {
         return false;
@@ -101,11 +105,43 @@ fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
             .windows(2)
             .all(|pair| (pair[1] - pair[0]) * sense >= 0.0)
     };
+    let [least, most] = extremes(angles);
     wanted.turns.is_some() || (most - least <= 360.0 && (ordered(1.0) || ordered(-1.0)))
 }
 
+/// The crank's least and greatest angle on its whole way, in degrees.
+pub(super) fn ends(fit: &Fit, wanted: &WantedPath) -> [f64; 2] {
+    match wanted.closed {
+        true => [0.0, 360.0],
+        false => extremes(&fit.angles),
+    }
+}
+
+fn extremes(angles: &[f64]) -> [f64; 2] {
+    let angles = angles.iter().copied();
+    [
+        angles.clone().fold(f64::INFINITY, f64::min),
+        angles.fold(f64::NEG_INFINITY, f64::max),
+    ]
+}
+
+/// The best of all that are different; where something is wished, behind them the best that keep it.
+pub(super) fn chosen(all: Vec<Ranked>, wanted: &WantedPath) -> Vec<Ranked> {
+    let wished: Vec<Ranked> = match wanted.wishes.is_any() {
+        true => all.iter().filter(|one| one.is_wished).cloned().collect(),
+        false => Vec::new(),
+    };
+    let mut kept = distinct(all, wanted, FOLLOWED);
+    for next in distinct(wished, wanted, WISHED) {
+        if !kept.iter().any(|other| next.is_one_with(other, wanted)) {
+            kept.push(next);
+        }
+    }
+    kept
+}
+
 /// The best of all that are different, at most so many.
-pub(super) fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranked> {
+fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranked> {
     all.sort_by(|x, y| {
         let (x, y) = (x.key(), y.key());
         x.0.cmp(&y.0)

@@ -21,6 +21,9 @@ const SHORT: f64 = 1.0;
 const FLAT: f64 = 0.25;
 const FLAT_COUNTS: f64 = 1e-3;
 
+/// What lacking a wish counts, in mean squares of the path's size.
+const LACKING: f64 = 0.1;
+
 /// Which linkages a start looks for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quarry {
@@ -30,6 +33,8 @@ pub(super) struct Quarry {
     pub(super) sign: f64,
     /// Which way the crank turns where times are free: 1 or -1.
     pub(super) sense: f64,
+    /// Whether it is to keep the wishes.
+    pub(super) is_wished: bool,
 }
 
 type Genes = [f64; GENES];
@@ -188,7 +193,12 @@ impl<'a> Evolution<'a> {
             .map(|(j, along)| raw.angle(along, wanted.turns.as_ref().map(|turns| turns[j])));
         let found = Projection::of(wanted, self.quarry.held, &raw.shape, angles);
         let flat = (1.0 - sine / FLAT).max(0.0);
+        let lack = match self.quarry.is_wished {
+            true => wanted.wishes.lack(&raw.shape, &found.place, [low, high]),
+            false => 0.0,
+        };
         let worth = found.square
+            + LACKING * lack
             + SHORT * (short + found.short / wanted.points.len() as f64)
             + FLAT_COUNTS * found.square.sqrt() * flat * flat;
         raw.worth = if worth.is_finite() {

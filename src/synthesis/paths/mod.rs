@@ -11,6 +11,8 @@
 //! linear     its place, turning, size and tracer, by least squares
 //! evolution  from chance to a rough linkage
 //! descent    from a rough linkage to a minimum
+//! order      angles of the crank that go one way, where noise has put points out of order
+//! wishes     what is wished beside the path
 //! distinct   which minima are different linkages
 //! ```
 
@@ -18,15 +20,17 @@ mod descent;
 mod distinct;
 mod evolution;
 mod linear;
+mod order;
 mod shape;
 #[cfg(test)]
 mod tests;
 mod wanted;
+mod wishes;
 
-use super::{Partner, PathTask, Proposal, Proposals};
+use super::{Partner, PathTask, Proposal, Proposals, Wishes};
 use crate::{angle, parallel};
 use descent::Fit;
-use distinct::{Ranked, distinct};
+use distinct::{Ranked, chosen};
 use evolution::{Evolution, Quarry};
 use shape::LinkageForm;
 use wanted::{HeldPivots, WantedPath};
@@ -36,8 +40,7 @@ const ROUGH_POINTS: usize = 36;
 /// How many of a start's designs descend, and by how many steps.
 const DESCENTS: usize = 3;
 const ROUGH_STEPS: usize = 80;
-/// How many different linkages are followed to the end, and by how many steps.
-const FOLLOWED: usize = 32;
+/// By how many steps those that are chosen are followed to the end.
 const STEPS: usize = 1500;
 const LAST_STEPS: usize = 12;
 /// The part of the work that the starts are.
@@ -52,6 +55,8 @@ pub struct PathSearch<'a> {
     pub four_bars: bool,
     /// Whether slider-cranks are looked for.
     pub slider_cranks: bool,
+    /// What is wished beside: every other round of starts looks for linkages that keep it.
+    pub wishes: Wishes,
     /// From which chance follows.
     pub seed: u64,
     /// Threads; they change the time alone.
@@ -70,7 +75,7 @@ impl PathSearch<'_> {
     /// Nothing is found for fewer than two different points, and for numbers that are none.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
-        let Some(wanted) = WantedPath::of(self.task) else {
+        let Some(wanted) = WantedPath::of(self.task, &self.wishes) else {
             return Proposals::default();
         };
         let quarries = self.quarries(&wanted);
@@ -84,12 +89,16 @@ impl PathSearch<'_> {
             self.threads,
             || (),
             |(), i| {
-                let quarry = quarries[i % quarries.len()];
+                let round = i / quarries.len();
+                let quarry = Quarry {
+                    is_wished: wanted.wishes.is_any() && round % 2 == 1,
+                    ..quarries[i % quarries.len()]
+                };
                 start(&wanted, &rough, quarry, self.seed, i)
             },
             &mut |part| watch(STARTS_PART * part),
         );
-        let rough = distinct(found.into_iter().flatten().collect(), &wanted, FOLLOWED);
+        let rough = chosen(found.into_iter().flatten().collect(), &wanted);
         let found = parallel::each(
             rough.len(),
             self.threads,
@@ -98,11 +107,14 @@ impl PathSearch<'_> {
                 let mut fit = rough[i].fit.clone();
                 fit.descend(&wanted, STEPS);
                 fit.polish(&wanted, LAST_STEPS);
+                if wanted.wishes.ordered {
+                    fit.put_in_order(&wanted);
+                }
                 Ranked::of(fit, &wanted)
             },
             &mut |part| watch(STARTS_PART + (1.0 - STARTS_PART) * part),
         );
-        let found = distinct(found.into_iter().flatten().collect(), &wanted, FOLLOWED);
+        let found = chosen(found.into_iter().flatten().collect(), &wanted);
         Proposals {
             found: found
                 .iter()
@@ -135,6 +147,7 @@ impl PathSearch<'_> {
                             held,
                             sign,
                             sense,
+                            is_wished: false,
                         });
                     }
                 }
@@ -205,6 +218,9 @@ fn start(
         .filter_map(|raw| {
             let mut fit = Fit::of(wanted, quarry, raw);
             let begins = fit.descend(wanted, ROUGH_STEPS);
+            if begins && wanted.wishes.ordered {
+                fit.put_in_order(wanted);
+            }
             begins.then(|| Ranked::of(fit, wanted)).flatten()
         })
         .collect()

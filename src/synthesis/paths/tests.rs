@@ -18,6 +18,7 @@ fn search(task: &PathTask) -> PathSearch<'_> {
         task,
         four_bars: true,
         slider_cranks: false,
+        wishes: Wishes::default(),
         seed: 1,
         threads: 2,
         starts: 24,
@@ -534,4 +535,90 @@ fn rates_are_those_of_the_coupler() {
         }
     }
     assert!(held > 200, "{held}");
+}
+
+/// Noise along a curve puts neighbours out of order; the crank still goes one way, and misses little more.
+#[test]
+fn points_out_of_order_by_noise_are_met_in_order() {
+    let turns: Vec<f64> = (0..120).map(|k| 1.5 * f64::from(k)).collect();
+    let mut chance = SeededChance::new(11);
+    let planted = loop {
+        let planted = PlantedDrive::random(&mut chance, false);
+        if let Some(proposal) = planted.proposal(&turns) {
+            break proposal;
+        }
+    };
+    let exact: Vec<Vec2> = (0..turns.len()).map(|j| tracer(&planted, j)).collect();
+    let noise = 0.02 * size(&exact);
+    let points = exact
+        .iter()
+        .map(|p| *p + Vec2::new(chance.even(), chance.even()) * noise)
+        .collect();
+    let task = task(points, false, None);
+    let with = |ordered: bool| {
+        let wishes = Wishes {
+            ordered,
+            ..Wishes::default()
+        };
+        let search = PathSearch {
+            wishes,
+            ..search(&task)
+        };
+        search.run(&mut |_| true).found
+    };
+    let is_ordered = |p: &Proposal| {
+        let angles = p.places.iter().map(|[b, _]| angle::degrees(*b - p.pivot));
+        let angles: Vec<f64> = angles.collect();
+        let steps = angles
+            .windows(2)
+            .map(|two| angle::wrapped(two[1] - two[0] + 180.0) - 180.0);
+        let steps: Vec<f64> = steps.collect();
+        steps.iter().all(|step| *step >= -1e-9) || steps.iter().all(|step| *step <= 1e-9)
+    };
+    let near = |p: &Proposal| rms(p, &task.points) < noise;
+    let count = |found: &[Proposal]| found.iter().filter(|p| near(p) && is_ordered(p)).count();
+    let (free, ordered) = (with(false), with(true));
+    assert!(free.iter().any(near), "nothing is found at all");
+    assert_eq!(count(&free), 0, "the noise puts nothing out of order");
+    assert!(count(&ordered) > 0);
+}
+
+/// A search that is told of wishes keeps them where there are such linkages; one that is not does not look.
+#[test]
+fn a_search_looks_for_what_is_wished() {
+    let points: Vec<Vec2> = (0..6)
+        .map(|k| Vec2::new(20.0, 20.0 + 5.0 * f64::from(k)))
+        .collect();
+    let task = task(points, false, None);
+    let wished = Wishes {
+        full_turn: true,
+        transmission: Some(45.0),
+        inside: Some([Vec2::new(-60.0, -20.0), Vec2::new(100.0, 60.0)]),
+        ratio: Some(4.0),
+        ..Wishes::default()
+    };
+    let corners = wished.inside.unwrap();
+    let keeps = |p: &Proposal| {
+        let Partner::Rocker(d) = p.partner else {
+            return false;
+        };
+        let is_inside = [p.pivot, d]
+            .iter()
+            .all(|at| crate::synthesis::is_inside(corners, *at));
+        is_inside && p.ratio() <= 4.0 && rms(p, &task.points) < 1e-6
+    };
+    let count = |wishes: Wishes| {
+        let search = PathSearch {
+            wishes,
+            ..search(&task)
+        };
+        search
+            .run(&mut |_| true)
+            .found
+            .iter()
+            .filter(|p| keeps(p))
+            .count()
+    };
+    assert_eq!(count(Wishes::default()), 0);
+    assert!(count(wished) > 0);
 }

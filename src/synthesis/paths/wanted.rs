@@ -1,7 +1,8 @@
 //! The path in a frame of its own: its middle at the origin, its size 1.
 
+use super::wishes::SearchWishes;
 use crate::Vec2;
-use crate::synthesis::PathTask;
+use crate::synthesis::{PathTask, Wishes};
 
 /// How far along the path a point lies, from 0 to 1, and what a crank that turns unevenly has turned more there.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +34,7 @@ pub(super) struct WantedPath {
     pub(super) turns: Option<Vec<f64>>,
     pub(super) along: Vec<PathPart>,
     pub(super) closed: bool,
+    pub(super) wishes: SearchWishes,
     /// Its frame in that of the task.
     pub(super) middle: Vec2,
     pub(super) size: f64,
@@ -40,7 +42,7 @@ pub(super) struct WantedPath {
 
 impl WantedPath {
     /// `None` where there are no two different points that count, or a number is none.
-    pub(super) fn of(task: &PathTask) -> Option<WantedPath> {
+    pub(super) fn of(task: &PathTask, wishes: &Wishes) -> Option<WantedPath> {
         let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
         let total: f64 = (0..task.points.len()).map(given).sum();
         let weights: Vec<f64> = (0..task.points.len()).map(|j| given(j) / total).collect();
@@ -67,6 +69,7 @@ impl WantedPath {
             weights,
             turns: task.turns.clone(),
             closed: task.closed,
+            wishes: SearchWishes::of(wishes, task.closed, |p| (p - middle) * (1.0 / size)),
             middle,
             size,
         })
