@@ -256,7 +256,7 @@ impl CycleReport {
         let header = ["figure", "property", "value", "unit", "at", "reason"];
         let bounds = self.with_bounds;
         let header = header.into_iter().chain(bounds.then_some("bound"));
-        csv.record(&header.map(str::to_owned).collect::<Vec<_>>())?;
+        csv.record(header.map(str::to_owned).collect::<Vec<_>>())?;
         let number = |value: Option<f64>| {
             let mut text = String::new();
             if let Some(value) = value.filter(|v| v.is_finite()) {
@@ -281,7 +281,7 @@ impl CycleReport {
                 let cells = cells
                     .into_iter()
                     .chain(bounds.then(|| number(property.bound)));
-                csv.record(&cells.collect::<Vec<_>>())?;
+                csv.record(cells.collect::<Vec<_>>())?;
             }
         }
         let angles = self.transmission.iter();
