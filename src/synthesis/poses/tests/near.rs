@@ -79,7 +79,7 @@ fn poses_that_nearly_repeat_have_their_planted_dyads() {
 fn no_family_is_told_to_be_a_few() {
     let mut chance = Chance(50);
     for span in [360.0, 40.0, 10.0, 1.0, 0.1] {
-        for n in 0..40 {
+        for n in 0..12 {
             let frame = turned(chance.within(0.0, 10.0), chance.within(0.0, 360.0));
             let body = turned(chance.within(0.0, 3.0), chance.within(0.0, 360.0));
             let (tilt, start) = (chance.within(0.0, 360.0), chance.within(0.0, 360.0));
