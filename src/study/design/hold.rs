@@ -13,7 +13,11 @@ const SINGULAR: f64 = 1e-9;
 
 /// What may hold a design: constraints with nothing left, and ends.
 #[derive(Clone, Debug)]
-pub(super) struct Holds(Vec<MayHold>);
+pub(super) struct Holds {
+    all: Vec<MayHold>,
+    /// How many numbers a design has.
+    count: usize,
+}
 
 #[derive(Clone, Debug)]
 struct MayHold {
@@ -69,37 +73,40 @@ impl Holds {
                 is_one_sided: low < high,
             });
         }
-        Holds(all)
+        Holds {
+            all,
+            count: here.numbers.len(),
+        }
     }
 
     /// Their slopes, a row each.
     pub(super) fn normals(&self) -> DMatrix<f64> {
-        let count = self.0.first().map_or(0, |one| one.normal.len());
-        DMatrix::from_fn(self.0.len(), count, |row, i| self.0[row].normal[i])
+        DMatrix::from_fn(self.all.len(), self.count, |row, i| self.all[row].normal[i])
     }
 
     /// Whether multipliers hold a design, and none would let it go.
     pub(super) fn keep(&self, multipliers: &DVector<f64>) -> bool {
-        let size = multipliers.amax();
-        let all = self.0.iter().zip(multipliers.iter());
-        all.into_iter()
-            .all(|(one, by)| !one.is_one_sided || *by >= -FLAT * size)
+        let size = multipliers
+            .iter()
+            .fold(0.0_f64, |size, by| size.max(by.abs()));
+        let mut all = self.all.iter().zip(multipliers.iter());
+        all.all(|(one, by)| !one.is_one_sided || *by >= -FLAT * size)
     }
 }
 
 impl Hold {
     /// What holds a design where its figure falls: what would let it go is left out, one after the other.
     pub(super) fn of(judge: &Judge, here: &Judged, slopes: &Slopes) -> Hold {
-        let mut all = Holds::at(judge, here, slopes);
+        let mut holds = Holds::at(judge, here, slopes);
         loop {
-            let normals = all.normals();
+            let normals = holds.normals();
             let multipliers = multipliers(&normals, &slopes.value);
-            let lets_go = |&i: &usize| all.0[i].is_one_sided && multipliers[i] < 0.0;
-            let worst = (0..all.0.len())
+            let lets_go = |&i: &usize| holds.all[i].is_one_sided && multipliers[i] < 0.0;
+            let worst = (0..holds.all.len())
                 .filter(lets_go)
                 .min_by(|&a, &b| multipliers[a].total_cmp(&multipliers[b]));
             if let Some(worst) = worst {
-                all.0.remove(worst);
+                holds.all.remove(worst);
                 continue;
             }
             let held = match normals.nrows() {
@@ -107,7 +114,7 @@ impl Hold {
                 _ => normals.tr_mul(&multipliers),
             };
             return Hold {
-                rows: all.0.iter().filter_map(|one| one.row).collect(),
+                rows: holds.all.iter().filter_map(|one| one.row).collect(),
                 free: &slopes.value - held,
                 normals,
                 multipliers,
