@@ -57,11 +57,15 @@ pub(super) fn of_all_corners(
     let figures = nominal.iter().zip(&found).enumerate();
     let worst = figures.map(|(figure, (&nominal, found))| {
         let nominal = nominal?;
-        let ends = [-1.0, 1.0].map(|sign| search.from_grid(machines, figure, sign, nominal, found));
+        let goes_one_way = grid.goes_one_way(nominal, found);
+        let is_open = found.iter().any(|value| value.is_nan());
+        search.may_turn = is_open || !goes_one_way;
+        let ends =
+            [-1.0, 1.0].map(|sign| search.beyond_grid(machines, figure, sign, nominal, found));
         let [low, high] = [ends[0].value, ends[1].value];
-        let kind = if found.iter().any(|value| value.is_nan()) {
+        let kind = if is_open {
             WorstKind::AtEdge
-        } else if ends.iter().any(|end| end.is_inside) || !grid.goes_one_way(nominal, found) {
+        } else if ends.iter().any(|end| end.is_inside) || !goes_one_way {
             WorstKind::Searched
         } else {
             WorstKind::Corners

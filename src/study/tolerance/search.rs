@@ -12,7 +12,7 @@ use super::tolerance_box::ToleranceBox;
 const SHORTER: f64 = 0.25;
 /// Steps are parts of a tolerance. Down to this one they are tried at a corner,
 const SHORTEST_TRY: f64 = 1.0 / 64.0;
-/// and down to this one where one has led further: at an edge of assembly figures go with the root of the way.
+/// and down to this one where one has led further or may: at an edge of assembly figures go with the root of the way.
 const SHORTEST: f64 = 1e-12;
 
 /// The worst that was found of a figure at one end of what it can be.
@@ -30,6 +30,8 @@ pub(super) struct Search<'b> {
     grid: &'b BoxGrid,
     /// So many machines are made for one end of a figure, and then it is enough.
     most: usize,
+    /// Whether the figure goes both ways along a side or is not everywhere, so that the smallest steps are worth trying.
+    pub(super) may_turn: bool,
     by: Vec<f64>,
     values: Vec<Option<f64>>,
 }
@@ -48,13 +50,14 @@ impl<'b> Search<'b> {
             acting,
             grid,
             most: tries * acting.len(),
+            may_turn: true,
             by: off.nothing(),
             values: vec![None; figures],
         }
     }
 
     /// The least of a figure, or with the sign of 1 the greatest: from the worst that was `found` on the grid.
-    pub(super) fn from_grid(
+    pub(super) fn beyond_grid(
         &mut self,
         machines: &mut impl Machines,
         figure: usize,
@@ -75,7 +78,11 @@ impl<'b> Search<'b> {
         let mut step = self.grid.half_way();
         let mut is_inside = false;
         let mut left = self.most;
-        let shortest = |is_inside| if is_inside { SHORTEST } else { SHORTEST_TRY };
+        let may_turn = self.may_turn;
+        let shortest = |is_inside| match is_inside || may_turn {
+            true => SHORTEST,
+            false => SHORTEST_TRY,
+        };
         while step > shortest(is_inside) && left > 0 {
             let mut leads = false;
             for side in 0..levels.len() {
