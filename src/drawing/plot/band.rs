@@ -50,10 +50,11 @@ impl PlotBand {
     pub(super) fn text(&self, x: f64) -> Option<String> {
         let off = self.at(x)?;
         let [low, high] = self.ends;
+        let is_even = self.places.iter().all(|(_, off)| off[0] == -off[1]);
         let style = TickStyle::of_range(0.0, high.max(-low));
         let width = style.text(high.max(-low)).len();
         let size = |off: f64| format!("{:>width$}", style.text(off.abs()));
-        Some(match low == -high {
+        Some(match is_even {
             true => format!("+-{}", size(off[1])),
             false => format!("-{} +{}", size(off[0]), size(off[1])),
         })
@@ -83,6 +84,10 @@ mod tests {
         let uneven = [Some([-0.1, 0.2]), Some([0.0, 0.4]), None, Some([-0.1, 0.1])];
         let text = PlotBand::new(&along, &uneven).text(10.0).unwrap();
         assert!(text.starts_with("-0") && text.contains(" +0.4"), "{text}");
+        // As far below as above, but elsewhere.
+        let mirrored = [Some([-0.1, 0.2]), Some([-0.2, 0.1]), None, None];
+        let text = PlotBand::new(&along, &mirrored).text(0.0).unwrap();
+        assert!(text.starts_with("-0.1") && text.contains(" +0.2"), "{text}");
         // A figure along x that turns back is met twice.
         let back = [Some(0.0), Some(10.0), None, Some(5.0)];
         assert_eq!(PlotBand::new(&back, &even).text(7.0), None);
