@@ -68,7 +68,7 @@ fn free_scales_find_linkages_of_usual_lengths_once() {
 /// stopped says what it had.
 #[test]
 fn a_search_is_watched_and_stopped() {
-    let planted = PlantedFunction::draw(&mut SeededChance::new(3), Output::Angle, 400);
+    let planted = PlantedFunction::draw(&mut SeededChance::new(3), Output::Angle, 100);
     let free = [true, false, true, false];
     let task = planted.task(LAW, free);
     let run = |threads, most: f64| {
