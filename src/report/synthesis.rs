@@ -66,10 +66,7 @@ impl SynthesisReport<'_> {
         ));
         if let Some(goals) = SceneGoals::of(&self.file.task, candidate) {
             comments.push(words().kept_by_goals().to_owned());
-            comments.push(format!(
-                "  krank solve SCENE --vary {} \\",
-                goals.vary.join(",")
-            ));
+            comments.push(words().solved_with_goals(&goals.vary.join(",")));
             let rows = goals.keep.chunks(GOALS_OF_A_LINE).map(|goals| {
                 let goals: Vec<String> = goals
                     .iter()

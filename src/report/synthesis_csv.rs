@@ -24,10 +24,10 @@ enum CellValue {
     Word(String),
 }
 
-type Column = (&'static str, ColumnMeasure, fn(&Candidate) -> CellValue);
+type CandidateColumn = (&'static str, ColumnMeasure, fn(&Candidate) -> CellValue);
 
 /// All columns behind the number of the candidate.
-const COLUMNS: [Column; 27] = {
+const COLUMNS: [CandidateColumn; 27] = {
     use CellValue::{Number, Word};
     use ColumnMeasure::{Degrees, Length, Miss, Plain};
     [
@@ -78,7 +78,7 @@ impl SynthesisReport<'_> {
     /// # Errors
     /// Those of writing.
     pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
-        let head = |(name, measure, _): &Column| {
+        let head = |(name, measure, _): &CandidateColumn| {
             let unit = match measure {
                 ColumnMeasure::Plain => return (*name).to_owned(),
                 ColumnMeasure::Degrees => "deg",

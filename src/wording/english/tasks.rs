@@ -138,6 +138,7 @@ catalogue! {
                 ),
             }
         };
+        solved_with_goals(vary: &str) = "  krank solve SCENE --vary {vary} \\";
         kept_by_goals = "With other numbers it does its task only where that is asked for:";
 
         // The list of what came of it.

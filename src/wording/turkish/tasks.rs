@@ -131,6 +131,7 @@ catalogue! {
                 ),
             }
         };
+        solved_with_goals(vary: &str) = "  krank solve SAHNE --vary {vary} \\";
         kept_by_goals = "Başka sayılarla görevini ancak bu istendiğinde yapar:";
 
         // The list of what came of it.
