@@ -151,7 +151,7 @@ fn what_is_no_search_is_refused_with_a_mend() {
             "figure, a sign",
         ),
         (
-            vec!["--vary", "r2.length", "--goal", "r4.length.stroke = 3 mm"],
+            vec!["--vary", "r2.length", "--goal", "r4.length.stroke = 3 deg"],
             "cm",
         ),
         (
