@@ -31,7 +31,7 @@ pub use subject::{Aspect, Share, Subject};
 pub use units::{known_unit, other_units, rate_unit, unit_factor};
 pub use value::{bound, state_word, value};
 
-use crate::expression::{Cut, LengthScale, Revolution};
+use crate::expression::{DirectionCut, LengthScale, Revolution};
 use crate::solver::{Demand, Order, State};
 use crate::{Ball, Dual, Number};
 use std::sync::Arc;
@@ -156,11 +156,11 @@ impl Quantity {
     }
 
     /// How it jumps where a direction that it is made of passes a full turn.
-    pub(crate) fn cut(&self) -> Cut {
+    pub(crate) fn cut(&self) -> DirectionCut {
         match &self.source {
             FigureSource::Solved(subject, aspect) => match aspect.kind(*subject).revolution {
-                Some(Revolution::Wrapped | Revolution::Counted) => Cut::ByTurns,
-                None => Cut::Nowhere,
+                Some(Revolution::Wrapped | Revolution::Counted) => DirectionCut::ByTurns,
+                None => DirectionCut::Nowhere,
             },
             FigureSource::Derived(derived) => derived.cut(),
         }

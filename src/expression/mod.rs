@@ -24,7 +24,7 @@ mod tree;
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use conversion::converted;
-pub(crate) use cuts::Cut;
+pub(crate) use cuts::DirectionCut;
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::evaluate;
 pub(crate) use evaluated::{Evaluated, MeasuredNumber};

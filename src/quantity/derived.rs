@@ -1,7 +1,7 @@
 //! Figures that are made of others.
 
 use super::{Aspect, Subject};
-use crate::expression::{Code, Cut, Kind, Op, Part};
+use crate::expression::{Code, DirectionCut, Kind, Op, Part};
 use crate::{Ball, Dual, Number};
 
 /// How a figure is made of figures that the solver finds.
@@ -111,7 +111,7 @@ impl Derived {
 
 impl Derived {
     /// How it jumps where a direction in it passes a full turn.
-    pub(super) fn cut(&self) -> Cut {
+    pub(super) fn cut(&self) -> DirectionCut {
         self.code.cut(|leaf| {
             let Leaf {
                 subject, aspect, ..

@@ -1,7 +1,7 @@
 //! What holds a design where its figure falls: constraints with nothing left, and ends, each by its multiplier.
 
 use super::GoalSense;
-use super::judge::{Judge, Judged, Slopes, is_finite};
+use super::judge::{Judge, JudgedDesign, Slopes, is_finite};
 use nalgebra::{DMatrix, DVector};
 
 /// A constraint with so little left, in parts of its size, holds the design.
@@ -31,7 +31,7 @@ struct MayHold {
 
 /// What holds a design where its figure falls.
 #[derive(Clone, Debug)]
-pub(super) struct Hold {
+pub(super) struct DesignHold {
     /// Constraints.
     pub(super) rows: Vec<usize>,
     /// The slopes of what holds it, a row each: these constraints, then the ends.
@@ -44,7 +44,7 @@ pub(super) struct Hold {
 
 impl Holds {
     /// At a design.
-    pub(super) fn at(judge: &Judge, here: &Judged, slopes: &Slopes) -> Holds {
+    pub(super) fn at(judge: &Judge, here: &JudgedDesign, slopes: &Slopes) -> Holds {
         let mut all = Vec::new();
         for (i, goal) in judge.constraints.iter().enumerate() {
             let is_equal = goal.sense == GoalSense::Equal;
@@ -94,9 +94,9 @@ impl Holds {
     }
 }
 
-impl Hold {
+impl DesignHold {
     /// What holds a design where its figure falls: what would let it go is left out, one after the other.
-    pub(super) fn of(judge: &Judge, here: &Judged, slopes: &Slopes) -> Hold {
+    pub(super) fn of(judge: &Judge, here: &JudgedDesign, slopes: &Slopes) -> DesignHold {
         let mut holds = Holds::at(judge, here, slopes);
         loop {
             let normals = holds.normals();
@@ -113,7 +113,7 @@ impl Hold {
                 0 => DVector::zeros(slopes.value.len()),
                 _ => normals.tr_mul(&multipliers),
             };
-            return Hold {
+            return DesignHold {
                 rows: holds.all.iter().filter_map(|one| one.row).collect(),
                 free: &slopes.value - held,
                 normals,
@@ -122,7 +122,7 @@ impl Hold {
         }
     }
 
-    pub(super) fn is_stationary(&self, here: &Judged, slopes: &Slopes) -> bool {
+    pub(super) fn is_stationary(&self, here: &JudgedDesign, slopes: &Slopes) -> bool {
         self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
     }
 

@@ -30,7 +30,7 @@ pub(super) struct Judge {
 
 /// What a design is judged by.
 #[derive(Clone, Debug)]
-pub(super) struct Judged {
+pub(super) struct JudgedDesign {
     pub(super) numbers: Vec<f64>,
     /// The figure that is to be the best, so that less is better.
     pub(super) value: f64,
@@ -74,7 +74,7 @@ impl Judge {
     }
 
     /// Judges a design; `None` where it is none, or lacks a figure.
-    pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<Judged> {
+    pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
         let found = self.figures.of(&numbers).ok()?;
         let (value, kept) = found.split_first()?;
         let value = value.ok().filter(|value| value.is_finite())?;
@@ -87,7 +87,7 @@ impl Judge {
             }
             slacks.push(goal.slack(kept));
         }
-        Some(Judged {
+        Some(JudgedDesign {
             numbers,
             value,
             slacks: DVector::from_vec(slacks),
@@ -108,7 +108,11 @@ impl Judge {
 
     /// Brings a design onto what is to be equal, by Newton's steps, each the shortest that there is between the ends; with
     /// `held` also onto these of the other constraints, and onto those that it misses.
-    pub(super) fn onto(&mut self, mut design: Judged, held: Option<&[usize]>) -> Judged {
+    pub(super) fn onto(
+        &mut self,
+        mut design: JudgedDesign,
+        held: Option<&[usize]>,
+    ) -> JudgedDesign {
         for _ in 0..STEPS {
             let rows = self.missed_by(&design, held);
             let missed = norm(&design, &rows);
@@ -132,7 +136,7 @@ impl Judge {
     }
 
     /// The constraints onto which a design is brought.
-    fn missed_by(&self, design: &Judged, held: Option<&[usize]>) -> Vec<usize> {
+    fn missed_by(&self, design: &JudgedDesign, held: Option<&[usize]>) -> Vec<usize> {
         let all = self.constraints.iter().enumerate();
         let is_missed = |i: usize, goal: &Goal| {
             let is_held = |held: &[usize]| design.slacks[i] < 0.0 || held.contains(&i);
@@ -143,7 +147,12 @@ impl Judge {
     }
 
     /// The shortest step that makes some slacks nought, of numbers that it does not lead beyond their ends.
-    fn way_onto(&self, design: &Judged, slopes: &Slopes, rows: &[usize]) -> Option<DVector<f64>> {
+    fn way_onto(
+        &self,
+        design: &JudgedDesign,
+        slopes: &Slopes,
+        rows: &[usize],
+    ) -> Option<DVector<f64>> {
         let count = self.ends.len();
         let missed = DVector::from_iterator(rows.len(), rows.iter().map(|&i| design.slacks[i]));
         let mut free = vec![true; count];
@@ -182,7 +191,7 @@ impl Judge {
         moved.collect()
     }
 
-    fn exact_ones(&mut self, design: &Judged) -> Option<Slopes> {
+    fn exact_ones(&mut self, design: &JudgedDesign) -> Option<Slopes> {
         let slopes = self.figures.exact_slopes(&design.numbers)?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];
         let (value, slacks) = slopes.split_first()?;
@@ -198,7 +207,12 @@ impl Judge {
 
     /// The derivatives at a design: the solver's own where every figure has them, else by differences of this part of the way between the ends: to both sides or, where that
     /// is enough, to one.
-    pub(super) fn slopes(&mut self, design: &Judged, part: f64, to_both: bool) -> Option<Slopes> {
+    pub(super) fn slopes(
+        &mut self,
+        design: &JudgedDesign,
+        part: f64,
+        to_both: bool,
+    ) -> Option<Slopes> {
         if let Some(slopes) = self.exact_ones(design) {
             return Some(slopes);
         }
@@ -250,7 +264,7 @@ pub(super) fn is_finite(matrix: &DMatrix<f64>) -> bool {
 }
 
 /// By how much some constraints are off nought, all together.
-fn norm(design: &Judged, rows: &[usize]) -> f64 {
+fn norm(design: &JudgedDesign, rows: &[usize]) -> f64 {
     let squares = rows.iter().map(|&i| design.slacks[i].powi(2));
     squares.sum::<f64>().sqrt()
 }

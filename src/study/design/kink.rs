@@ -3,7 +3,7 @@
 //! lies between them (Goldstein's condition, with the slopes that are taken by Burke, Lewis and Overton's sampling).
 
 use super::hold::{Holds, multipliers};
-use super::judge::{Judge, Judged};
+use super::judge::{Judge, JudgedDesign};
 use nalgebra::{DMatrix, DVector};
 
 /// Differences, in parts of how far beside the design slopes are taken: none shall reach over the kink.
@@ -26,7 +26,7 @@ pub(super) enum KinkLook {
 
 impl KinkLook {
     /// Looks at the slopes so far beside a design that keeps the constraints, in parts of the way between the ends.
-    pub(super) fn at(judge: &mut Judge, here: &Judged, beside: f64) -> KinkLook {
+    pub(super) fn at(judge: &mut Judge, here: &JudgedDesign, beside: f64) -> KinkLook {
         let part = DIFFERENCE * beside;
         let Some(own) = judge.slopes(here, part, true) else {
             return KinkLook::Open;

@@ -2,8 +2,8 @@
 //! matrix that is gathered on the way (sequential quadratic programming with Broyden, Fletcher, Goldfarb and Shanno's
 //! update), each brought back onto the constraints, until the first-order condition of Karush, Kuhn and Tucker holds.
 
-use super::hold::Hold;
-use super::judge::{DIFFERENCE, Judge, Judged, Slopes, is_finite};
+use super::hold::DesignHold;
+use super::judge::{DIFFERENCE, Judge, JudgedDesign, Slopes, is_finite};
 use super::kink::KinkLook;
 use nalgebra::{DMatrix, DVector};
 
@@ -21,13 +21,13 @@ const KEPT: f64 = 0.2;
 /// A design at the end of the steps.
 #[derive(Clone, Debug)]
 pub(super) struct Polished {
-    pub(super) design: Judged,
+    pub(super) design: JudgedDesign,
     /// Whether no small step along the constraints betters it, to first order.
     pub(super) is_stationary: bool,
 }
 
 /// Goes on from a design to where no small step along the constraints betters it, if it comes there.
-pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
+pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
     let mut here = judge.onto(design, Some(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
@@ -39,7 +39,7 @@ pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
     };
     let mut is_stationary = false;
     for _ in 0..STEPS {
-        let hold = Hold::of(judge, &here, &slopes);
+        let hold = DesignHold::of(judge, &here, &slopes);
         is_stationary = here.worth.0 == 0.0 && hold.is_stationary(&here, &slopes);
         if is_stationary {
             break;
@@ -76,7 +76,7 @@ pub(super) fn polished(judge: &mut Judge, design: Judged) -> Polished {
 }
 
 /// The same from a design at which slopes are not one: by those from all sides, nearer and nearer to it.
-fn at_kink(judge: &mut Judge, mut here: Judged) -> Polished {
+fn at_kink(judge: &mut Judge, mut here: JudgedDesign) -> Polished {
     let mut is_stationary = false;
     for beside in BESIDE {
         for _ in 0..KINKS {
@@ -101,11 +101,11 @@ fn at_kink(judge: &mut Judge, mut here: Judged) -> Polished {
 /// A step that betters the design, and the slopes there.
 fn step(
     judge: &mut Judge,
-    here: &Judged,
+    here: &JudgedDesign,
     slopes: &Slopes,
-    hold: &Hold,
+    hold: &DesignHold,
     curvature: &DMatrix<f64>,
-) -> Option<(Judged, Slopes)> {
+) -> Option<(JudgedDesign, Slopes)> {
     let way = way(hold, &slopes.value, curvature)?;
     let length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
     let there = bettered(judge, here, &(way * length), &hold.rows)?;
@@ -116,10 +116,10 @@ fn step(
 /// A better design on a way, halved as often as that takes, and brought back onto what is held.
 fn bettered(
     judge: &mut Judge,
-    here: &Judged,
+    here: &JudgedDesign,
     way: &DVector<f64>,
     held: &[usize],
-) -> Option<Judged> {
+) -> Option<JudgedDesign> {
     let mut length = 1.0;
     for _ in 0..HALVINGS {
         if let Some(there) = judge.judge(judge.moved(&here.numbers, &(way * length))) {
@@ -134,7 +134,7 @@ fn bettered(
 }
 
 /// The step to the lowest place of the quadratic along what holds the design.
-fn way(hold: &Hold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DVector<f64>> {
+fn way(hold: &DesignHold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DVector<f64>> {
     let (count, held) = (slope.len(), hold.normals.nrows());
     let mut matrix = DMatrix::zeros(count + held, count + held);
     matrix.view_mut((0, 0), (count, count)).copy_from(curvature);
@@ -160,9 +160,9 @@ fn way(hold: &Hold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DV
 fn update(
     judge: &Judge,
     curvature: &mut DMatrix<f64>,
-    hold: &Hold,
-    (before, slopes_before): (&Judged, &Slopes),
-    (after, slopes_after): (&Judged, &Slopes),
+    hold: &DesignHold,
+    (before, slopes_before): (&JudgedDesign, &Slopes),
+    (after, slopes_after): (&JudgedDesign, &Slopes),
 ) {
     let sizes = judge.ends.iter().map(|[low, high]| high - low);
     let gone = before.numbers.iter().zip(&after.numbers).zip(sizes);

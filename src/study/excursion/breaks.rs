@@ -2,7 +2,7 @@
 
 use super::sampler::{BESIDE, MotionSampler, SampledFigure};
 use super::{NoFigure, first_period};
-use crate::expression::Cut;
+use crate::expression::DirectionCut;
 use crate::solver::Range;
 
 /// Halvings of a stretch towards a place that may be a pole, and those after which it is seen that it is none.
@@ -34,7 +34,7 @@ impl MotionSampler {
         sampled: &SampledFigure,
     ) -> Result<(), NoFigure> {
         // A direction is bounded.
-        if self.cut(column) == Cut::ByTurns {
+        if self.cut(column) == DirectionCut::ByTurns {
             return Ok(());
         }
         // Rounding is not the same in every place: what is no more than that of the figure's size is none of a pole.
@@ -88,7 +88,7 @@ impl MotionSampler {
     /// from either side.
     pub(super) fn is_pole(&mut self, column: usize, at: f64, sampled: &SampledFigure) -> bool {
         let (step, most) = (sampled.step(), sampled.most());
-        if self.cut(column) == Cut::ByTurns {
+        if self.cut(column) == DirectionCut::ByTurns {
             return false;
         }
         let mut size = |at: f64| self.value(column, at).map(f64::abs);
@@ -112,7 +112,7 @@ impl MotionSampler {
         column: usize,
         sampled: &SampledFigure,
     ) -> Result<(), NoFigure> {
-        if self.cut(column) != Cut::Otherwise {
+        if self.cut(column) != DirectionCut::Otherwise {
             return Ok(());
         }
         let values = &sampled.by_degree[0];

@@ -3,7 +3,7 @@
 //! Behind the name of a column stands what is asked of it: `C.x.stroke`, `swing.ratio`, `r4.angle.greatest.at`,
 //! `C.x@60`. Of the mechanism as a whole there are `range`, `transmission` and `condition`.
 
-use crate::expression::Cut;
+use crate::expression::DirectionCut;
 use crate::nearest::nearest;
 use crate::quantity::{Catalogue, FigureSource, Quantity, Subject, demand, rate_unit};
 use crate::wording::words;
@@ -147,7 +147,7 @@ impl CycleFigure {
             property,
             FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest
         );
-        is_value && of.cut() == Cut::ByTurns
+        is_value && of.cut() == DirectionCut::ByTurns
     }
 
     /// Whether it is a coordinate of the driver at which something is.

@@ -38,7 +38,7 @@ pub(crate) use seam::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
 use crate::angle::TURN;
-use crate::expression::Cut;
+use crate::expression::DirectionCut;
 use crate::quantity::Quantity;
 use crate::solver::{Range, Solver};
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
@@ -228,7 +228,7 @@ impl Excursion {
             let hardest = sampler.hardest(column, sampled, is_level);
             excursion.hardest = hardest.map(within);
         }
-        if sampler.cut(column) == Cut::ByTurns && revolutions == 0.0 {
+        if sampler.cut(column) == DirectionCut::ByTurns && revolutions == 0.0 {
             excursion.count_from_state(sampler.value(column, greatest.at));
         }
         for turning in &mut excursion.turnings {

@@ -1,7 +1,7 @@
 //! Figures and their slopes by the driver's coordinate.
 
 use crate::angle::{self, TURN, radians};
-use crate::expression::Cut;
+use crate::expression::DirectionCut;
 use crate::quantity::{Quantity, demand};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::study::motor::{load_bends, repeats};
@@ -61,7 +61,7 @@ pub(super) struct SampledFigure {
 
 /// A figure and those that are its rates.
 struct SlopedFigure {
-    cut: Cut,
+    cut: DirectionCut,
     by_degree: Vec<Quantity>,
     /// What each is multiplied by for the slope of the figure by the coordinate.
     factors: [f64; 3],
@@ -171,7 +171,7 @@ impl MotionSampler {
     }
 
     /// How a figure jumps where a direction in it passes a full turn.
-    pub(super) fn cut(&self, column: usize) -> Cut {
+    pub(super) fn cut(&self, column: usize) -> DirectionCut {
         self.columns[column].cut
     }
 
@@ -235,8 +235,8 @@ impl MotionSampler {
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.cut(column) {
-            Cut::ByTurns => angle::beside(beside, value),
-            Cut::Nowhere | Cut::Otherwise => value,
+            DirectionCut::ByTurns => angle::beside(beside, value),
+            DirectionCut::Nowhere | DirectionCut::Otherwise => value,
         };
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
         FigureSample { at, value, slope }
@@ -258,7 +258,7 @@ impl MotionSampler {
             }
         }
         for (column, sampled) in self.columns.iter().zip(&mut sampled) {
-            if column.cut == Cut::ByTurns {
+            if column.cut == DirectionCut::ByTurns {
                 sampled.unwrap_turns();
             }
         }
@@ -356,10 +356,10 @@ impl SampledFigure {
     }
 
     /// How often it has turned round when the motion repeats; 0 of what jumps by no full turns.
-    pub(super) fn revolutions(&self, range: Range, cut: Cut) -> f64 {
+    pub(super) fn revolutions(&self, range: Range, cut: DirectionCut) -> f64 {
         let values = &self.by_degree[0];
         match (range, cut, values.first(), values.last()) {
-            (Range::Full { .. }, Cut::ByTurns, Some(first), Some(last)) => {
+            (Range::Full { .. }, DirectionCut::ByTurns, Some(first), Some(last)) => {
                 ((last - first) / TURN).round() + 0.0
             }
             _ => 0.0,

@@ -26,12 +26,12 @@ pub(crate) struct EditLine {
     longest: usize,
     takes: Takes,
     /// Why something was not taken since the line was edited last.
-    refusal: Option<Refusal>,
+    refusal: Option<RefusedKey>,
 }
 
 /// Why a character is not taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Refusal {
+enum RefusedKey {
     /// The line does not take such characters.
     Character(char),
     /// The line has as many as it takes.
@@ -131,24 +131,24 @@ impl EditLine {
             Takes::Any => true,
         };
         if !is_taken {
-            self.refuse(Refusal::Character(c));
+            self.refuse(RefusedKey::Character(c));
         } else if self.text.len() + c.len_utf8() > self.longest {
-            self.refuse(Refusal::Length(self.longest));
+            self.refuse(RefusedKey::Length(self.longest));
         } else {
             self.text.push(c);
         }
     }
 
     /// The first of several reasons is told.
-    fn refuse(&mut self, why: Refusal) {
+    fn refuse(&mut self, why: RefusedKey) {
         self.refusal.get_or_insert(why);
     }
 
     /// In words why something was not taken, once.
     pub(crate) fn take_refusal(&mut self) -> Option<String> {
         self.refusal.take().map(|why| match why {
-            Refusal::Character(c) => words().character_not_taken(c),
-            Refusal::Length(most) => words().no_more_characters(most),
+            RefusedKey::Character(c) => words().character_not_taken(c),
+            RefusedKey::Length(most) => words().no_more_characters(most),
         })
     }
 
