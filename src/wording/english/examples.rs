@@ -181,9 +181,10 @@ Examples:
 Of each figure: as it was given; the worst case within all tolerances; the root
 sum square of what each length does by itself; at one place also the figures of
 machines made by chance, and who contributes how much. The worst case is solved
-at every corner of the tolerances of up to 16 lengths. Of more lengths, and of
-loose pins, it is enclosed; what is neither is called estimated. The tolerances
-are the scene's: tolerance, clearance, [tolerances], [clearances].";
+at every corner of the tolerances of up to 16 lengths, of a stroke up to 12. Of
+more lengths, and of loose pins, it is enclosed; what is neither is told to be
+estimated, and how it was found. The tolerances are the scene's: tolerance,
+clearance, [tolerances], [clearances].";
         examples_of_start = "\
 Examples:
   krank start four-bar --assembly C=- > crossed.toml

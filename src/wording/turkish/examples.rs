@@ -176,9 +176,10 @@ sahnenin [motor] bölümünün yerine geçer. Sürtünme modellenmez.";
 Her büyüklük için: verildiği gibi değeri; bütün toleranslar içinde en kötü durum;
 her boyun tek başına yaptığının karelerinin toplamının karekökü; tek bir konumda
 ayrıca rastgele yapılan makinelerin değerleri ve kimin ne kadar payı olduğu. En kötü
-durum, 16 boya kadar toleransların her köşesinde çözülür. Daha çok boyda ve boşluklu
-pimlerde kuşatılır; ikisi de olmayana tahmin denir. Toleranslar sahneninkidir:
-tolerance, clearance, [tolerances], [clearances].";
+durum, 16 boya (bir strokta 12 boya) kadar toleransların her köşesinde çözülür. Daha
+çok boyda ve boşluklu pimlerde kuşatılır; ikisi de olmayanın tahmin olduğu ve nasıl
+bulunduğu söylenir. Toleranslar sahneninkidir: tolerance, clearance, [tolerances],
+[clearances].";
         examples_of_start = "\
 Örnekler:
   krank start four-bar --assembly C=- > crossed.toml

@@ -44,7 +44,7 @@ pub(crate) enum CandidatesPage {
     /// The one under the cursor alone, where there is no room for both.
     Alone,
     /// Of four poses the curves of pivots and their pins.
-    Curves(CurveWalk),
+    Curves(Box<CurveWalk>),
 }
 
 /// What a search has found, as it is listed.

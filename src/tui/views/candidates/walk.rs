@@ -59,7 +59,7 @@ impl CandidateList {
     /// From the list to the candidate alone, where both are not seen, on to the curves, and back.
     pub(crate) fn turn_page(&mut self, sees_both: bool) {
         let curves = match self.has_curves() {
-            true => CandidatesPage::Curves(self.walk_from_start()),
+            true => CandidatesPage::Curves(Box::new(self.walk_from_start())),
             false => CandidatesPage::List,
         };
         self.page = match self.page {
