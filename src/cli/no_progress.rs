@@ -10,6 +10,14 @@ impl Progress {
         Progress
     }
 
+    pub(super) fn stoppable(self) -> Progress {
+        self
+    }
+
+    pub(super) fn is_stopped(&self) -> bool {
+        false
+    }
+
     pub(super) fn tell(&mut self, _: u64) {}
 
     pub(super) fn end(self) {}

@@ -14,6 +14,7 @@ use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -43,6 +44,8 @@ pub(super) struct Progress {
     begin: Instant,
     /// When the line is looked at again.
     next: Duration,
+    /// Set by the first Ctrl-C, of a command that then tells what it has; others end.
+    stop: Option<Arc<AtomicBool>>,
 }
 
 /// What stands on the terminal; empty before the first time and at the end.
@@ -65,7 +68,24 @@ impl Progress {
             line: seen.then(Arc::default),
             begin: Instant::now(),
             next: DELAY,
+            stop: None,
         }
+    }
+
+    /// The same for a command that tells what it has found when Ctrl-C is typed while its line stands there; a second one
+    /// ends it.
+    pub(super) fn stoppable(self) -> Progress {
+        Progress {
+            stop: Some(Arc::default()),
+            ..self
+        }
+    }
+
+    /// Whether it is to come to its end now.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stop
+            .as_ref()
+            .is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
     /// So much is done. Costs next to nothing most of the time.
@@ -77,7 +97,10 @@ impl Progress {
         }
         let first = self.next == DELAY;
         self.next = elapsed + PAUSE;
-        if first && watch_for_signals(Arc::clone(line)).is_err() {
+        if self.is_stopped() {
+            return;
+        }
+        if first && watch_for_signals(Arc::clone(line), self.stop.clone()).is_err() {
             // A line that would be left behind is worse than none.
             self.line = None;
             return;
@@ -126,14 +149,21 @@ fn hold(line: &Mutex<ProgressLine>) -> MutexGuard<'_, ProgressLine> {
 }
 
 /// From now on the line is cleared before a signal ends the program, even where it waits for somebody
-/// to take its results.
-fn watch_for_signals(line: Arc<Mutex<ProgressLine>>) -> io::Result<()> {
+/// to take its results; what can be stopped is only told so by the first Ctrl-C.
+fn watch_for_signals(
+    line: Arc<Mutex<ProgressLine>>,
+    stop: Option<Arc<AtomicBool>>,
+) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGQUIT])?;
     let wait = move || {
-        if let Some(signal) = signals.forever().next() {
+        for signal in signals.forever() {
             // Held to the end, so that nothing is drawn in between.
             let mut line = hold(&line);
             line.clear();
+            let stop = stop.as_ref().filter(|_| signal == SIGINT);
+            if stop.is_some_and(|stop| !stop.swap(true, Ordering::Relaxed)) {
+                continue;
+            }
             // Without it the program goes on; there is nobody to tell.
             let _ = emulate_default_handler(signal);
         }

@@ -47,11 +47,14 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
         seed: args.seed,
         threads: parallel::cores(),
     };
-    let mut progress = Progress::new(WHOLE, words().parts(), screen, false);
+    let mut progress = Progress::new(WHOLE, words().parts(), screen, false).stoppable();
     let found = Synthesis::run(&file.task, order, &mut |part| {
         progress.tell((part.clamp(0.0, 1.0) * WHOLE as f64) as u64);
-        true
+        !progress.is_stopped()
     });
+    if progress.is_stopped() {
+        note(words().search_was_stopped(), screen);
+    }
     progress.end();
     let report = SynthesisReport {
         file: &file,

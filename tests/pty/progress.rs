@@ -177,3 +177,33 @@ fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
         "{left:?}"
     );
 }
+
+/// A circle of so many points is a long search.
+fn long_task() -> String {
+    let points = (0..1500).map(|k| {
+        let at = f64::from(k) * std::f64::consts::TAU / 1500.0;
+        let wave = 10.0 * (5.0 * at).sin();
+        format!("[{:.3}, {:.3}]", 100.0 * at.cos() + wave, 60.0 * at.sin())
+    });
+    let points: Vec<String> = points.collect();
+    let points = points.join(", ");
+    format!("kind = \"path\"\nunit = \"mm\"\nclosed = true\npoints = [{points}]\n")
+}
+
+#[test]
+fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/long-path.toml");
+    std::fs::write(file, long_task()).unwrap();
+    let script = format!("trap : INT; $KRANK synthesize {file} > {file}.txt; echo code $?");
+    let mut terminal = Terminal::run(&script, "xterm", 80);
+    terminal.wait_for(" %");
+    terminal.type_in("\x03");
+    terminal.wait_for("code ");
+    let left = terminal.contents();
+    // 0 or 1, as where the search comes to its end: whether anything does the task is another question.
+    assert!(left.contains("stopped: what was found"), "{left}");
+    let code = left.rsplit("code ").next().unwrap_or_default().trim();
+    assert!(["0", "1"].contains(&code), "{left}");
+    let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
+    assert!(told.contains("long-path"), "{told}");
+}

@@ -176,6 +176,7 @@ catalogue! {
         task_is_no_scene = "this is a task, and no scene";
 
         // The command.
+        search_was_stopped = "stopped: what was found until then follows; Ctrl-C again ends it";
         does_synthesize = "Find linkages that do a task: poses, a function or a path";
         task_to_do = "A task file, `-` for standard input, or an example: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "How many linkages are told, the best first";

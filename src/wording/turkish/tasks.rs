@@ -169,6 +169,7 @@ catalogue! {
         task_is_no_scene = "bu bir görev, sahne değil";
 
         // The command.
+        search_was_stopped = "durduruldu: o ana kadar bulunanlar aşağıda; bir Ctrl-C daha bitirir";
         does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
         task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
