@@ -47,8 +47,6 @@ mod structural_error;
 mod sweep;
 mod synthesis;
 mod synthesis_csv;
-#[cfg(test)]
-mod synthesis_reasons;
 mod tables;
 mod tables_data;
 mod tables_page;

@@ -1,5 +1,8 @@
 //! What came of a task: linkages that do it, and those that do not with the reason.
 
+#[cfg(test)]
+mod tests;
+
 use super::number::significant;
 use super::structural_error::StructuralError;
 use super::synthesis_csv::{defect_words, family};

@@ -1,7 +1,7 @@
 //! What holds a design where its figure falls: constraints with nothing left, and ends, each by its multiplier.
 
 use super::GoalSense;
-use super::judge::{Judge, JudgedDesign, Slopes, is_finite};
+use super::judge::{DesignSlopes, Judge, JudgedDesign, is_finite};
 use nalgebra::{DMatrix, DVector};
 
 /// A constraint with so little left, in parts of its size, holds the design.
@@ -44,7 +44,7 @@ pub(super) struct DesignHold {
 
 impl Holds {
     /// At a design.
-    pub(super) fn at(judge: &Judge, here: &JudgedDesign, slopes: &Slopes) -> Holds {
+    pub(super) fn at(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> Holds {
         let mut all = Vec::new();
         for (i, goal) in judge.constraints.iter().enumerate() {
             let is_equal = goal.sense == GoalSense::Equal;
@@ -96,7 +96,7 @@ impl Holds {
 
 impl DesignHold {
     /// What holds a design where its figure falls: what would let it go is left out, one after the other.
-    pub(super) fn of(judge: &Judge, here: &JudgedDesign, slopes: &Slopes) -> DesignHold {
+    pub(super) fn of(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> DesignHold {
         let mut holds = Holds::at(judge, here, slopes);
         loop {
             let normals = holds.normals();
@@ -122,12 +122,12 @@ impl DesignHold {
         }
     }
 
-    pub(super) fn is_stationary(&self, here: &JudgedDesign, slopes: &Slopes) -> bool {
+    pub(super) fn is_stationary(&self, here: &JudgedDesign, slopes: &DesignSlopes) -> bool {
         self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
     }
 
     /// The slope of the figure less what holds it, by the multipliers of another place.
-    pub(super) fn lagrangian(&self, slopes: &Slopes) -> DVector<f64> {
+    pub(super) fn lagrangian(&self, slopes: &DesignSlopes) -> DVector<f64> {
         let mut slope = slopes.value.clone();
         for (&row, by) in self.rows.iter().zip(self.multipliers.iter()) {
             slope -= slopes.slacks.row(row).transpose() * *by;

@@ -41,7 +41,7 @@ pub(super) struct JudgedDesign {
 
 /// The derivatives of what a design is judged by, by its numbers in parts of the way between their ends.
 #[derive(Clone, Debug)]
-pub(super) struct Slopes {
+pub(super) struct DesignSlopes {
     pub(super) value: DVector<f64>,
     /// A row for each constraint.
     pub(super) slacks: DMatrix<f64>,
@@ -150,7 +150,7 @@ impl Judge {
     fn way_onto(
         &self,
         design: &JudgedDesign,
-        slopes: &Slopes,
+        slopes: &DesignSlopes,
         rows: &[usize],
     ) -> Option<DVector<f64>> {
         let count = self.ends.len();
@@ -191,13 +191,13 @@ impl Judge {
         moved.collect()
     }
 
-    fn exact_ones(&mut self, design: &JudgedDesign) -> Option<Slopes> {
+    fn exact_ones(&mut self, design: &JudgedDesign) -> Option<DesignSlopes> {
         let slopes = self.figures.exact_slopes(&design.numbers)?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];
         let (value, slacks) = slopes.split_first()?;
         let sense = if self.greatest { -1.0 } else { 1.0 };
         let count = self.ends.len();
-        Some(Slopes {
+        Some(DesignSlopes {
             value: DVector::from_fn(count, |i, _| sense * value[i] * size(i)),
             slacks: DMatrix::from_fn(self.constraints.len(), count, |k, i| {
                 self.constraints[k].slope_of_slack(slacks[k][i] * size(i))
@@ -212,12 +212,12 @@ impl Judge {
         design: &JudgedDesign,
         part: f64,
         to_both: bool,
-    ) -> Option<Slopes> {
+    ) -> Option<DesignSlopes> {
         if let Some(slopes) = self.exact_ones(design) {
             return Some(slopes);
         }
         let count = self.ends.len();
-        let mut slopes = Slopes {
+        let mut slopes = DesignSlopes {
             value: DVector::zeros(count),
             slacks: DMatrix::zeros(self.constraints.len(), count),
         };

@@ -3,7 +3,7 @@
 //! update), each brought back onto the constraints, until the first-order condition of Karush, Kuhn and Tucker holds.
 
 use super::hold::DesignHold;
-use super::judge::{DIFFERENCE, Judge, JudgedDesign, Slopes, is_finite};
+use super::judge::{DIFFERENCE, DesignSlopes, Judge, JudgedDesign, is_finite};
 use super::kink::KinkLook;
 use nalgebra::{DMatrix, DVector};
 
@@ -102,10 +102,10 @@ fn at_kink(judge: &mut Judge, mut here: JudgedDesign) -> Polished {
 fn step(
     judge: &mut Judge,
     here: &JudgedDesign,
-    slopes: &Slopes,
+    slopes: &DesignSlopes,
     hold: &DesignHold,
     curvature: &DMatrix<f64>,
-) -> Option<(JudgedDesign, Slopes)> {
+) -> Option<(JudgedDesign, DesignSlopes)> {
     let way = way(hold, &slopes.value, curvature)?;
     let length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
     let there = bettered(judge, here, &(way * length), &hold.rows)?;
@@ -161,8 +161,8 @@ fn update(
     judge: &Judge,
     curvature: &mut DMatrix<f64>,
     hold: &DesignHold,
-    (before, slopes_before): (&JudgedDesign, &Slopes),
-    (after, slopes_after): (&JudgedDesign, &Slopes),
+    (before, slopes_before): (&JudgedDesign, &DesignSlopes),
+    (after, slopes_after): (&JudgedDesign, &DesignSlopes),
 ) {
     let sizes = judge.ends.iter().map(|[low, high]| high - low);
     let gone = before.numbers.iter().zip(&after.numbers).zip(sizes);
