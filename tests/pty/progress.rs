@@ -180,8 +180,8 @@ fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
 
 /// A circle of so many points is a long search.
 fn long_task() -> String {
-    let points = (0..1500).map(|k| {
-        let at = f64::from(k) * std::f64::consts::TAU / 1500.0;
+    let points = (0..1000).map(|k| {
+        let at = f64::from(k) * std::f64::consts::TAU / 1000.0;
         let wave = 10.0 * (5.0 * at).sin();
         format!("[{:.3}, {:.3}]", 100.0 * at.cos() + wave, 60.0 * at.sin())
     });

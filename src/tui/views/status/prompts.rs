@@ -86,11 +86,14 @@ fn design(app: &App, line: &mut Writer<'_>) {
     let hinted: u16 = hints.iter().map(needed).sum();
     let longest = line.room().saturating_sub(hinted + 1);
     let told = run.line().unwrap_or_default();
-    line.say(
-        &cut(&shown(&told, app.glyphs()), longest.into()),
-        ScreenPart::Text,
-    );
-    line.gap(2);
+    let shown_line = shown(&told, app.glyphs());
+    // What is taken is seen as a whole.
+    if columns(&shown_line) > longest {
+        line.leave_untold(&told);
+    } else {
+        line.say(&shown_line, ScreenPart::Text);
+        line.gap(2);
+    }
     for (key, name) in &hints {
         line.hint(key, name);
     }
