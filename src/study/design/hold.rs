@@ -136,13 +136,31 @@ impl DesignHold {
     }
 }
 
-/// The multipliers with which normals hold a slope best.
+/// The multipliers with which normals hold a slope best, one for each; nought where normals are no numbers.
 pub(super) fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
     if normals.nrows() == 0 || !is_finite(normals) {
-        return DVector::zeros(0);
+        return DVector::zeros(normals.nrows());
     }
     let parts = normals.transpose().svd(true, true);
     let least = SINGULAR * parts.singular_values.max();
     let found = parts.solve(slope, least);
     found.unwrap_or_else(|_| DVector::zeros(normals.nrows()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Slopes that are no numbers hold nothing, and every normal still has its multiplier.
+    #[test]
+    fn each_normal_has_a_multiplier() {
+        let slope = DVector::from_vec(vec![2.0, 0.0]);
+        for (entry, expected) in [(1.0, 2.0), (f64::NAN, 0.0), (f64::INFINITY, 0.0)] {
+            let normals = DMatrix::from_row_slice(1, 2, &[entry, 0.0]);
+            let found = multipliers(&normals, &slope);
+            assert_eq!(found.len(), 1);
+            assert!((found[0] - expected).abs() < 1e-12, "{entry}: {found}");
+        }
+        assert_eq!(multipliers(&DMatrix::zeros(0, 2), &slope).len(), 0);
+    }
 }
