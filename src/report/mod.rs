@@ -35,6 +35,7 @@ mod least;
 mod loop_facts;
 mod motion_facts;
 mod motor;
+mod motor_csv;
 mod motor_page;
 mod number;
 mod paper;

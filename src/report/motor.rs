@@ -1,8 +1,9 @@
 //! The motor over a cycle: what a scene asks of its driver, what evens that out, and what a ram does.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::motor_csv::{step_cells, step_heads};
 use super::number::shortest;
-use crate::quantity::{Catalogue, state_word};
+use crate::quantity::Catalogue;
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
@@ -319,28 +320,12 @@ impl MotorReport {
         let mut csv = CsvSheet::new(dialect, out);
         let [coordinate, effort] = &self.columns;
         let unit = self.effort_unit();
-        let parts = PARTS.map(|part| format!("{effort}.{part} [{unit}]"));
-        let mut header = vec![coordinate.clone(), format!("{effort} [{unit}]")];
-        header.extend(parts);
-        let rest = [
-            "driver.power [W]",
-            "driver.work [J]",
-            "ground.fx [N]",
-            "ground.fy [N]",
-            "ground.moment [N m]",
-            "state",
-        ];
-        header.extend(rest.map(str::to_owned));
+        let mut header = vec![coordinate.clone()];
+        header.extend(step_heads(effort, unit));
         csv.record(&header)?;
         for (way, step) in duty.steps(steps(duty.turns())) {
-            let mut row = vec![cell(Some(step.at)), cell(step.torque)];
-            row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
-            row.push(cell(step.power));
-            row.push(cell(duty.work(way)));
-            row.push(cell(step.ground.map(|(force, _)| force.x)));
-            row.push(cell(step.ground.map(|(force, _)| force.y)));
-            row.push(cell(step.ground.map(|(_, moment)| moment)));
-            row.push(state_word(step.condition).to_owned());
+            let mut row = vec![cell(Some(step.at))];
+            row.extend(step_cells(&step, duty.work(way)));
             csv.record(&row)?;
         }
         csv.finish()

@@ -3,10 +3,11 @@
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::motion_facts::leaves_text;
 use super::motor::{NOTHING, PARTS, cell};
+use super::motor_csv::{step_cells, step_heads};
 use super::number::{concise, significant};
 use crate::Input;
 use crate::page::{Content, Facts, Page, TextStyle};
-use crate::quantity::{Catalogue, Clock, state_word};
+use crate::quantity::{Catalogue, Clock};
 use crate::scene::{Motor, Scene};
 use crate::solver::Solver;
 use crate::study::motor::{MotorDemand, MotorFit, NoTimedDuty, TimedDuty, TimedPart, TimedPeak};
@@ -176,35 +177,17 @@ impl TimedMotorReport {
             "time [s]".to_owned(),
             self.coordinate.clone(),
             format!("driver.speed [{speed}]"),
-            format!("{effort} [{unit}]"),
         ];
-        header.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
-        let rest = [
-            "driver.power [W]",
-            "driver.work [J]",
-            "ground.fx [N]",
-            "ground.fy [N]",
-            "ground.moment [N m]",
-            "state",
-        ];
-        header.extend(rest.map(str::to_owned));
+        header.extend(step_heads(effort, &unit));
         csv.record(&header)?;
         let scale = |rate: f64| match self.turns {
             true => rate.to_radians(),
             false => rate,
         };
         for instant in self.duty.instants(clock, solver, STEPS) {
-            let step = &instant.step;
             let mut row = vec![cell(Some(instant.time)), cell(Some(instant.moment.at))];
             row.push(cell(Some(scale(instant.moment.speed))));
-            row.push(cell(step.torque));
-            row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
-            row.push(cell(step.power));
-            row.push(cell(Some(instant.work)));
-            row.push(cell(step.ground.map(|(force, _)| force.x)));
-            row.push(cell(step.ground.map(|(force, _)| force.y)));
-            row.push(cell(step.ground.map(|(_, moment)| moment)));
-            row.push(state_word(step.condition).to_owned());
+            row.extend(step_cells(&instant.step, Some(instant.work)));
             csv.record(&row)?;
         }
         csv.finish()

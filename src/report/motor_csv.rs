@@ -1,0 +1,38 @@
+//! The columns that a step of a motor's cycle is written in, over the driver's coordinate as over time.
+
+use super::motor::{PARTS, cell};
+use crate::quantity::state_word;
+use crate::study::motor::Step;
+
+/// Those behind the torque and its parts.
+const REST: [&str; 6] = [
+    "driver.power [W]",
+    "driver.work [J]",
+    "ground.fx [N]",
+    "ground.fy [N]",
+    "ground.moment [N m]",
+    "state",
+];
+
+/// Their heads; `effort` is `driver.torque` or `driver.force`.
+pub(super) fn step_heads(effort: &str, unit: &str) -> Vec<String> {
+    let mut heads = vec![format!("{effort} [{unit}]")];
+    heads.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
+    heads.extend(REST.map(str::to_owned));
+    heads
+}
+
+/// A step in them, with the work in joules since the beginning. What does not exist there is empty.
+pub(super) fn step_cells(step: &Step, work: Option<f64>) -> Vec<String> {
+    let mut cells = vec![cell(step.torque)];
+    cells.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
+    cells.extend([
+        cell(step.power),
+        cell(work),
+        cell(step.ground.map(|(force, _)| force.x)),
+        cell(step.ground.map(|(force, _)| force.y)),
+        cell(step.ground.map(|(_, moment)| moment)),
+        state_word(step.condition).to_owned(),
+    ]);
+    cells
+}
