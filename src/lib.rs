@@ -70,13 +70,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-#![doc = include_str!("notation.md")]
+//! The notation is that of [`kinematics`](kinematics#notation).
 #![cfg_attr(test, allow(clippy::unwrap_used, reason = "a test fails by panicking"))]
 
 #[cfg(all(feature = "tui", not(unix)))]
 compile_error!("the workbench needs the terminal of a Unix: build with --no-default-features");
 
-mod arithmetic;
 pub mod assembly;
 #[cfg_attr(
     not(feature = "tui"),
@@ -93,19 +92,14 @@ pub mod drawing;
 mod explain;
 mod expression;
 mod files;
-pub mod guide;
 pub mod handover;
 mod manual;
-mod mechanism;
 mod nearest;
-mod numeric;
 pub mod page;
-mod parallel;
 mod pixels;
 pub mod quantity;
 pub mod report;
 pub mod scene;
-pub mod solver;
 pub mod study;
 pub mod synthesis;
 pub mod task_file;
@@ -119,8 +113,11 @@ pub mod tui;
 )]
 mod wording;
 
-pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
-pub use mechanism::{
+use kinematics::{arithmetic, mechanism, numeric, parallel};
+pub use kinematics::{guide, solver};
+
+pub use kinematics::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
+pub use kinematics::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
     Input, InputLaw, InputTable, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
     Member, MotionLaw, MotionPeaks, Point, PointId, PolarPlace, Profile, Slide, SlideId, Slider,

@@ -209,7 +209,7 @@ mod tests {
     use crate::drawing::tests::stage::DrawingStage;
     use crate::drawing::{Glyphs, Layers, Overlay, Raster, Wanted, linkage, render};
     use crate::scene::presets;
-    use crate::solver::falsified;
+    use crate::solver::testing::falsified;
 
     fn forces(stage: &DrawingStage) -> Overlay {
         stage.overlay(&Wanted {

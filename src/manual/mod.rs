@@ -146,7 +146,10 @@ pub(crate) const TOPICS: &[Topic] = &[
         about: <dyn Words>::about_columns,
         parts: &[
             chapter!("columns.md"),
-            chapter!("notation.md", "../notation.md"),
+            ManualPart {
+                english: kinematics::NOTATION,
+                turkish: include_str!("turkish/notation.md"),
+            },
         ],
     },
     Topic {

@@ -4,7 +4,8 @@
 use crate::cli;
 use crate::quantity::{Catalogue, Quantity, Share, Subject};
 use crate::scene::{Scene, presets};
-use crate::solver::{Condition, Order, Solver, State, falsified};
+use crate::solver::testing::falsified;
+use crate::solver::{Condition, Order, Solver, State};
 use std::process::{Command, ExitCode, Output};
 
 /// Presets on which something acts.

@@ -95,7 +95,6 @@ fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
     let step = match mechanism.driver().input {
         Input::Turn(_) => 1.0,
         Input::Push(_) => 0.01,
-        other => panic!("{other:?}"),
     };
     let mut any = false;
     for at in [0.0, 0.31, -0.7].map(|part| start + part * step) {

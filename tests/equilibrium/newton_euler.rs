@@ -397,7 +397,6 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
     let drive = match mechanism.driver().input {
         Input::Turn(_) => state.drive().map(|torque| torque / metres),
         Input::Push(_) => state.drive(),
-        other => panic!("{other:?}"),
     };
     pair("driver".into(), system.driver, drive);
     for link in mechanism.link_ids() {

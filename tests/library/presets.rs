@@ -347,7 +347,6 @@ fn the_rates_of_every_preset_agree_with_differences() {
         let span = match driver.input {
             Input::Turn(_) => (2.0 * step).to_radians() / driver.speed,
             Input::Push(_) => 2.0 * step / driver.speed,
-            other => panic!("{other:?}"),
         };
         let mut at_place = |at: f64| {
             let condition = solver.solve(at, Order::Acceleration, &mut state);

@@ -183,7 +183,6 @@ fn motion(state: &State, input: Input, near: f64) -> [f64; 3] {
             let travel = state.travel(slide).unwrap();
             [travel.position, travel.rate.unwrap(), travel.accel.unwrap()]
         }
-        other => panic!("{other:?}"),
     }
 }
 

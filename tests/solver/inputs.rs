@@ -226,7 +226,6 @@ fn a_timed_input_is_where_its_ratio_and_its_phase_put_it() {
                     let rates = [travel.rate.unwrap(), travel.accel.unwrap()];
                     ((travel.position - p).abs(), rates)
                 }
-                other => panic!("{other:?}"),
             };
             assert!(seen < 1e-12, "{seen:e} at {q}");
             let own = matches!(timed.input, Input::Turn(_));

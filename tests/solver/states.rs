@@ -104,7 +104,6 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
     let unit = match driver.input {
         Input::Turn(_) => 180.0 / std::f64::consts::PI,
         Input::Push(_) => 1.0,
-        other => panic!("{other:?}"),
     };
     let dt = 1e-4;
     let moved = |t: f64| q + unit * (driver.speed * t + 0.5 * driver.acceleration * t * t);

@@ -90,6 +90,5 @@ fn driver_error(mechanism: &Mechanism, state: &State) -> f64 {
             off.norm() * longest_link(mechanism)
         }
         Input::Push(slide) => (state.travel(slide).unwrap().position - state.at()).abs(),
-        other => panic!("{other:?}"),
     }
 }

@@ -1,6 +1,6 @@
 //! The name of a type is one thing's: whoever reads it knows which one is meant.
 
-use super::{files, source_folder};
+use super::sources;
 use std::collections::BTreeMap;
 use std::fs;
 
@@ -22,13 +22,10 @@ fn type_of(line: &str) -> Option<&str> {
 
 #[test]
 fn no_two_types_share_a_name() {
-    let mut found = Vec::new();
-    files(&source_folder(), &mut found);
     let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for file in found {
+    for (file, place) in sources() {
         let text = fs::read_to_string(&file).unwrap();
         for name in text.lines().filter_map(type_of) {
-            let place = file.strip_prefix(source_folder()).unwrap();
             places
                 .entry(name.to_owned())
                 .or_default()

@@ -1,6 +1,6 @@
 //! Every sentence stands in the catalogue: in the rooms of [`SAID`] no text outside `wording` has two words.
 
-use super::{files, is_test, module_path, source_folder, tokens, without_tests};
+use super::{files, is_test, module_path, source_folders, sources, tokens, without_tests};
 use std::fs;
 
 /// The rooms whose sentences stand in the catalogue.
@@ -133,12 +133,10 @@ fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
 
 #[test]
 fn sentences_stand_in_the_catalogue() {
-    let mut found = Vec::new();
-    files(&source_folder(), &mut found);
     let mut faults = Vec::new();
     let mut seen = [false; SAID.len()];
-    for file in found {
-        let path = module_path(&file);
+    for (file, inner) in sources() {
+        let path = module_path(&inner);
         let Some(room) = room_of(&path, &SAID).filter(|_| room_of(&path, &OTHERS).is_none()) else {
             continue;
         };
@@ -172,7 +170,7 @@ fn is_told_as_help(lines: &[&str]) -> bool {
 #[test]
 fn the_help_of_the_command_line_is_no_comment() {
     let mut found = Vec::new();
-    files(&source_folder().join("cli/args"), &mut found);
+    files(&source_folders()[0].join("cli/args"), &mut found);
     assert!(!found.is_empty());
     for file in found {
         let text = fs::read_to_string(&file).unwrap();

@@ -1,0 +1,375 @@
+//! Constants of a mechanism, and how well they are known.
+
+use super::U;
+use super::ball::half_ulp;
+use super::decimal::Decimal;
+use super::double::Double;
+use super::number::Number;
+use super::vec2::Vec2;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// The last bits of a double: where all of them are zero, a person may have typed a number that a double
+/// holds exactly, such as 250 or 0.625. So may one in a million of those that it does not hold.
+const LAST_BITS: u64 = (1 << 20) - 1;
+/// A rate that was given in rpm or degrees has been converted: reading, two operations and the constant
+/// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
+const CONVERSION: f64 = 7.0;
+/// Roundings in a coordinate that a program gives: it has been computed.
+const ROUNDED: f64 = 8.0;
+/// What is lost in twice the precision, with room.
+pub(crate) const TWICE: f64 = 1e-31;
+/// What an operation in twice the precision loses of its result at most (Joldes, Muller and Popescu: 3 u^2
+/// for a sum, 7 for a product, 15 for a quotient),
+const LOST: f64 = 16.0 * U * U;
+/// and Taylor's series of a sine or cosine.
+const LOST_IN_UNIT: f64 = 8.0 * LOST;
+
+/// A number that a mechanism is made of: what is stored, to twice the precision, and how far what was
+/// meant can be from it.
+///
+/// A scene says 39.3 and the nearest double is stored, which is off by up to half an ulp. Both are
+/// within `radius` of `hi + lo`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Constant {
+    /// The nearest double.
+    pub hi: f64,
+    /// What it leaves out of the stored value.
+    pub lo: f64,
+    /// How far the meant value can be from the stored one.
+    pub radius: f64,
+    /// Its derivative by the length of the mechanism that is asked about, if one is: see [`Dual`](crate::Dual).
+    pub slope: f64,
+}
+
+/// How far what a person typed can be from the double that it was read as.
+#[must_use]
+pub(crate) fn typed_radius(value: f64) -> f64 {
+    if is_exact(value) {
+        0.0
+    } else {
+        half_ulp(value)
+    }
+}
+
+/// Whether what a person typed is the double that it was read as.
+fn is_exact(value: f64) -> bool {
+    value.to_bits() & LAST_BITS == 0 && Decimal::of(value).is_double
+}
+
+impl Constant {
+    /// A degree in radians.
+    pub(crate) const RADIAN: Constant = Constant::new(Double::RADIAN, 0.0);
+
+    /// A number that was given, in a scene or by a program.
+    #[must_use]
+    pub fn given(value: f64) -> Constant {
+        Constant {
+            hi: value,
+            lo: 0.0,
+            radius: typed_radius(value),
+            slope: 0.0,
+        }
+    }
+
+    /// A number that was given, in another unit: divided by a power of two. Where its half ulp is no double,
+    /// that of the quotient is.
+    pub(crate) fn given_in(value: f64, unit: f64) -> Constant {
+        let hi = value / unit;
+        let radius = if is_exact(value) { 0.0 } else { half_ulp(hi) };
+        Constant::new(Double::exactly(hi), radius)
+    }
+
+    /// A rate that was given in another unit and converted.
+    pub fn converted(self) -> Constant {
+        let radius = CONVERSION * half_ulp(self.hi);
+        Constant {
+            radius: if self.hi == 0.0 { 0.0 } else { radius },
+            ..self
+        }
+    }
+
+    /// The same, where what was meant can be that much farther off.
+    #[must_use]
+    pub fn widened(self, more: f64) -> Constant {
+        Constant {
+            radius: self.radius + more,
+            ..self
+        }
+    }
+
+    /// The same with another derivative.
+    #[must_use]
+    pub(crate) const fn with_slope(self, slope: f64) -> Constant {
+        Constant { slope, ..self }
+    }
+
+    /// A place by which lengths are compared: as the decimals that were typed, or as the doubles that they
+    /// are. `radius` is what they can have been rounded by, where one of them is a long number.
+    pub(crate) fn compared(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        let read = |v: f64| {
+            if is_decimal {
+                let decimal = Decimal::of(v);
+                return (
+                    Constant::new(decimal.value, decimal.rounding),
+                    decimal.is_long,
+                );
+            }
+            let radius = ROUNDED * typed_radius(v);
+            (Constant::new(Double::exactly(v), radius), radius > 0.0)
+        };
+        let Vec2 { x, y } = place.map(read);
+        let is_rounded = x.1 || y.1;
+        Vec2::new(x.0, y.0).map(|v| Constant {
+            radius: if is_rounded { v.radius } else { 0.0 },
+            ..v
+        })
+    }
+
+    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
+    /// twice the precision rounds it.
+    pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        place.map(|v| {
+            if !is_decimal {
+                return Constant::new(Double::exactly(v), 0.0);
+            }
+            let Decimal {
+                value, roundings, ..
+            } = Decimal::of(v);
+            Constant::new(value, f64::from(roundings) * LOST * v.abs())
+        })
+    }
+
+    /// The unit vector at an angle in degrees, as it is meant.
+    pub(crate) fn meant_unit(degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: angle, .. } = Constant::meant(Vec2::new(degrees, 0.0), is_decimal);
+        <Double as Number>::unit(angle.value()).map(|v| {
+            let is_exact = v == Double::ZERO || v.abs() == Double::ONE;
+            let off = angle.radius.to_radians() + LOST_IN_UNIT;
+            Constant::new(v, if is_exact { 0.0 } else { off })
+        })
+    }
+
+    /// The unit vector at an angle that was given in degrees.
+    #[must_use]
+    pub fn given_unit(degrees: f64) -> Vec2<Constant> {
+        let off = typed_radius(degrees).to_radians();
+        let unit = Double::unit(degrees);
+        let across = unit.map(|v| v.hi.abs() + off);
+        let with = |value: Double, across: f64| Constant::new(value, across * off);
+        Vec2::new(with(unit.x, across.y), with(unit.y, across.x))
+    }
+
+    /// The way at a length and an angle in degrees that were given.
+    pub(crate) fn given_arm(length: f64, degrees: f64) -> Vec2<Constant> {
+        Constant::given_unit(degrees).map(|v| Constant::given(length) * v.lost_in_unit())
+    }
+
+    /// The same as it is meant, see [`Constant::meant`].
+    pub(crate) fn meant_arm(length: f64, degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: length, .. } = Constant::meant(Vec2::new(length, 0.0), is_decimal);
+        Constant::meant_unit(degrees, is_decimal).map(|v| length * v)
+    }
+
+    /// A sine or cosine with what its series loses.
+    fn lost_in_unit(self) -> Constant {
+        let is_exact = self.is_double() && (self.hi == 0.0 || self.hi.abs() == 1.0);
+        let lost = if is_exact { 0.0 } else { LOST_IN_UNIT };
+        Constant {
+            radius: self.radius + lost,
+            ..self
+        }
+    }
+
+    /// The result of an operation that carries what its operands are off by; it rounds, unless it is exact.
+    fn rounded(value: Double, carried: f64, is_exact: bool) -> Constant {
+        let lost = if is_exact { 0.0 } else { LOST };
+        Constant::new(value, carried + lost * value.hi.abs())
+    }
+
+    /// Whether it is a double: sums and products of two such are exact in twice the precision.
+    fn is_double(self) -> bool {
+        self.lo == 0.0
+    }
+
+    /// Stored and meant, the same whatever the lengths are.
+    const fn new(value: Double, radius: f64) -> Constant {
+        let Double { hi, lo } = value;
+        Constant {
+            hi,
+            lo,
+            radius,
+            slope: 0.0,
+        }
+    }
+
+    /// A number that nobody gave, to twice the digits.
+    pub(crate) fn known(value: Double) -> Constant {
+        Constant::new(value, TWICE * value.hi.abs())
+    }
+
+    /// The stored value.
+    #[inline]
+    #[must_use]
+    pub const fn value(self) -> Double {
+        Double {
+            hi: self.hi,
+            lo: self.lo,
+        }
+    }
+
+    /// How far the nearest double can be from what was meant.
+    #[inline]
+    #[must_use]
+    pub fn off(self) -> f64 {
+        self.radius + (self.lo.abs() + TWICE * self.hi.abs())
+    }
+}
+
+impl Add for Constant {
+    type Output = Constant;
+    fn add(self, o: Constant) -> Constant {
+        let is_exact = self.is_double() && o.is_double();
+        let sum = Constant::rounded(self.value() + o.value(), self.radius + o.radius, is_exact);
+        sum.with_slope(self.slope + o.slope)
+    }
+}
+
+impl AddAssign for Constant {
+    fn add_assign(&mut self, o: Constant) {
+        *self = *self + o;
+    }
+}
+
+impl Sub for Constant {
+    type Output = Constant;
+    fn sub(self, o: Constant) -> Constant {
+        self + -o
+    }
+}
+
+impl Neg for Constant {
+    type Output = Constant;
+    fn neg(self) -> Constant {
+        Constant::new(-self.value(), self.radius).with_slope(-self.slope)
+    }
+}
+
+impl Mul for Constant {
+    type Output = Constant;
+    fn mul(self, o: Constant) -> Constant {
+        let radius = self.hi.abs() * o.radius + self.radius * (o.hi.abs() + o.radius);
+        let is_exact = self.is_double() && o.is_double();
+        let value = self.value() * o.value();
+        let product = Constant::rounded(value, radius * (1.0 + 4.0 * U), is_exact);
+        product.with_slope(self.hi * o.slope + self.slope * o.hi)
+    }
+}
+
+impl Div for Constant {
+    type Output = Constant;
+    fn div(self, o: Constant) -> Constant {
+        let value = self.value() / o.value();
+        let least = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
+        let radius = (self.radius + value.hi.abs() * o.radius) / least;
+        let quotient = Constant::rounded(value, radius * (1.0 + 8.0 * U), false);
+        quotient.with_slope((self.slope - value.hi * o.slope) / o.hi)
+    }
+}
+
+impl Number for Constant {
+    fn of(constant: Constant) -> Constant {
+        constant
+    }
+
+    fn exactly(value: f64) -> Constant {
+        Constant::new(Double::exactly(value), 0.0)
+    }
+
+    fn nearest(self) -> f64 {
+        self.hi
+    }
+
+    fn scaled(self, power_of_two: f64) -> Constant {
+        Constant::new(
+            self.value().scaled(power_of_two),
+            self.radius * power_of_two,
+        )
+        .with_slope(self.slope * power_of_two)
+    }
+
+    fn sqrt(self) -> Constant {
+        let root = self.value().sqrt();
+        let radius = if self.radius == 0.0 {
+            0.0
+        } else {
+            self.radius / root.hi * (1.0 + 4.0 * U)
+        };
+        let is_exact = root.lo == 0.0 && root * root == self.value();
+        let slope = if self.slope == 0.0 {
+            0.0
+        } else {
+            self.slope / (2.0 * root.hi)
+        };
+        Constant::rounded(root, radius, is_exact).with_slope(slope)
+    }
+
+    fn abs(self) -> Constant {
+        let slope = if self.hi < 0.0 {
+            -self.slope
+        } else {
+            self.slope
+        };
+        Constant::new(self.value().abs(), self.radius).with_slope(slope)
+    }
+
+    fn min(self, other: Constant) -> Constant {
+        if other.exceeds(self) { self } else { other }
+    }
+
+    fn exceeds(self, other: Constant) -> bool {
+        (self.value() - other.value()).hi > 0.0
+    }
+
+    fn unit(degrees: Constant) -> Vec2<Constant> {
+        Constant::given_unit(degrees.hi)
+    }
+
+    fn degrees(direction: Vec2<Constant>) -> Constant {
+        let degrees = Double::degrees(direction.map(Constant::value));
+        let off = direction.x.radius + direction.y.radius;
+        Constant::new(degrees, (off / direction.norm().hi).to_degrees())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_double_holds_exactly_is_known_exactly() {
+        for exact in [0.0, 250.0, -0.625, 400.0, 1e6 + 1.0] {
+            assert!(Constant::given(exact).off() <= TWICE * 1e7, "{exact}");
+        }
+        // The last one has twenty zeros at its end.
+        for rounded in [0.1, 39.3, 1.000_000_001, 9.47615610808134] {
+            let off = Constant::given(rounded).off();
+            assert!(
+                off > 0.4 * U * rounded && off < 1.1 * U * rounded,
+                "{off:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn lengths_keep_what_their_coordinates_are_off_by() {
+        let local = Vec2::new(Constant::given(0.3), Constant::given(0.4));
+        let length = local.norm();
+        assert!(
+            length.off() > 0.1 * U && length.off() < U,
+            "{:e}",
+            length.off()
+        );
+        let along = Vec2::new(Constant::given(250.0), Constant::given(0.0));
+        assert_eq!(along.norm(), Constant::given(250.0));
+    }
+}

@@ -1,0 +1,134 @@
+//! Decimals: what a person meant who typed a number that a double does not hold.
+
+use super::double::Double;
+
+/// A double holds any decimal of so many digits so well that reading it back gives the same digits.
+const DIGITS: i32 = 15;
+/// Powers of ten are doubles up to this one.
+const EXACT_POWERS: i32 = 22;
+
+/// A number as a decimal of up to 15 digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decimal {
+    /// To twice the precision.
+    pub value: Double,
+    /// How many roundings in twice the precision it took.
+    pub(crate) roundings: i32,
+    /// Half a unit of the fifteenth digit.
+    pub(crate) rounding: f64,
+    /// Whether it has 15 digits or more: a number that long was rounded by whoever typed it.
+    pub(crate) is_long: bool,
+    /// Whether a double holds it, or it has more than 15 digits and is the double that it reads as.
+    pub is_double: bool,
+}
+
+impl Decimal {
+    /// The shortest decimal that is read as a double; the double itself where that has more than 15
+    /// digits.
+    pub fn of(value: f64) -> Decimal {
+        let exactly = Decimal {
+            value: Double::exactly(value),
+            roundings: 0,
+            rounding: 0.0,
+            is_long: false,
+            is_double: value == 0.0,
+        };
+        let size = value.abs();
+        // Written so that NaN and infinities are themselves, and what has no 15 digits left.
+        if !(1e-290..1e290).contains(&size) {
+            return exactly;
+        }
+        let first = size.log10().floor() as i32;
+        let mut unit = first + 1 - DIGITS;
+        let mut digits = times_power(exactly.value, -unit).nearest_whole();
+        // The logarithm rounds.
+        if digits.abs() >= 1e15 {
+            unit += 1;
+            digits = times_power(exactly.value, -unit).nearest_whole();
+        }
+        let decimal = times_power(Double::exactly(digits), unit);
+        let is_read_so = decimal.hi == value;
+        Decimal {
+            value: if is_read_so { decimal } else { exactly.value },
+            roundings: if is_read_so && decimal.lo != 0.0 {
+                1 + unit.abs() / EXACT_POWERS
+            } else {
+                0
+            },
+            rounding: 0.5 * times_power(Double::ONE, unit).hi,
+            is_long: !is_read_so || digits % 10.0 != 0.0,
+            is_double: !is_read_so || decimal.lo == 0.0,
+        }
+    }
+}
+
+impl Double {
+    fn nearest_whole(self) -> f64 {
+        let whole = self.hi.round();
+        // Halfway cases end on either side: no decimal of 15 digits is one.
+        whole + ((self.hi - whole) + self.lo).round()
+    }
+}
+
+/// Times a power of ten; exact to twice the precision.
+fn times_power(value: Double, power: i32) -> Double {
+    let mut product = value;
+    let mut left = power.abs();
+    while left > 0 {
+        let part = left.min(EXACT_POWERS);
+        let ten = Double::exactly(10.0_f64.powi(part));
+        product = if power > 0 {
+            product * ten
+        } else {
+            product / ten
+        };
+        left -= part;
+    }
+    product
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_decimal_is_meant_as_it_is_typed() {
+        let sum = Decimal::of(0.1).value + Decimal::of(0.2).value;
+        assert!((sum - Decimal::of(0.3).value).hi.abs() < 1e-31);
+        for exact in [0.0, 1.0, -250.0, 0.625, 1e6 + 3.0] {
+            assert_eq!(Decimal::of(exact).value, Double::exactly(exact));
+            assert!(!Decimal::of(exact).is_long);
+        }
+        let tenth = Decimal::of(1e-17).value * Double::exactly(1e17);
+        assert!((tenth - Double::ONE).hi.abs() < 1e-31);
+    }
+
+    #[test]
+    fn a_number_of_more_digits_is_the_double_that_it_reads_as() {
+        let long = 0.1 + 0.2;
+        assert_eq!(Decimal::of(long).value, Double::exactly(long));
+        assert!(Decimal::of(long).is_long);
+        assert!((Decimal::of(long).rounding / 5e-16 - 1.0).abs() < 1e-12);
+        let fifteen = Decimal::of(123.456789012345);
+        assert!(fifteen.is_long && fifteen.value.lo != 0.0);
+        assert!((fifteen.rounding / 5e-13 - 1.0).abs() < 1e-12);
+    }
+
+    /// The nearest doubles to the first two have twenty zeros at their ends, and are not these decimals.
+    #[test]
+    fn whether_a_double_holds_a_decimal_is_no_question_of_its_last_bits() {
+        for rounded in [9.47615610808134, 9.98348635993898, 0.1, 1e-9] {
+            assert!(!Decimal::of(rounded).is_double, "{rounded}");
+        }
+        for exact in [250.0, 0.625, -1.25, 1e6 + 1.0, 0.1 + 0.2] {
+            assert!(Decimal::of(exact).is_double, "{exact}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_stays_so() {
+        assert!(Decimal::of(f64::NAN).value.hi.is_nan());
+        assert_eq!(Decimal::of(f64::INFINITY).value.hi, f64::INFINITY);
+        assert_eq!(Decimal::of(5e-324).value.hi, 5e-324);
+    }
+}

@@ -1,0 +1,161 @@
+//! Tables by which an input follows the driver.
+
+use super::spline::{Spline, SplineEnds};
+use crate::angle::TURN;
+use std::sync::Arc;
+
+/// Turns and values that are this many roundings apart are the same: what was typed is rounded.
+const SAME: f64 = 4.0;
+
+/// The coordinate of an input over the driver's: a cubic spline through knots, whose first and second derivatives go
+/// on from knot to knot.
+///
+/// A table that is open is at rest at both ends, and the motion ends there. One that is closed spans whole turns of a
+/// driven link and repeats: its end goes on as its beginning does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InputTable {
+    curve: Arc<Spline>,
+    /// Of a closed one the period, in degrees.
+    period: Option<f64>,
+}
+
+impl InputTable {
+    /// Through these knots: the driver's coordinate, and that of the input there, in degrees or the scene's length
+    /// unit. `None` for fewer than two, where the driver's coordinate does not grow, and for numbers that are not
+    /// finite.
+    #[must_use]
+    pub fn open(knots: Vec<[f64; 2]>) -> Option<InputTable> {
+        let curve = Spline::new(knots, SplineEnds::AtRest)?;
+        let (curve, period) = (Arc::new(curve), None);
+        Some(InputTable { curve, period })
+    }
+
+    /// The same, closed; also `None` where the knots do not span whole turns. The last value has to be the first, of a
+    /// link that is turned whole turns from it: [`InputTable::comes_back`].
+    #[must_use]
+    pub fn closed(knots: Vec<[f64; 2]>) -> Option<InputTable> {
+        let curve = Spline::new(knots, SplineEnds::Closed)?;
+        let [first, last] = curve.ends();
+        let period = Some(whole_turns(first[0], last[0]).filter(|&turns| turns > 0.0)?);
+        let curve = Arc::new(curve);
+        Some(InputTable { curve, period })
+    }
+
+    /// The knots, as they were given.
+    #[must_use]
+    pub fn knots(&self) -> &[[f64; 2]] {
+        self.curve.knots()
+    }
+
+    /// The second derivatives at the knots.
+    pub fn bends(&self) -> &[f64] {
+        self.curve.bends()
+    }
+
+    /// After how many degrees of the driver it repeats, if it does.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    /// The driver's coordinates at which it begins and ends.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.curve.ends().map(|knot| knot[0])
+    }
+
+    /// Whether the last value is the first: where a link is turned, but for whole turns.
+    #[must_use]
+    pub fn comes_back(&self, turns: bool) -> bool {
+        let [first, last] = self.curve.ends().map(|knot| knot[1]);
+        match whole_turns(first, last) {
+            Some(way) => turns || way == 0.0,
+            None => false,
+        }
+    }
+
+    /// The coordinate of the input at one of the driver's, and its first two derivatives by that, in the units in which
+    /// both were given; beyond an open end it stays.
+    #[must_use]
+    pub fn at(&self, place: f64) -> [f64; 3] {
+        let [first, last] = self.curve.ends();
+        let Some(period) = self.period else {
+            let [value, slope, bend] = self.curve.at(place);
+            let is_beyond = place < first[0] || place > last[0];
+            return if is_beyond {
+                [value, 0.0, 0.0]
+            } else {
+                [value, slope, bend]
+            };
+        };
+        let times = ((place - first[0]) / period).floor();
+        let [value, slope, bend] = self.curve.at(place - times * period);
+        [value + times * (last[1] - first[1]), slope, bend]
+    }
+}
+
+/// From one number to another, where that is whole turns but for rounding: degrees.
+fn whole_turns(from: f64, to: f64) -> Option<f64> {
+    let way = TURN * ((to - from) / TURN).round();
+    let slack = SAME * f64::EPSILON * from.abs().max(to.abs());
+    ((to - from) - way).abs().le(&slack).then_some(way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_closes_where_it_spans_whole_turns_and_comes_back() {
+        let closed = |knots: &[[f64; 2]]| InputTable::closed(knots.to_vec());
+        let rocks = closed(&[[0.1, 20.0], [180.0, 70.0], [360.1, 20.0]]).unwrap();
+        assert_eq!(rocks.period(), Some(360.0));
+        assert!(rocks.comes_back(false) && rocks.comes_back(true));
+        let turns = closed(&[[0.0, 0.1], [500.0, 30.0], [720.0, 360.1]]).unwrap();
+        assert_eq!(turns.period(), Some(720.0));
+        assert!(!turns.comes_back(false) && turns.comes_back(true));
+        let jumps = closed(&[[0.0, 0.0], [360.0, 10.0]]).unwrap();
+        assert!(!jumps.comes_back(true));
+        assert_eq!(closed(&[[0.0, 0.0], [300.0, 0.0]]), None);
+        assert_eq!(closed(&[[0.0, 0.0], [0.0, 0.0]]), None);
+    }
+
+    /// Value, slope and second derivative are the same on both sides of the place where it comes round.
+    #[test]
+    fn a_closed_table_goes_on_as_it_began() {
+        let knots = vec![[-30.0, 5.0], [40.0, 90.0], [200.0, 60.0], [330.0, 365.0]];
+        let table = InputTable::closed(knots.clone()).unwrap();
+        for (place, turns) in [(330.0, 0.0), (-30.0, -1.0), (690.0, 1.0)] {
+            let by = 1e-9;
+            let [before, after] = [table.at(place - by), table.at(place + by)];
+            assert!(
+                (before[0] - 365.0 - 360.0 * turns).abs() < 1e-7,
+                "{before:?}"
+            );
+            for (one, other) in before.into_iter().zip(after) {
+                assert!((one - other).abs() < 1e-7, "{one} {other} at {place}");
+            }
+        }
+        for [place, value] in knots {
+            assert!((table.at(place)[0] - value).abs() < 1e-12);
+            assert!((table.at(place + 720.0)[0] - value - 720.0).abs() < 1e-12);
+        }
+    }
+
+    /// Two knots a turn apart are a ratio.
+    #[test]
+    fn of_two_knots_a_turn_apart_a_line_is_left() {
+        let table = InputTable::closed(vec![[0.0, 15.0], [360.0, -705.0]]).unwrap();
+        assert_eq!(table.at(90.0), [-165.0, -2.0, 0.0]);
+        assert_eq!(table.at(-90.0), [195.0, -2.0, 0.0]);
+    }
+
+    #[test]
+    fn beyond_an_open_end_it_stays() {
+        let table = InputTable::open(vec![[1.0, 2.0], [3.0, 8.0]]).unwrap();
+        assert_eq!(table.at(0.0), [2.0, 0.0, 0.0]);
+        assert_eq!(table.at(2.0)[..2], [5.0, 4.5]);
+        assert_eq!(table.at(9.0), [8.0, 0.0, 0.0]);
+        assert!(table.at(1.0)[2] > 0.0);
+    }
+}

@@ -1,0 +1,229 @@
+//! Further inputs, which follow the driver.
+
+use super::{
+    Body, Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, PointId, SlideId,
+};
+use crate::angle::TURN;
+
+/// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
+/// switched with another one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimedInput {
+    /// What is moved.
+    pub input: Input,
+    /// How its coordinate follows.
+    pub law: InputLaw,
+}
+
+/// How the coordinate of an input follows the driver's: both in degrees or the scene's length unit, each its own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InputLaw {
+    /// In proportion.
+    Ratio {
+        /// Its coordinate for a unit of the driver's.
+        ratio: f64,
+        /// Its coordinate where the driver's is 0.
+        phase: f64,
+    },
+    /// By a table of both.
+    Table(InputTable),
+}
+
+impl TimedInput {
+    /// Its coordinate at one of the driver's.
+    #[must_use]
+    pub fn coordinate(&self, at: f64) -> f64 {
+        match &self.law {
+            InputLaw::Ratio { ratio, phase } => {
+                let (count, of) = fraction(*ratio).unwrap_or((*ratio, 1.0));
+                count * at / of + phase
+            }
+            InputLaw::Table(table) => table.at(at)[0],
+        }
+    }
+
+    /// The first and the second derivative of its coordinate by the driver's: in radians or the scene's length unit,
+    /// each.
+    #[must_use]
+    pub fn rates(&self, at: f64, driver: Input) -> [f64; 2] {
+        let [first, second] = match &self.law {
+            InputLaw::Ratio { ratio, .. } => [*ratio, 0.0],
+            InputLaw::Table(table) => {
+                let [_, first, second] = table.at(at);
+                [first, second]
+            }
+        };
+        let per_unit = match (driver, self.input) {
+            (Input::Turn(_), Input::Push(_)) => 1_f64.to_degrees(),
+            (Input::Push(_), Input::Turn(_)) => 1_f64.to_radians(),
+            _ => 1.0,
+        };
+        let once_more = match driver {
+            Input::Turn(_) => 1_f64.to_degrees(),
+            Input::Push(_) => 1.0,
+        };
+        [first * per_unit, second * per_unit * once_more]
+    }
+
+    /// The table, if it follows one.
+    #[must_use]
+    pub fn table(&self) -> Option<&InputTable> {
+        match &self.law {
+            InputLaw::Ratio { .. } => None,
+            InputLaw::Table(table) => Some(table),
+        }
+    }
+
+    /// Whether it is where it was after so many turns of a driven link.
+    pub(crate) fn comes_round(&self, turns: usize) -> bool {
+        let turns = turns as f64;
+        match &self.law {
+            InputLaw::Ratio { ratio, .. } => match (self.input, fraction(*ratio)) {
+                (Input::Turn(_), Some((count, of))) => count * turns % of == 0.0,
+                (Input::Turn(_), None) => false,
+                (Input::Push(_), _) => *ratio == 0.0,
+            },
+            InputLaw::Table(table) => table
+                .period()
+                .is_some_and(|period| turns * TURN % period == 0.0),
+        }
+    }
+
+    pub(super) fn check(&self, driver: Input, has_pivot: bool, found: &mut Vec<Defect>) {
+        match &self.law {
+            InputLaw::Ratio { ratio, phase } => {
+                if !(ratio.is_finite() && phase.is_finite()) {
+                    found.push(Defect::Driver);
+                }
+            }
+            InputLaw::Table(table) => {
+                let [drives, turns] = [driver, self.input].map(|i| matches!(i, Input::Turn(_)));
+                if table.period().is_some() && !(drives && table.comes_back(turns)) {
+                    let of = self.input.element();
+                    found.push(Defect::OpenTable { of });
+                }
+            }
+        }
+        if let (Input::Turn(link), false) = (self.input, has_pivot) {
+            found.push(Defect::NoPivot { link });
+        }
+    }
+}
+
+/// A ratio as a fraction of whole numbers, if it is one with a small denominator: 0.3333333333333333 is meant for a
+/// third.
+pub(crate) fn fraction(ratio: f64) -> Option<(f64, f64)> {
+    let denominators = (1..=MOST_DENOMINATOR).map(f64::from);
+    let mut fractions = denominators.map(|of| ((ratio * of).round(), of));
+    fractions.find(|(count, of)| count / of == ratio)
+}
+
+/// A motion is followed over so many turns: a ratio with a larger denominator does not come round in them.
+const MOST_DENOMINATOR: u8 = 16;
+
+impl Mechanism {
+    /// The inputs that follow the driver.
+    #[must_use]
+    pub fn timed(&self) -> &[TimedInput] {
+        &self.parts.timed
+    }
+
+    /// Every input, the driver's first: as many as there are degrees of freedom.
+    pub fn inputs(&self) -> impl Iterator<Item = Input> + '_ {
+        let timed = self.timed().iter().map(|timed| timed.input);
+        std::iter::once(self.driver().input).chain(timed)
+    }
+
+    /// Whether an input turns a link.
+    #[must_use]
+    pub fn is_turned(&self, link: LinkId) -> bool {
+        self.inputs().any(|input| input == Input::Turn(link))
+    }
+
+    /// Against what an input turns a link: the ground, or the link that its motor sits on.
+    #[must_use]
+    pub fn turned_from(&self, link: LinkId) -> Body {
+        let mut pairs = self.parts.turned_from.iter();
+        let found = pairs.find(|(turned, _)| *turned == link);
+        found.map_or(Body::Ground, |&(_, from)| Body::Link(from))
+    }
+
+    /// The links that inputs turn against others, with these.
+    pub fn elbows(&self) -> impl Iterator<Item = (LinkId, LinkId)> + '_ {
+        let links = self.inputs().filter_map(|input| match input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        });
+        links.filter_map(|link| match self.turned_from(link) {
+            Body::Link(from) => Some((link, from)),
+            Body::Ground => None,
+        })
+    }
+
+    /// Whether an input gives a link its direction: it turns the link against the ground.
+    #[must_use]
+    pub fn is_directed(&self, link: LinkId) -> bool {
+        self.is_turned(link) && self.turned_from(link) == Body::Ground
+    }
+
+    /// Whether the driver's coordinate is the direction of a link.
+    #[must_use]
+    pub fn is_crank(&self, link: LinkId) -> bool {
+        self.driver().input == Input::Turn(link) && self.is_directed(link)
+    }
+
+    /// The point about which an input turns a link: its ground point, or the joint with the link that the motor sits
+    /// on; `None` where there is none.
+    #[must_use]
+    pub fn hub(&self, link: LinkId) -> Option<PointId> {
+        let mut points = self.link(link).members.iter().map(|member| member.point);
+        let from = self.turned_from(link);
+        points.find(|&point| match from {
+            Body::Ground => self.point(point).ground.is_some(),
+            Body::Link(from) => self.point(point).links.contains(&from),
+        })
+    }
+
+    /// What an input turns a link with, as a part of its own effort: 1 on the link, -1 on the one that its motor sits
+    /// on.
+    pub fn torques_on(&self, link: LinkId) -> impl Iterator<Item = (Input, f64)> + '_ {
+        self.inputs().filter_map(move |input| match input {
+            Input::Turn(turned) if turned == link => Some((input, 1.0)),
+            Input::Turn(turned) if self.turned_from(turned) == Body::Link(link) => {
+                Some((input, -1.0))
+            }
+            Input::Turn(_) | Input::Push(_) => None,
+        })
+    }
+
+    /// Whether an input pushes a slide.
+    #[must_use]
+    pub fn is_pushed(&self, slide: SlideId) -> bool {
+        self.inputs().any(|input| input == Input::Push(slide))
+    }
+
+    /// The further input of a link or a slide, if it has one.
+    #[must_use]
+    pub fn timed_input(&self, input: Input) -> Option<&TimedInput> {
+        self.timed().iter().find(|timed| timed.input == input)
+    }
+}
+
+impl Driver {
+    /// Whether it turns a link, and does not push a slide.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self.input, Input::Turn(_))
+    }
+}
+
+impl Input {
+    /// The link or the slide.
+    #[must_use]
+    pub fn element(self) -> ElementId {
+        match self {
+            Input::Turn(link) => ElementId::Link(link),
+            Input::Push(slide) => ElementId::Slide(slide),
+        }
+    }
+}

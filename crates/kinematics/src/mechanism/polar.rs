@@ -1,0 +1,180 @@
+//! Points of a link that are given by a length and an angle, as a drawing dimensions them.
+//!
+//! What was typed stays the measure of what is meant: the coordinates follow from it in twice the digits, and how far
+//! they can be off follows from how well the length and the angle are known.
+
+use super::{Link, Member, PointId};
+use crate::{Constant, Vec2};
+
+/// Where a point of a link lies, seen from another point of the same link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolarPlace {
+    /// The point from which it is seen; `None` is the origin of the link's frame.
+    pub from: Option<PointId>,
+    /// Which member of the link that point is; `None` where it is none before this one.
+    base: Option<usize>,
+    /// How far it is, in the scene's length unit.
+    pub length: f64,
+    /// In which direction, in degrees from the link's x axis, counter-clockwise.
+    pub angle: f64,
+    /// The coordinates that follow, from the doubles that are stored and from the numbers that are meant.
+    pub(super) given: Vec2<Constant>,
+    pub(super) meant: Vec2<Constant>,
+    /// What long numbers in it can have been rounded by, as a distance.
+    pub(super) rounding: f64,
+}
+
+impl PolarPlace {
+    /// Of a further point of a link that has these members.
+    pub(super) fn new(
+        from: Option<PointId>,
+        length: f64,
+        angle: f64,
+        members: &[Member],
+    ) -> PolarPlace {
+        let base = from.and_then(|from| members.iter().position(|m| m.point == from));
+        PolarPlace {
+            from,
+            base,
+            length,
+            angle,
+            given: Vec2::default(),
+            meant: Vec2::default(),
+            rounding: 0.0,
+        }
+    }
+
+    /// Lays the point, seen from a member that is laid already.
+    fn lay(&mut self, base: Option<&Member>, is_decimal: bool) {
+        let origin = Vec2::ZERO.map(Constant::given);
+        let given = base.map_or(origin, Member::given);
+        let meant = base.map_or(origin, |base| base.meant(is_decimal));
+        self.given = seen_from(given, self.length, self.angle);
+        self.meant = meant + Constant::meant_arm(self.length, self.angle, is_decimal);
+        let off = |v: f64| Constant::compared(Vec2::new(v, 0.0), is_decimal).x.radius;
+        let before = base.map_or(0.0, |base| base.rounding(is_decimal));
+        self.rounding = before + off(self.length) + self.length * off(self.angle).to_radians();
+    }
+}
+
+/// The place that is seen from another one at a length and an angle in degrees, each known as it was given.
+pub fn seen_from(base: Vec2<Constant>, length: f64, angle: f64) -> Vec2<Constant> {
+    base + Constant::given_arm(length, angle)
+}
+
+impl Member {
+    /// Its coordinates as the doubles that are stored, and how far what was meant can be from them.
+    pub(crate) fn given(&self) -> Vec2<Constant> {
+        self.polar
+            .map_or_else(|| self.local.map(Constant::given), |polar| polar.given)
+    }
+
+    /// Its coordinates as they are meant.
+    pub(crate) fn meant(&self, is_decimal: bool) -> Vec2<Constant> {
+        let typed = || Constant::meant(self.local, is_decimal);
+        self.polar.map_or_else(typed, |polar| polar.meant)
+    }
+
+    /// What long numbers that tell its place can have been rounded by, as a distance.
+    pub(crate) fn rounding(&self, is_decimal: bool) -> f64 {
+        let typed = || {
+            let place = Constant::compared(self.local, is_decimal);
+            place.map(|v| v.radius).norm()
+        };
+        self.polar.map_or_else(typed, |polar| polar.rounding)
+    }
+}
+
+impl Link {
+    /// Puts every point that is given by length and angle where it belongs; those from which others are seen come
+    /// before them. Tells which were moved, and by how much.
+    pub(super) fn lay(&mut self, is_decimal: bool) -> Vec<(PointId, Vec2)> {
+        let mut moved = Vec::new();
+        for i in 0..self.members.len() {
+            let (before, rest) = self.members.split_at_mut(i);
+            let Some(member) = rest.first_mut() else {
+                continue;
+            };
+            let Some(polar) = &mut member.polar else {
+                continue;
+            };
+            let base = polar.base.and_then(|base| before.get(base));
+            if polar.from.is_some() && base.is_none() {
+                // Seen from nowhere: no number, which the builder refuses.
+                member.local = Vec2::new(f64::NAN, f64::NAN);
+                continue;
+            }
+            polar.lay(base, is_decimal);
+            let place = polar.given.map(|v| v.hi);
+            moved.push((member.point, place - member.local));
+            member.local = place;
+        }
+        moved
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Double;
+
+    /// A link with a point at its end, and one that is seen from there.
+    fn seen_at(length: f64, angle: f64) -> Member {
+        let mut link = Link {
+            members: Vec::new(),
+            ends: None,
+            com: None,
+            mass: 0.0,
+            inertia: 0.0,
+        };
+        let [end, point] = [0, 1].map(PointId::new);
+        link.members.push(Member {
+            point: end,
+            local: Vec2::new(300.0, 0.0),
+            polar: None,
+        });
+        link.members.push(Member {
+            point,
+            local: Vec2::ZERO,
+            polar: Some(PolarPlace::new(Some(end), length, angle, &link.members)),
+        });
+        let moved = link.lay(true);
+        assert_eq!(moved.len(), 1);
+        link.members[1]
+    }
+
+    /// What a double holds is known exactly; half an ulp of 90.1 deg at the end of 180 mm is 2.2e-14 mm.
+    #[test]
+    fn a_place_is_known_as_well_as_its_length_and_its_angle() {
+        let exact = seen_at(180.0, 90.0);
+        assert_eq!(exact.local, Vec2::new(300.0, 180.0));
+        assert_eq!(exact.given().map(Constant::off).x, 1e-31 * 300.0);
+        let turned = seen_at(180.0, 90.1).given();
+        assert!((2.2e-14..2.3e-14).contains(&turned.x.radius), "{turned:?}");
+        assert!(turned.y.radius < 1e-16, "{turned:?}");
+        let long = seen_at(180.1, 90.0).given();
+        assert!(long.x.radius < 1e-27, "{long:?}");
+        assert!((1.4e-14..1.5e-14).contains(&long.y.radius), "{long:?}");
+    }
+
+    /// What is stored is not what is meant, and lies within what is said of it.
+    #[test]
+    fn what_is_meant_lies_within_what_is_known() {
+        for (length, angle) in [(180.1, 72.3), (0.7, -40.1), (12.3, 33.0), (1e-3, 359.9)] {
+            let seen = seen_at(length, angle);
+            let (given, meant) = (seen.given(), seen.meant(true));
+            for (given, meant) in [(given.x, meant.x), (given.y, meant.y)] {
+                let apart = (given.value() - meant.value()).abs();
+                assert!(apart.hi <= given.radius, "{length} {angle}: {apart:?}");
+                assert!(meant.radius < 1e-26, "{meant:?}");
+            }
+            assert!(seen.rounding(true) == 0.0, "few digits are no rounding");
+        }
+        assert!(seen_at(180.123_456_789_012_34, 72.0).rounding(true) > 0.0);
+        let (x, y) = (
+            seen_at(2.0, 45.0).meant(true).x,
+            Double::exactly(2.0).sqrt(),
+        );
+        assert!(((x.value() - Double::exactly(300.0)) - y).abs().hi < 1e-29);
+    }
+}

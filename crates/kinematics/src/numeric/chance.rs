@@ -1,0 +1,107 @@
+//! Chance that is the same for the same seed, on every machine and in every version.
+
+/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014): exercises and samples
+/// of a seed hang on it, so that it must never change.
+#[derive(Clone, Debug)]
+pub struct SeededChance(u64);
+
+impl SeededChance {
+    pub fn new(seed: u64) -> SeededChance {
+        SeededChance(seed)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number from `low` to `high`, both among them; `low` where there is none between.
+    pub fn between(&mut self, low: u32, high: u32) -> u32 {
+        let count = u64::from(high.saturating_sub(low)) + 1;
+        // The remainder is below 2^32, and favours no number by more than 2^-31.
+        let above = u32::try_from(self.next() % count).unwrap_or(0);
+        low.saturating_add(above)
+    }
+
+    /// A number from -1 to 1, all as likely.
+    pub fn even(&mut self) -> f64 {
+        // The 53 bits of a double below 1.
+        let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
+        2.0 * part - 1.0
+    }
+
+    /// Two numbers of the standard normal distribution, by Marsaglia's polar method: no sine of the machine's own.
+    pub fn normal(&mut self) -> [f64; 2] {
+        let ([x, y], square) = self.in_disc();
+        let scale = (-2.0 * square.ln() / square).sqrt();
+        [x * scale, y * scale]
+    }
+
+    /// A place in the unit disc, all as likely, and the square of its distance from the middle, which it is not.
+    pub fn in_disc(&mut self) -> ([f64; 2], f64) {
+        loop {
+            let place = [self.even(), self.even()];
+            let square = place[0] * place[0] + place[1] * place[1];
+            if square > 0.0 && square <= 1.0 {
+                return (place, square);
+            }
+        }
+    }
+
+    /// One of several, if there are any.
+    pub fn one_of<'a, T>(&mut self, all: &'a [T]) -> Option<&'a T> {
+        let last = u32::try_from(all.len().checked_sub(1)?).ok()?;
+        all.get(usize::try_from(self.between(0, last)).ok()?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first numbers of seed 1234567, as other programs with the same generator have them.
+    #[test]
+    fn it_is_the_generator_that_it_says() {
+        let mut chance = SeededChance::new(1_234_567);
+        let first: Vec<u64> = (0..3).map(|_| chance.next()).collect();
+        let known = [
+            6_457_827_717_110_365_317,
+            3_203_168_211_198_807_973,
+            9_817_491_932_198_370_423,
+        ];
+        assert_eq!(first, known);
+    }
+
+    /// Mean, spread and the third moment of many.
+    #[test]
+    fn normal_numbers_are_normal() {
+        let mut chance = SeededChance::new(3);
+        let count = 200_000;
+        let mut sums = [0.0; 4];
+        for _ in 0..count / 2 {
+            for x in chance.normal() {
+                for (power, sum) in (1..).zip(&mut sums) {
+                    *sum += x.powi(power) / f64::from(count);
+                }
+            }
+        }
+        for (sum, known) in sums.into_iter().zip([0.0, 1.0, 0.0, 3.0]) {
+            assert!((sum - known).abs() < 0.05, "{sums:?}");
+        }
+    }
+
+    #[test]
+    fn ends_are_among_the_numbers() {
+        let mut chance = SeededChance::new(1);
+        let all: Vec<u32> = (0..200).map(|_| chance.between(3, 5)).collect();
+        for number in 3..=5 {
+            assert!(all.contains(&number));
+        }
+        assert!(all.iter().all(|n| (3..=5).contains(n)));
+        assert_eq!(chance.between(7, 7), 7);
+        assert_eq!(chance.between(7, 2), 7);
+        assert_eq!(chance.one_of::<u8>(&[]), None);
+    }
+}

@@ -1,0 +1,155 @@
+//! The minimum of a function around a place, by values alone.
+
+use thiserror::Error;
+
+/// So many values are looked at, at the most; a dozen is usual.
+const MOST_STEPS: usize = 60;
+/// The share of the larger part at which a golden section cuts.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
+
+/// Why a minimum was not found, with the lowest place that was seen and its value.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum Unsettled {
+    /// On the way the function does not exist.
+    #[error("the function does not exist at {at}")]
+    Gap {
+        /// Where it was asked for.
+        at: f64,
+        /// The lowest that was seen.
+        best: (f64, f64),
+    },
+    /// So many steps were not enough.
+    #[error("{MOST_STEPS} steps are not enough")]
+    Spent {
+        /// The lowest that was seen.
+        best: (f64, f64),
+    },
+}
+
+impl Unsettled {
+    /// The lowest place that was seen, with its value.
+    pub fn best(self) -> (f64, f64) {
+        match self {
+            Unsettled::Gap { best, .. } | Unsettled::Spent { best } => best,
+        }
+    }
+}
+
+/// The place between `low` and `high` at which `f` is smallest, and its value there; `first` is a place
+/// between with its value, below those of both ends.
+///
+/// Brent's method without derivatives (Brent 1973, Algorithms for Minimization, chapter 5): parabolas
+/// through the best three places, and golden sections where those do not get on. A value is found to
+/// its rounding; the place only to about the square root of that, since a smooth figure is level there.
+///
+/// # Errors
+/// Where the search came to no end: see [`Unsettled`].
+pub fn lowest(
+    mut f: impl FnMut(f64) -> Option<f64>,
+    [mut low, mut high]: [f64; 2],
+    first: (f64, f64),
+) -> Result<(f64, f64), Unsettled> {
+    let (mut best, mut second, mut third) = (first, first, first);
+    let (mut step, mut before) = (0.0_f64, 0.0_f64);
+    let finest = f64::EPSILON.sqrt() * (high - low).abs().max(f64::MIN_POSITIVE);
+    for _ in 0..MOST_STEPS {
+        let middle = 0.5 * (low + high);
+        let least = finest.max(4.0 * f64::EPSILON * best.0.abs());
+        if (best.0 - middle).abs() <= 2.0 * least - 0.5 * (high - low) {
+            return Ok(best);
+        }
+        let parabola = vertex(best, second, third).filter(|vertex| {
+            let way = vertex - best.0;
+            way.abs() < 0.5 * before.abs() && *vertex > low && *vertex < high
+        });
+        before = step;
+        step = match parabola {
+            Some(vertex) if vertex - low < 2.0 * least || high - vertex < 2.0 * least => {
+                least.copysign(middle - best.0)
+            }
+            Some(vertex) => vertex - best.0,
+            None => {
+                before = if best.0 < middle {
+                    high - best.0
+                } else {
+                    low - best.0
+                };
+                GOLDEN * before
+            }
+        };
+        let place = best.0
+            + if step.abs() < least {
+                least.copysign(step)
+            } else {
+                step
+            };
+        let Some(value) = f(place) else {
+            return Err(Unsettled::Gap { at: place, best });
+        };
+        let tried = (place, value);
+        if value <= best.1 {
+            *(if place < best.0 { &mut high } else { &mut low }) = best.0;
+            (third, second, best) = (second, best, tried);
+        } else {
+            *(if place < best.0 { &mut low } else { &mut high }) = place;
+            if value <= second.1 || second.0 == best.0 {
+                (third, second) = (second, tried);
+            } else if value <= third.1 || third.0 == best.0 || third.0 == second.0 {
+                third = tried;
+            }
+        }
+    }
+    Err(Unsettled::Spent { best })
+}
+
+/// Where the parabola through three places is level.
+fn vertex(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> Option<f64> {
+    let r = (a.0 - b.0) * (a.1 - c.1);
+    let q = (a.0 - c.0) * (a.1 - b.1);
+    let p = (a.0 - c.0) * q - (a.0 - b.0) * r;
+    let vertex = a.0 - p / (2.0 * (q - r));
+    vertex.is_finite().then_some(vertex)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn minima_of_known_functions_are_found_to_what_is_promised() {
+        // The cosine at pi, and a quartic, which is level for longer.
+        let around = |f: fn(f64) -> f64, low: f64, at: f64, high: f64| {
+            let mut count = 0;
+            let counted = |x| {
+                count += 1;
+                Some(f(x))
+            };
+            (lowest(counted, [low, high], (at, f(at))).unwrap(), count)
+        };
+        let ((place, value), count) = around(f64::cos, 3.0, 3.1, 3.3);
+        assert!((place - std::f64::consts::PI).abs() < 3e-8, "{place}");
+        assert!(
+            (value + 1.0).abs() < 1e-15 && count <= 15,
+            "{value} {count}"
+        );
+        let ((place, value), _) = around(|x| (x - 0.3_f64).powi(4), -1.0, 0.2, 1.0);
+        assert!(
+            (place - 0.3).abs() < 1e-3 && value < 1e-12,
+            "{place} {value}"
+        );
+        // A corner.
+        let ((place, _), _) = around(|x| (x - 0.7_f64).abs(), 0.0, 0.5, 1.0);
+        assert!((place - 0.7).abs() < 1e-7, "{place}");
+    }
+
+    #[test]
+    fn where_there_is_no_minimum_it_says_why() {
+        let gap = lowest(|_| None, [0.0, 1.0], (0.4, 2.0)).unwrap_err();
+        assert!(matches!(gap, Unsettled::Gap { at, .. } if (0.4..1.0).contains(&at)));
+        assert_eq!(gap.best(), (0.4, 2.0));
+        // It falls without end towards the end of numbers.
+        let spent = lowest(|x| Some(-x), [0.0, f64::MAX], (1.0, -1.0)).unwrap_err();
+        assert!(matches!(spent, Unsettled::Spent { .. }), "{spent:?}");
+        assert!(spent.best().0 > 1e300);
+    }
+}

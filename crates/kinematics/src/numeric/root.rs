@@ -1,0 +1,196 @@
+//! The roots of a function: between two places where its signs differ, and along many places.
+
+use thiserror::Error;
+
+/// More values than the method takes where the rounding of a place is the finest that is asked for: it
+/// halves the interval at least every third time.
+const MOST: usize = 200;
+/// Decimals that a coordinate is tried at in the place of a root that rounding has blurred.
+const DECIMALS: f64 = 1e9;
+
+/// Why there is no root.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum NoRoot {
+    /// The signs at both places are the same, or one of them is none.
+    #[error("the signs at both places do not differ")]
+    SameSign,
+    /// On the way the function does not exist.
+    #[error("the function does not exist at {0}")]
+    Gap(f64),
+    /// Somewhere between these places: what is asked for is finer than could be reached.
+    #[error("the root was only narrowed down to between {0} and {1}")]
+    Unsettled(f64, f64),
+}
+
+/// The root of `f` between `a` and `b`, each with its value, to `finest` or two units in the last place.
+///
+/// Chandrupatla's method (Adv. Eng. Software 28, 1997): inverse quadratic interpolation where that
+/// is safe, halving elsewhere.
+///
+/// # Errors
+/// Where none was found: see [`NoRoot`].
+pub fn root(
+    a: (f64, f64),
+    b: (f64, f64),
+    finest: f64,
+    mut f: impl FnMut(f64) -> Option<f64>,
+) -> Result<f64, NoRoot> {
+    if a.1 == 0.0 || b.1 == 0.0 {
+        return Ok(if a.1 == 0.0 { a.0 } else { b.0 });
+    }
+    if !(a.1.signum() * b.1.signum() < 0.0) {
+        return Err(NoRoot::SameSign);
+    }
+    let (mut new, mut other, mut share) = (b, a, 0.5);
+    for _ in 0..MOST {
+        let x = new.0 + share * (other.0 - new.0);
+        let here = (x, f(x).ok_or(NoRoot::Gap(x))?);
+        let last = if (here.1 > 0.0) == (new.1 > 0.0) {
+            new
+        } else {
+            std::mem::replace(&mut other, new)
+        };
+        new = here;
+        let best = if new.1.abs() < other.1.abs() {
+            new
+        } else {
+            other
+        };
+        let width = (other.0 - new.0).abs();
+        let tolerance = finest.max(f64::EPSILON * best.0.abs());
+        if best.1 == 0.0 || width <= 2.0 * tolerance {
+            return Ok(rounded(best, &mut f));
+        }
+        let least = tolerance / width;
+        share = interpolated(new, other, last).clamp(least, 1.0 - least);
+    }
+    Err(NoRoot::Unsettled(new.0.min(other.0), new.0.max(other.0)))
+}
+
+/// The roots between neighbouring places, which are in order, where the sign of `f` changes. Neither a
+/// root that is only touched nor a gap is a change; two roots between the same places are not seen.
+pub fn roots(
+    places: impl IntoIterator<Item = f64>,
+    finest: f64,
+    mut f: impl FnMut(f64) -> Option<f64>,
+) -> Vec<f64> {
+    let mut found = Vec::new();
+    let mut before: Option<(f64, f64)> = None;
+    for at in places {
+        let here = f(at).map(|value| (at, value));
+        if let (Some(a), Some(b)) = (before, here)
+            && (a.1 < 0.0) != (b.1 < 0.0)
+            && let Ok(at) = root(a, b, finest, &mut f)
+        {
+            // Touched from below, a root was met as the end of the last two places already.
+            if a.1 == 0.0 && found.last() == Some(&at) {
+                found.pop();
+            } else {
+                found.push(at);
+            }
+        }
+        before = here;
+    }
+    found
+}
+
+/// The way from `new` to `other` on which the inverse parabola through three places has its zero;
+/// half of it where the parabola is not to be trusted.
+fn interpolated(new: (f64, f64), other: (f64, f64), last: (f64, f64)) -> f64 {
+    let xi = (new.0 - other.0) / (last.0 - other.0);
+    let phi = (new.1 - other.1) / (last.1 - other.1);
+    let is_safe = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+    if !is_safe {
+        return 0.5;
+    }
+    let [a, b, c] = [new.1, other.1, last.1];
+    (a / (b - a)) * (c / (b - c))
+        + (last.0 - new.0) / (other.0 - new.0) * (a / (c - a)) * (b / (c - b))
+}
+
+/// A root lies somewhere within the rounding of `f`: of equally good places, the one that is
+/// written with few decimals.
+fn rounded(root: (f64, f64), f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
+    let round = few_decimals(root.0);
+    let is_as_good = (round - root.0).abs() < 1.0 / DECIMALS
+        && f(round).is_some_and(|v| v.abs() <= root.1.abs());
+    if is_as_good { round } else { root.0 }
+}
+
+/// The nearest coordinate that is written with few decimals.
+pub fn few_decimals(at: f64) -> f64 {
+    (at * DECIMALS).round() / DECIMALS
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Result<f64, NoRoot> {
+        root((a, f(a)), (b, f(b)), f64::MIN_POSITIVE, |x| Some(f(x)))
+    }
+
+    #[test]
+    fn finds_roots_to_the_last_digit_in_few_evaluations() {
+        let count = std::cell::Cell::new(0);
+        let cubed = |x: f64| {
+            count.set(count.get() + 1);
+            x * x * x - 2.0
+        };
+        let found = of(0.0, 5.0, cubed).unwrap();
+        assert!(
+            (found - 2.0_f64.cbrt()).abs() <= 2.0 * f64::EPSILON,
+            "{found}"
+        );
+        assert!(count.get() < 20, "{}", count.get());
+    }
+
+    #[test]
+    fn finds_steep_roots_and_those_at_an_end() {
+        // As a rate beside a limit: a square root, with a pole of the derivative at the end.
+        let found = of(0.0, 1.0, |x| x.sqrt() - 1e-3).unwrap();
+        assert!((found - 1e-6).abs() < 1e-19, "{found:e}");
+        assert_eq!(of(0.0, 1.0, |x| x), Ok(0.0));
+    }
+
+    #[test]
+    fn a_blurred_root_is_a_round_one() {
+        assert_eq!(of(-1.0, 0.7, |x| (x - 0.25) * 1e-300), Ok(0.25));
+        assert_eq!(of(-1.0, 0.7, f64::sin), Ok(0.0));
+    }
+
+    #[test]
+    fn where_there_is_no_root_it_says_why() {
+        assert_eq!(of(1.0, 2.0, |x| x), Err(NoRoot::SameSign));
+        let nan = root((0.0, f64::NAN), (1.0, 1.0), 1e-9, Some);
+        assert_eq!(nan, Err(NoRoot::SameSign));
+        let gap = root((0.0, -1.0), (1.0, 1.0), 1e-9, |_| None);
+        assert_eq!(gap, Err(NoRoot::Gap(0.5)));
+        // Halved 200 times it is still wider than the least of all numbers.
+        let step = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
+        let Err(NoRoot::Unsettled(low, high)) = of(-1.0, 1.0, step) else {
+            panic!("it cannot be settled");
+        };
+        assert!(
+            low <= 0.0 && 0.0 < high && high - low < 1e-50,
+            "{low} {high}"
+        );
+    }
+
+    #[test]
+    fn roots_are_changes_of_the_sign() {
+        let places = || (0..=10).map(f64::from);
+        let all = |f: fn(f64) -> Option<f64>| roots(places(), f64::EPSILON, f);
+        assert_eq!(all(|x| Some((x - 2.5) * (x - 7.0))), [2.5, 7.0]);
+        // Touched from above and from below, and passed on two places that are roots both.
+        assert_eq!(all(|x| Some((x - 3.0).powi(2))), [0.0; 0]);
+        assert_eq!(all(|x| Some(-(x - 3.0).powi(2))), [0.0; 0]);
+        let flat = all(|x| Some((x - 5.0).max(0.0) + (x - 4.0).min(0.0)));
+        assert!(
+            flat.len() == 1 && (4.0..=5.0).contains(&flat[0]),
+            "{flat:?}"
+        );
+        // Where nobody knows what lies between, there is none.
+        assert_eq!(all(|x| (x != 3.0).then_some(x - 3.0)), [0.0; 0]);
+    }
+}

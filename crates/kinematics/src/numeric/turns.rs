@@ -1,0 +1,111 @@
+//! At which of its samples a function turns, where what rounding does is no turn.
+
+/// A sample at which a function turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Turn {
+    pub sample: usize,
+    pub is_peak: bool,
+    /// At an end of the samples: nothing is known of what lies beyond.
+    pub is_end: bool,
+}
+
+/// Where `values` turn by more than `least`: peaks and dips in turn. Where they go round, the first
+/// follows the last, which repeats it.
+pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
+    let last = values.len().saturating_sub(1);
+    if last < 2 {
+        return Vec::new();
+    }
+    if !goes_round {
+        let (mut turns, pending) = walk(values.iter().copied().enumerate(), least);
+        for turn in &mut turns {
+            turn.is_end = turn.sample == 0;
+        }
+        turns.extend(pending.filter(|turn| turn.sample == last).map(|turn| Turn {
+            is_end: true,
+            ..turn
+        }));
+        return turns;
+    }
+    // From the highest place round to it again: it is met first, and last without being told again.
+    let highest = (0..last)
+        .max_by(|&i, &j| values[i].total_cmp(&values[j]))
+        .unwrap_or(0);
+    let round = (highest..last).chain(0..=highest);
+    walk(round.map(|i| (i, values[i])), least).0
+}
+
+/// Keeps the highest and the lowest value since the last turn; a value that is `least` away from one
+/// makes it a turn. Gives also the turn that is not yet sure.
+fn walk(values: impl Iterator<Item = (usize, f64)>, least: f64) -> (Vec<Turn>, Option<Turn>) {
+    let mut turns: Vec<Turn> = Vec::new();
+    let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));
+    let turn = |sample, is_peak| Turn {
+        sample,
+        is_peak,
+        is_end: false,
+    };
+    for (i, value) in values {
+        if value > high.1 {
+            high = (i, value);
+        }
+        if value < low.1 {
+            low = (i, value);
+        }
+        let seeks_peak = turns.last().is_none_or(|turn| !turn.is_peak);
+        let seeks_dip = turns.last().is_none_or(|turn| turn.is_peak);
+        if seeks_peak && high.1 - value > least {
+            turns.push(turn(high.0, true));
+            low = (i, value);
+        } else if seeks_dip && value - low.1 > least {
+            turns.push(turn(low.0, false));
+            high = (i, value);
+        }
+    }
+    let pending = turns.last().map(|last| {
+        if last.is_peak {
+            turn(low.0, false)
+        } else {
+            turn(high.0, true)
+        }
+    });
+    (turns, pending)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(values: &[f64], goes_round: bool) -> Vec<(usize, bool, bool)> {
+        let turns = turns(values, 0.1, goes_round);
+        turns
+            .iter()
+            .map(|t| (t.sample, t.is_peak, t.is_end))
+            .collect()
+    }
+
+    #[test]
+    fn turns_are_told_from_ends_and_from_noise() {
+        let values = [0.0, 1.0, 0.95, 1.01, 0.0, 0.5];
+        assert_eq!(
+            found(&values, false),
+            [
+                (0, false, true),
+                (3, true, false),
+                (4, false, false),
+                (5, true, true)
+            ]
+        );
+        assert_eq!(found(&[1.0, 1.05, 1.0, 1.02], false), []);
+        assert_eq!(found(&[2.0, 1.0], false), []);
+    }
+
+    #[test]
+    fn where_values_go_round_the_ends_are_no_ends() {
+        let round = |k: i32| (f64::from(k) * std::f64::consts::TAU / 12.0).cos();
+        let values: Vec<f64> = (0..=12).map(round).collect();
+        assert_eq!(found(&values, true), [(0, true, false), (6, false, false)]);
+        let shifted: Vec<f64> = (3..=15).map(round).collect();
+        assert_eq!(found(&shifted, true), [(9, true, false), (3, false, false)]);
+    }
+}

@@ -1,0 +1,379 @@
+//! How far a state can be from the truth.
+//!
+//! The figures of a state come from formulas that are fast; here each group is looked at once more,
+//! from the outside. The residuals of its constraints and of their rates at the computed state, to twice
+//! the precision, go through the inverse of its own matrix: that shifts what was computed to where it
+//! should be, to the first order and with its sign, and goes on to the groups behind. What is left, which is of
+//! the second order but for digits that nobody typed, is bounded by a few numbers a group; in long chains it is
+//! carried by the influences of each constraint on what stands on it, so that it does not widen. Both are one pass
+//! in the order of the plan. That a solution lies there is proved group by group. It does not matter how the figure
+//! was come by.
+//!
+//! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
+//! and so are the forces, which are one pass backwards.
+//!
+//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
+//! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's
+//! square root to be rounded correctly and its arctangent to an ulp.
+
+mod aim;
+mod carried;
+mod driver;
+mod dyads;
+mod edge;
+mod errors;
+mod influence;
+mod limb;
+mod meeting;
+mod off;
+mod places;
+mod rail;
+mod shape;
+mod stretched;
+
+pub(super) use errors::Errors;
+
+use super::coupled::{Scratch, Views};
+use super::demand::PlacedPart;
+use super::elements::{
+    ACCELERATION, Aim, Crank, Dyad, Lock, POSITION, Ride, Spin, Step, StepOutcome, VELOCITY,
+};
+use super::engine::Engine;
+use super::forces::Balance;
+use super::state::{Condition, LinkState, PointState, State};
+use super::{Order, Solver, Workspace};
+use crate::arithmetic::plane::Simd;
+use crate::arithmetic::{Fusing, Sharp, fused, plainly};
+use crate::{Ball, Double, Number, Vec2};
+use driver::CrankDirection;
+use off::LinkOff;
+use places::Bodies;
+
+/// Nothing is known.
+const UNKNOWN: Ball = Ball {
+    mid: 0.0,
+    radius: f64::INFINITY,
+};
+
+impl Solver {
+    /// Room for a state with bounds.
+    #[must_use]
+    pub fn enclosure(&self) -> Workspace<Ball> {
+        let mut enclosure = self.room();
+        let groups = self.engine.program.coupled.iter();
+        let work = groups.map(|g| g.work()).max().unwrap_or(0);
+        enclosure.scratch.work = vec![0.0; work];
+        enclosure.errors = Errors::new(&self.engine, self.room());
+        enclosure.errors.edge = self.close_state().map(Box::new);
+        enclosure
+    }
+
+    /// Encloses what the solver has just found in `work`: every figure that is read from
+    /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
+    /// proved. It goes as far as `order`, and as the state was solved. Allocates nothing.
+    ///
+    /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
+    /// explains it: the state in `work` withholds its forces where they do not.
+    pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
+        let state = &mut work.state;
+        let order = order.min(state.order);
+        let is_clear = self.motion.is_clear(state.at);
+        let proved = is_clear && self.engine.enclose_to(false, order, state, enclosure);
+        if !proved {
+            let is_edge = self.look_at_edge(order, state, enclosure);
+            if is_edge || !is_clear {
+                self.engine.enclose_to(is_edge, order, state, enclosure);
+            }
+        }
+        self.enclose_forces(order, state, enclosure);
+    }
+
+    fn enclose_forces(&self, order: Order, state: &mut State, enclosure: &mut Workspace<Ball>) {
+        Balance::enclose(
+            self.balance.as_deref(),
+            &self.engine,
+            order,
+            state,
+            enclosure,
+        );
+    }
+}
+
+/// Runs a step in another arithmetic.
+#[inline(never)]
+fn run<T: Number>(
+    step: &Step,
+    order: u8,
+    (q, direction): (T, Vec2<T>),
+    state: &mut State<T>,
+) -> StepOutcome {
+    match order {
+        POSITION => step.run::<T, POSITION>(q, direction, state),
+        VELOCITY => step.run::<T, VELOCITY>(q, direction, state),
+        _ => step.run::<T, ACCELERATION>(q, direction, state),
+    }
+}
+
+/// Where a slide is.
+fn travel<T: Number>(step: &Step, order: u8, state: &mut State<T>) {
+    let _ = run(step, order, (T::default(), Vec2::default()), state);
+}
+
+impl State<Sharp> {
+    /// Takes what was enclosed in balls.
+    fn sharpen(&mut self, part: PlacedPart, balls: &State<Ball>) {
+        let vector = |v: Vec2<Ball>| v.map(Sharp::from);
+        match part {
+            PlacedPart::Point(point) => {
+                let PointState { p, v, a } = balls.points[point.index()];
+                let [p, v, a] = [p, v, a].map(vector);
+                self.points[point.index()] = PointState { p, v, a };
+            }
+            PlacedPart::Link(link) => {
+                let LinkState { d, w, a } = balls.links[link.index()];
+                let (d, [w, a]) = (vector(d), [w, a].map(Sharp::from));
+                self.links[link.index()] = LinkState { d, w, a };
+            }
+            PlacedPart::Slide(_) => {}
+        }
+    }
+}
+
+impl Dyad<'_> {
+    /// Positions alone, where the assemblies are too close to be told apart.
+    #[cold]
+    fn enclose_stretched(self, enclosure: &mut State<Ball>) -> bool {
+        match self {
+            Dyad::Circles(c) => c.enclose_stretched(enclosure),
+            Dyad::CircleLine(c) => c.enclose_stretched(enclosure),
+            Dyad::CircleRail(c) => c.enclose_stretched(enclosure),
+            Dyad::Swing(s) => s.enclose_stretched(enclosure),
+            Dyad::Cylinder(_) => false,
+        }
+    }
+}
+
+/// The bounds of one state, to be found.
+struct Enclosing<'a> {
+    engine: &'a Engine,
+    how: (bool, Order),
+    state: &'a State,
+    work: &'a mut Workspace<Ball>,
+}
+
+/// By reference: what has just been written piece by piece is not to be had again in larger ones at once.
+impl Fusing for &mut Enclosing<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<S: Simd, const FUSED: bool>(self, simd: S) -> bool {
+        let Enclosing {
+            engine,
+            how,
+            state,
+            work,
+        } = self;
+        engine.enclose_here::<S, FUSED>(simd, *how, state, work)
+    }
+}
+
+impl Engine {
+    /// Encloses a state, by what its steps have come to in twice the digits where that is the `edge`; whether
+    /// all of it was proved.
+    fn enclose_to(
+        &self,
+        is_edge: bool,
+        order: Order,
+        state: &State,
+        work: &mut Workspace<Ball>,
+    ) -> bool {
+        work.state.condition = state.condition;
+        if state.condition == Condition::NoAssembly {
+            let at = Ball::new(state.at, work.errors.asked::<false>(state.at));
+            work.state.begin(at, order);
+            return true;
+        }
+        // By the machine's vectors, and by fused multiplication and addition where it has that, to the same bits. Long
+        // chains are another matter: what they need besides would only stand in the way.
+        let is_long = work.errors.influences.is_long();
+        let mut enclosing = Enclosing {
+            engine: self,
+            how: (is_edge, order),
+            state,
+            work,
+        };
+        if is_long {
+            plainly(&mut enclosing)
+        } else {
+            fused(&mut enclosing)
+        }
+    }
+
+    #[inline(always)]
+    fn enclose_here<S: Simd, const FUSED: bool>(
+        &self,
+        simd: S,
+        (is_edge, order): (bool, Order),
+        state: &State,
+        work: &mut Workspace<Ball>,
+    ) -> bool {
+        let enclosure = &mut work.state;
+        let errors = &mut work.errors;
+        let at = Ball::new(state.at, errors.asked::<FUSED>(state.at));
+        enclosure.begin(at, order);
+        errors.begin(order == Order::Force);
+        let order = match order {
+            Order::Position => POSITION,
+            Order::Velocity => VELOCITY,
+            Order::Acceleration | Order::Force => ACCELERATION,
+        };
+        let heading = if self.turns {
+            CrankDirection::at::<FUSED>(at, errors.influences.matter::<FUSED>())
+        } else {
+            CrankDirection::NONE
+        };
+        let mut all = true;
+        for step in &self.program.steps {
+            if is_edge && !matches!(step, Step::SlideReadout(_)) {
+                step.outputs(&self.program.coupled, &mut |part| {
+                    errors.take_edge(part, state, enclosure);
+                });
+                continue;
+            }
+            let proved = match *step {
+                Step::Circles(ref c) => {
+                    c.enclose::<_, FUSED>(simd, order, state, errors, enclosure)
+                }
+                Step::CircleRail(ref c) => {
+                    c.enclose::<_, FUSED>(simd, order, state, errors, enclosure)
+                }
+                Step::Crank(Crank { link }) => {
+                    let crank = &state.links[link.index()];
+                    let error = LinkOff::of(simd, &heading.error_of(crank.d));
+                    let enclosed = error.enclosed(&Bodies::of(simd, crank));
+                    errors.set_link(link, &enclosed, state, enclosure);
+                    true
+                }
+                Step::Spin(Spin { point, local, .. }) => {
+                    let spun = (&heading, local);
+                    errors.spin::<_, FUSED>(simd, point, spun, state, enclosure);
+                    true
+                }
+                Step::Ride(Ride {
+                    point,
+                    base,
+                    link,
+                    local,
+                }) => {
+                    let points = [point, base];
+                    let on = (link, local);
+                    errors.ride::<_, FUSED>(simd, order, points, on, state, enclosure);
+                    true
+                }
+                Step::Aim(Aim { ref arm, end }) => {
+                    errors.aim_at::<_, FUSED>(simd, order, arm, end, state, enclosure)
+                }
+                Step::Lock(Lock { link, to, turn }) => {
+                    errors.lock([link, to], turn, state, enclosure);
+                    true
+                }
+                Step::SlideReadout(_) => {
+                    travel(step, order, enclosure);
+                    errors.travel(step, order);
+                    true
+                }
+                // What has no residuals of its own.
+                _ => {
+                    let scratch = &mut work.scratch;
+                    self.enclose_closely((step, order), state, enclosure, errors, scratch)
+                }
+            };
+            if !proved {
+                self.enclose_loosely(step, state, enclosure, errors);
+            }
+            all &= proved;
+        }
+        all
+    }
+
+    /// Runs a step in twice the digits; whether it could be.
+    fn enclose_closely(
+        &self,
+        (step, order): (&Step, u8),
+        state: &State,
+        enclosure: &mut State<Ball>,
+        errors: &mut Errors,
+        scratch: &mut Scratch<Ball>,
+    ) -> bool {
+        let Some(mut sharp) = errors.sharp.take() else {
+            return false;
+        };
+        let at = enclosure.at;
+        let exact = Sharp::new(Double::exactly(at.mid), at.radius);
+        let (q, _) = self.coordinate(exact);
+        if let Some(group) = step.choice() {
+            sharp.state.signs[group] = Sharp::exactly(state.signs[group]);
+        }
+        let proved = if let Some(index) = step.coupled() {
+            let ball = Ball::new(q.mid.hi, q.radius + q.mid.lo.abs());
+            let mut views = Views {
+                balls: (enclosure, scratch),
+                sharp: (&mut sharp.state, &mut sharp.scratch),
+            };
+            self.program.coupled[index].enclose((ball, q), order, state, &mut views)
+        } else {
+            let driven = self.driven().map(|link| sharp.state.links[link.index()].d);
+            let direction = driven.unwrap_or(Vec2::X.exactly());
+            run(step, order, (q, direction), &mut sharp.state) == StepOutcome::Done
+        };
+        if proved {
+            step.outputs(&self.program.coupled, &mut |part| {
+                errors.take(part, &sharp.state, state, enclosure);
+            });
+        }
+        errors.sharp = Some(sharp);
+        proved
+    }
+
+    /// What a step places where nothing could be proved: positions, if it is a dyad at its limit.
+    #[cold]
+    fn enclose_loosely(
+        &self,
+        step: &Step,
+        state: &State,
+        enclosure: &mut State<Ball>,
+        errors: &mut Errors,
+    ) {
+        let stretched = |dyad: Dyad<'_>| dyad.enclose_stretched(enclosure);
+        if !step.dyad().is_some_and(stretched) {
+            self.forget(step, enclosure);
+        }
+        let Some(mut sharp) = errors.sharp.take() else {
+            return;
+        };
+        step.outputs(&self.program.coupled, &mut |part| {
+            sharp.state.sharpen(part, enclosure);
+            errors.take(part, &sharp.state, state, enclosure);
+        });
+        errors.sharp = Some(sharp);
+    }
+
+    /// Nothing is known of what a step places.
+    fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
+        let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
+        step.outputs(&self.program.coupled, &mut |part| match part {
+            PlacedPart::Point(point) => {
+                let place = &mut enclosure.points[point.index()];
+                (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
+            }
+            PlacedPart::Link(link) => {
+                let link = &mut enclosure.links[link.index()];
+                (link.d, link.w, link.a) = (nowhere, UNKNOWN, UNKNOWN);
+            }
+            PlacedPart::Slide(_) => {}
+        });
+    }
+}
+
+#[cfg(any(test, feature = "testing"))]
+pub(super) mod testing;

@@ -1,0 +1,252 @@
+//! What textbooks call the loop that the driver closes: the Grashof class of a four-bar, the
+//! condition for the crank of a slider-crank to turn.
+
+use super::elements::{Arm, Spin, Step};
+use super::engine::Engine;
+use crate::{Mechanism, PointId};
+
+/// Lengths that differ by less than this part of the longest count as equal: 4 u, as everywhere
+/// where given lengths decide between a motion and its change point.
+const EQUAL: f64 = 4.0 * 0.5 * f64::EPSILON;
+
+/// Grashof's condition on a four-bar's shortest and longest link against the other two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grashof {
+    /// s + l < p + q: some link turns fully.
+    Turning,
+    /// s + l = p + q: a change point.
+    ChangePoint,
+    /// s + l > p + q: no link turns fully.
+    Rocking,
+}
+
+/// A four-bar by the link that is shortest, as it is driven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inversion {
+    /// The driven link is the shortest: it turns, the other rocks.
+    CrankRocker,
+    /// The frame is the shortest: both turn (drag link). So they do where both are the shortest, in a
+    /// parallelogram.
+    DoubleCrank,
+    /// The driven link rocks, the other, the shortest, turns.
+    RockerCrank,
+    /// The coupler is the shortest: both links on the frame rock.
+    DoubleRocker,
+    /// No link turns fully.
+    TripleRocker,
+}
+
+/// A loop of the driven link, a dyad and the ground; lengths in the scene's unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DrivenLoop {
+    /// Four links and four pins.
+    FourBar {
+        /// The driven link.
+        driven: f64,
+        /// The link between the two on the frame.
+        coupler: f64,
+        /// The other link on the frame.
+        follower: f64,
+        /// The distance of the ground pivots.
+        frame: f64,
+        /// Grashof's condition.
+        grashof: Grashof,
+        /// The kind.
+        inversion: Inversion,
+    },
+    /// A crank, a rod and a slider on the ground.
+    SliderCrank {
+        /// The driven link.
+        crank: f64,
+        /// The link between crank and slider.
+        rod: f64,
+        /// The distance of the rod's far pin's path from the crank's pivot.
+        offset: f64,
+        /// rod - (crank + offset): positive where the crank turns fully, zero at a change point.
+        margin: f64,
+    },
+}
+
+/// The class of a loop, whatever its lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoopKind {
+    /// Of a four-bar.
+    FourBar(Inversion, Grashof),
+    /// Of a slider-crank.
+    SliderCrank {
+        /// Whether the crank turns fully.
+        turns: bool,
+    },
+}
+
+impl DrivenLoop {
+    /// Its class.
+    #[must_use]
+    pub fn kind(self) -> LoopKind {
+        match self {
+            DrivenLoop::FourBar {
+                grashof, inversion, ..
+            } => LoopKind::FourBar(inversion, grashof),
+            DrivenLoop::SliderCrank { margin, .. } => LoopKind::SliderCrank {
+                turns: margin > 0.0,
+            },
+        }
+    }
+}
+
+/// The loop that the driven link closes with a dyad and the ground, if there is one.
+pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenLoop> {
+    let steps = &engine.program.steps;
+    let (pin, pivot, crank) = steps.iter().find_map(|step| match *step {
+        Step::Spin(Spin {
+            point,
+            pivot,
+            local,
+        }) if closes(steps, point) => Some((point, pivot, local)),
+        _ => None,
+    })?;
+    let scale = engine.frame.scale;
+    let place = |p: PointId| engine.program.points[p.index()].nearest();
+    steps.iter().find_map(|step| match step {
+        Step::Circles(c) => {
+            let (coupler, follower) = arms(pin, [c.near, c.far])?;
+            let is_known = follower.pivot.index() < mechanism.points().len();
+            let is_ground = || mechanism.point(follower.pivot).ground.is_some();
+            (is_known && is_ground()).then(|| {
+                let frame = (place(follower.pivot) - place(pivot)).norm();
+                let [coupler, follower] = [coupler, follower].map(|arm| arm.length.hi);
+                four_bar([crank.nearest().norm(), coupler, follower, frame].map(|l| l * scale))
+            })
+        }
+        Step::CircleRail(c) if c.arm.pivot == pin => {
+            let away = place(pivot) - c.through.nearest();
+            let offset = c.along.nearest().cross(away).abs();
+            Some(slider_crank(
+                [crank.nearest().norm(), c.arm.length.hi, offset].map(|l| l * scale),
+            ))
+        }
+        _ => None,
+    })
+}
+
+/// Whether a dyad hangs on this point.
+fn closes(steps: &[Step], point: PointId) -> bool {
+    steps.iter().any(|step| match step {
+        Step::Circles(c) => arms(point, [c.near, c.far]).is_some(),
+        Step::CircleRail(c) => c.arm.pivot == point,
+        _ => false,
+    })
+}
+
+/// The two arms of a dyad, the one that hangs on `pin` first.
+fn arms(pin: PointId, [a, b]: [Arm; 2]) -> Option<(Arm, Arm)> {
+    match (a.pivot == pin, b.pivot == pin) {
+        (true, _) => Some((a, b)),
+        (false, true) => Some((b, a)),
+        (false, false) => None,
+    }
+}
+
+fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> DrivenLoop {
+    let mut sorted = [driven, coupler, follower, frame];
+    sorted.sort_by(f64::total_cmp);
+    let [shortest, p, q, longest] = sorted;
+    // Sterbenz: the differences of near lengths are exact where it matters.
+    let excess = (longest - q) - (p - shortest);
+    let grashof = if excess.abs() <= EQUAL * longest {
+        Grashof::ChangePoint
+    } else if excess < 0.0 {
+        Grashof::Turning
+    } else {
+        Grashof::Rocking
+    };
+    let inversion = if grashof == Grashof::Rocking {
+        Inversion::TripleRocker
+    } else if frame == shortest || (driven == shortest && follower == shortest) {
+        Inversion::DoubleCrank
+    } else if driven == shortest {
+        Inversion::CrankRocker
+    } else if follower == shortest {
+        Inversion::RockerCrank
+    } else {
+        Inversion::DoubleRocker
+    };
+    DrivenLoop::FourBar {
+        driven,
+        coupler,
+        follower,
+        frame,
+        grashof,
+        inversion,
+    }
+}
+
+fn slider_crank([crank, rod, offset]: [f64; 3]) -> DrivenLoop {
+    let gap = (rod - crank) - offset;
+    let margin = if gap.abs() <= EQUAL * rod.max(crank) {
+        0.0
+    } else {
+        gap
+    };
+    DrivenLoop::SliderCrank {
+        crank,
+        rod,
+        offset,
+        margin,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kind(lengths: [f64; 4]) -> (Grashof, Inversion) {
+        match four_bar(lengths) {
+            DrivenLoop::FourBar {
+                grashof, inversion, ..
+            } => (grashof, inversion),
+            DrivenLoop::SliderCrank { .. } => unreachable!("four lengths make a four-bar"),
+        }
+    }
+
+    #[test]
+    fn the_shortest_link_names_the_inversion() {
+        use Inversion::{CrankRocker, DoubleCrank, DoubleRocker, RockerCrank, TripleRocker};
+        // Driven, coupler, follower, frame.
+        assert_eq!(
+            kind([100.0, 300.0, 250.0, 400.0]),
+            (Grashof::Turning, CrankRocker)
+        );
+        assert_eq!(
+            kind([250.0, 300.0, 100.0, 400.0]),
+            (Grashof::Turning, RockerCrank)
+        );
+        assert_eq!(kind([2.0, 2.5, 2.2, 1.0]), (Grashof::Turning, DoubleCrank));
+        assert_eq!(kind([3.0, 1.0, 2.5, 4.0]), (Grashof::Turning, DoubleRocker));
+        assert_eq!(kind([2.0, 2.0, 2.0, 4.0]), (Grashof::Rocking, TripleRocker));
+        // Both cranks of a parallelogram turn.
+        assert_eq!(
+            kind([1.0, 3.0, 1.0, 3.0]),
+            (Grashof::ChangePoint, DoubleCrank)
+        );
+    }
+
+    #[test]
+    fn equality_within_rounding_is_a_change_point_and_a_near_miss_is_not() {
+        assert_eq!(kind([1.0, 3.0, 1.0, 3.0]).0, Grashof::ChangePoint);
+        // 0.1 + 0.4 = 0.2 + 0.3 in decimals.
+        assert_eq!(kind([0.1, 0.4, 0.2, 0.3]).0, Grashof::ChangePoint);
+        assert_eq!(kind([1.0, 3.0, 1.0 + 1e-9, 3.0]).0, Grashof::Turning);
+    }
+
+    #[test]
+    fn a_rod_as_long_as_crank_and_offset_is_a_change_point() {
+        let margin = |lengths| match slider_crank(lengths) {
+            DrivenLoop::SliderCrank { margin, .. } => margin,
+            DrivenLoop::FourBar { .. } => f64::NAN,
+        };
+        assert_eq!(margin([10.0, 20.0, 0.0]), 10.0);
+        assert_eq!(margin([0.1, 0.3, 0.2]), 0.0);
+        assert!(margin([10.0, 8.0, 0.0]) < 0.0);
+    }
+}

@@ -1,0 +1,76 @@
+//! How well the equations of a coupled group tell its unknowns, over the whole motion.
+//!
+//! Of the group's matrix J, with lengths in parts of the longest link, angles in radians and rows of unit
+//! length, the least singular value by the largest says how near it is to being singular: 0 at a dead point or a
+//! change point, 1 at the best. It plays the part that the sine of the transmission angle plays for a dyad:
+//! what a length is off by comes out magnified by up to its reciprocal.
+
+use super::coupled::Coupled;
+use super::plan::GroupId;
+use super::{Condition, Order, Solver, Workspace};
+use crate::numeric::{Unsettled, lowest};
+use nalgebra::DMatrix;
+
+/// Places over a turn or a range at which the groups are looked at.
+const LOOKS: u32 = 360;
+/// Sweeps of a decomposition, at the most.
+const MOST_SWEEPS: usize = 1000;
+
+/// A coupled group where its equations tell least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conditioning {
+    /// The group.
+    pub group: GroupId,
+    /// The least singular value of its matrix by the largest, where that is smallest over the motion.
+    pub least: f64,
+    /// The driver's coordinate there.
+    pub at: f64,
+}
+
+impl Solver {
+    /// The worst condition of every coupled group over the motion, in the order of the plan. It is looked for
+    /// degree by degree, or at 360 places of a range, and from the smallest of these to the last digits.
+    #[must_use]
+    pub fn conditioning(&self) -> Vec<Conditioning> {
+        let groups = self.engine.program.coupled.iter();
+        let mut work = self.state();
+        let worst = groups.filter_map(|group| self.worst(group, &mut work));
+        worst.collect()
+    }
+
+    fn worst(&self, group: &Coupled, work: &mut Workspace) -> Option<Conditioning> {
+        let (low, high) = self.motion.range.ends();
+        let step = (high - low) / f64::from(LOOKS);
+        // Neither end is looked at: at a limit a group may fold.
+        let places = (0..LOOKS).map(|k| low + step * (f64::from(k) + 0.5));
+        let seen = places.filter_map(|at| Some((at, self.condition_of(group, at, work)?)));
+        let first = seen.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let around = [(first.0 - step).max(low), (first.0 + step).min(high)];
+        let look = |at| self.condition_of(group, at, work);
+        let (at, least) = lowest(look, around, first).unwrap_or_else(Unsettled::best);
+        Some(Conditioning {
+            group: GroupId::new(group.group),
+            least,
+            at,
+        })
+    }
+
+    /// The condition of a group in one state; `None` where there is no ordinary one.
+    fn condition_of(&self, group: &Coupled, at: f64, work: &mut Workspace) -> Option<f64> {
+        match self.solve(at, Order::Position, work) {
+            Condition::Ok => {}
+            Condition::ChangePoint => return Some(0.0),
+            Condition::DeadPoint | Condition::NoAssembly => return None,
+        }
+        let (q, _) = self.engine.coordinate(at);
+        let Workspace { state, scratch, .. } = work;
+        let n = group.unknowns();
+        let matrix = DMatrix::from_row_slice(n, n, group.normalised(q, state, scratch));
+        let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MOST_SWEEPS)?;
+        let values = decomposed.singular_values;
+        Some(values.min() / values.max()).filter(|condition| condition.is_finite())
+    }
+}
+
+#[cfg(any(test, feature = "testing"))]
+pub(super) mod testing;

@@ -1,0 +1,451 @@
+#![doc = include_str!("../../guide/forces.md")]
+
+mod applied;
+mod checks;
+mod frame;
+mod least;
+mod locked;
+mod open;
+mod profile;
+mod reactions;
+mod read;
+mod site;
+mod slots;
+mod stroke;
+#[cfg(any(test, feature = "testing"))]
+pub(super) mod testing;
+
+pub use applied::{Acted, PressStroke};
+pub use checks::{ForceCheck, Withheld};
+pub use least::LeastNorm;
+pub use open::Indeterminate;
+pub use read::Residual;
+pub(super) use site::{ArmSite, Held, LegSite, Site};
+pub(super) use slots::{Slot, Slots};
+
+use super::coupled::Scratch;
+use super::elements::Pass;
+use super::engine::Engine;
+use super::following::Following;
+use super::network::Network;
+use super::state::{Condition, State};
+use super::{Order, Solver, Workspace};
+use crate::arithmetic::Sharp;
+use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
+use applied::{Acting, Bears};
+use frame::Framed;
+use locked::Locked;
+use open::Open;
+use std::sync::Arc;
+use stroke::Stroke;
+
+/// How the torque is split.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TorquePart {
+    Load,
+    Gravity,
+    Inertia,
+}
+
+/// How much of the forces exists at a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Extent {
+    /// Nothing: they were not asked for, or there are none.
+    #[default]
+    Nothing,
+    /// What the driver must do, from the virtual work: at a change point the reactions need not exist.
+    Drive,
+    /// They were found, and cannot be right: nobody gets them but for the residuals that say so.
+    Withheld(Withheld),
+    All,
+}
+
+/// What slides: the point, and the link where it does not turn.
+fn slider(slider: Slider) -> (PointId, Option<LinkId>) {
+    match slider {
+        Slider::Pin(point) => (point, None),
+        Slider::Link { link, origin, .. } => (origin, Some(link)),
+    }
+}
+
+/// The forces of a state, and the room to find them.
+#[derive(Clone, Debug)]
+pub(super) struct ForceState<T> {
+    slots: Arc<Slots>,
+    open: Arc<Open>,
+    extent: Extent,
+    /// What has come to each point and link so far: dual to their velocities.
+    pub(super) points: Vec<Vec2<T>>,
+    pub(super) links: Vec<T>,
+    /// The couple of every link that is locked to others: what passes through its locks.
+    pub(super) couples: Vec<T>,
+    /// On a link at one of its points, by slot.
+    joints: Vec<Vec2<T>>,
+    /// Of a guide on what slides, across the guide; and the couple.
+    pub(super) normals: Vec<T>,
+    moments: Vec<T>,
+    /// What has come to the driver's coordinate, by way of every input.
+    pub(super) drive: T,
+    inputs: Arc<[Input]>,
+    /// What has come to the coordinate of each of these itself.
+    pub(super) efforts: Vec<T>,
+    /// The virtual work of each part of what acts, for a unit rate of the driver's coordinate.
+    work: [T; 3],
+    /// The sum of all that acts, and its moment about the solver's origin.
+    sum: Vec2<T>,
+    sum_moment: T,
+    /// What the frame feels, and its moment about the solver's origin.
+    frame: Vec2<T>,
+    frame_moment: T,
+    scale: TorqueScale<T>,
+}
+
+/// From the solver's lengths to N m.
+#[derive(Clone, Copy, Debug)]
+struct TorqueScale<T> {
+    /// N m in a newton times the solver's length.
+    couple: T,
+    /// The same for what belongs to the driver's coordinate: 1 where that is a length.
+    drive: T,
+    /// The solver's origin in metres.
+    origin: Vec2<T>,
+}
+
+impl<T: Number> Bears<T> for ForceState<T> {
+    #[inline(always)]
+    fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>) {
+        let at = &state.points[point.index()];
+        self.points[point.index()] += force;
+        self.sum += force;
+        self.sum_moment += at.p.cross(force);
+        self.work[part as usize] += force.dot(at.v);
+    }
+
+    #[inline(always)]
+    fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>) {
+        self.links[link.index()] += couple;
+        self.sum_moment += couple;
+        self.work[part as usize] += couple * state.links[link.index()].w;
+    }
+
+    #[inline(always)]
+    fn twist_ground(&mut self, couple: T) {
+        self.sum_moment += couple;
+        self.frame_moment += couple;
+    }
+
+    #[inline(always)]
+    fn note_apart(&mut self, slot: Slot, force: Vec2<T>) {
+        self.note(slot, force);
+    }
+}
+
+impl<T: Number> ForceState<T> {
+    fn clear(&mut self) {
+        self.points.fill(Vec2::default());
+        self.links.fill(T::default());
+        self.couples.fill(T::default());
+        self.joints.fill(Vec2::default());
+        self.normals.fill(T::default());
+        self.moments.fill(T::default());
+        self.efforts.fill(T::default());
+        (self.drive, self.work) = (T::default(), [T::default(); 3]);
+        (self.sum, self.sum_moment) = (Vec2::default(), T::default());
+        (self.frame, self.frame_moment) = (Vec2::default(), T::default());
+    }
+
+    /// What comes to an input: it goes on to the driver that it follows.
+    #[inline(always)]
+    pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T, state: &State<T>) {
+        match following {
+            None => {
+                self.efforts[0] += effort;
+                self.drive += effort;
+            }
+            Some(following) => {
+                self.efforts[following.number] += effort;
+                self.drive += effort * following.at(state.coordinate()).w;
+            }
+        }
+    }
+
+    fn all(&self) -> Option<&ForceState<T>> {
+        (self.extent == Extent::All).then_some(self)
+    }
+
+    /// What the driver does against the virtual work of a part.
+    fn against(&self, part: TorquePart) -> T {
+        // Subtracted, so that nothing has no sign.
+        T::default() - self.work[part as usize] * self.scale.drive
+    }
+}
+
+impl ForceState<Ball> {
+    /// Takes all that is read from forces in twice the digits.
+    fn round(&mut self, of: &ForceState<Sharp>) {
+        let vector = |v: Vec2<Sharp>| v.map(Ball::from);
+        let numbers = |to: &mut [Ball], from: &[Sharp]| {
+            for (to, &from) in to.iter_mut().zip(from) {
+                *to = Ball::from(from);
+            }
+        };
+        for (to, &from) in self.joints.iter_mut().zip(&of.joints) {
+            *to = vector(from);
+        }
+        numbers(&mut self.normals, &of.normals);
+        numbers(&mut self.moments, &of.moments);
+        numbers(&mut self.efforts, &of.efforts);
+        self.extent = of.extent;
+        self.drive = of.drive.into();
+        self.work = of.work.map(Ball::from);
+        (self.sum, self.sum_moment) = (vector(of.sum), of.sum_moment.into());
+        (self.frame, self.frame_moment) = (vector(of.frame), of.frame_moment.into());
+    }
+}
+
+/// How the forces of one mechanism are found.
+#[derive(Clone, Debug)]
+pub(super) struct Balance {
+    acting: Acting,
+    passes: Vec<Pass>,
+    slots: Arc<Slots>,
+    /// What slides, by slide: the point, and the link where it does not turn.
+    sliders: Vec<(PointId, Option<LinkId>)>,
+    locked: Locked,
+    /// Reactions that a redundant linkage leaves open.
+    open: Arc<Open>,
+    indeterminate: Vec<Indeterminate>,
+    frame: Framed,
+    inputs: Arc<[Input]>,
+}
+
+impl Balance {
+    /// Of a solver that is complete but for its forces; `None` where nothing acts.
+    pub(super) fn new(network: &Network<'_>, solver: &Solver) -> Option<Arc<Balance>> {
+        let stroke = |slide, end| stroke::end(solver, slide, end);
+        let mut balance = Balance::with(network, &solver.engine, stroke)?;
+        balance.leave_open(network, solver);
+        Some(Arc::new(balance))
+    }
+
+    /// Of the same mechanism with slopes in its constants; `follow` tells how the position of a slide follows
+    /// the length at a coordinate. The stroke of a press ends where its slide turns back: that moves by as much
+    /// as the slide does there, since it stands.
+    pub(super) fn by_length(
+        &self,
+        network: &Network<'_>,
+        engine: &Engine,
+        follow: impl Fn(SlideId, f64) -> f64,
+    ) -> Option<Arc<Balance>> {
+        let stroke = |slide, end| {
+            let Stroke { bottom, at } = self.acting.stroke(slide, end);
+            let bottom = bottom.with_slope(follow(slide, at));
+            Stroke { bottom, at }
+        };
+        let balance = Balance::with(network, engine, stroke)?;
+        Some(Arc::new(Balance {
+            open: Arc::clone(&self.open),
+            indeterminate: self.indeterminate.clone(),
+            ..balance
+        }))
+    }
+
+    fn with(
+        network: &Network<'_>,
+        engine: &Engine,
+        stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
+    ) -> Option<Balance> {
+        let mechanism = network.mechanism;
+        if !mechanism.has_forces() {
+            return None;
+        }
+        let slots = Arc::new(Slots::new(mechanism));
+        let passes = site::passes(network, &engine.program, &slots);
+        #[cfg(any(test, feature = "testing"))]
+        let passes = testing::falsify_if_asked(passes);
+        Some(Balance {
+            acting: Acting::new(mechanism, engine.frame, &slots, stroke),
+            passes,
+            locked: Locked::new(network, &engine.program),
+            open: Arc::new(Open::none(mechanism, &slots)),
+            indeterminate: Vec::new(),
+            frame: Framed::new(mechanism, &slots),
+            inputs: mechanism.inputs().collect(),
+            sliders: mechanism
+                .slides()
+                .iter()
+                .map(|s| slider(s.slider))
+                .collect(),
+            slots,
+        })
+    }
+
+    /// Finds what a redundant linkage leaves open, at several places of its motion.
+    fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
+        let mut state = solver.state();
+        state.state.forces = Some(self.room(&solver.engine));
+        let open = Open::find(self, network, solver, &mut state);
+        self.indeterminate = open.list(network.mechanism, &self.slots);
+        self.open = Arc::new(open);
+    }
+
+    /// The reactions that the equilibrium leaves open.
+    pub(super) fn indeterminate(&self) -> &[Indeterminate] {
+        &self.indeterminate
+    }
+
+    /// Room for the forces of a state.
+    pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<ForceState<T>> {
+        let slides = self.open.normals.len();
+        let unit = T::of(self.acting.unit);
+        let origin = engine.frame.origin();
+        let metres = unit.scaled(1.0 / engine.frame.scale);
+        Box::new(ForceState {
+            slots: Arc::clone(&self.slots),
+            open: Arc::clone(&self.open),
+            extent: Extent::Nothing,
+            points: vec![Vec2::default(); engine.program.points.len()],
+            links: vec![T::default(); engine.program.links.len()],
+            couples: vec![T::default(); engine.program.links.len()],
+            joints: vec![Vec2::default(); self.slots.nowhere() + 1],
+            normals: vec![T::default(); slides],
+            moments: vec![T::default(); slides],
+            drive: T::default(),
+            inputs: Arc::clone(&self.inputs),
+            efforts: vec![T::default(); self.inputs.len()],
+            work: [T::default(); 3],
+            sum: Vec2::default(),
+            sum_moment: T::default(),
+            frame: Vec2::default(),
+            frame_moment: T::default(),
+            scale: TorqueScale {
+                couple: unit,
+                drive: if engine.turns { unit } else { T::exactly(1.0) },
+                origin: Vec2::of(origin) * metres,
+            },
+        })
+    }
+
+    /// Whether what acts is one formula over the whole motion, without pieces.
+    pub(super) fn is_smooth(&self) -> bool {
+        self.acting.is_smooth()
+    }
+
+    /// What follows a solve: the forces, checked, where anything acts and they were asked for, none
+    /// otherwise.
+    #[inline(always)]
+    pub(super) fn follow<T: Number>(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        work: &mut Workspace<T>,
+    ) {
+        Balance::find(balance, engine, order, work);
+        let state = &mut work.state;
+        if let Some(balance) = balance
+            && let Some(mut forces) = state.forces.take()
+        {
+            balance.check(state, &mut forces);
+            state.forces = Some(forces);
+        }
+    }
+
+    /// Encloses the forces of a state; the bounds of the residuals then say whether it keeps its own.
+    ///
+    /// They are found once more in twice the digits, at the motion as it is known there: what is left is
+    /// what the motion and the numbers of the scene can be off by.
+    pub(super) fn enclose(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        state: &mut State,
+        enclosure: &mut Workspace<Ball>,
+    ) {
+        let Workspace {
+            state: balls,
+            errors,
+            ..
+        } = enclosure;
+        let is_asked = balance.is_some() && order == Order::Force;
+        let Some(sharp) = errors.sharp.as_mut().filter(|_| is_asked) else {
+            balls.forget_forces();
+            return;
+        };
+        sharp.state.begin(Sharp::from(balls.at), order);
+        sharp.state.condition = balls.condition;
+        Balance::find(balance, engine, order, sharp);
+        if let (Some(forces), Some(found)) = (&mut balls.forces, &sharp.state.forces) {
+            forces.round(found);
+        }
+        state.check_by_bounds(balls);
+    }
+
+    /// The forces as they are found.
+    #[inline(always)]
+    fn find<T: Number>(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        work: &mut Workspace<T>,
+    ) {
+        match balance {
+            Some(balance) if order == Order::Force => balance.balance(engine, work),
+            Some(_) | None => work.state.forget_forces(),
+        }
+    }
+
+    /// Finds the forces of a state that has been solved to its accelerations.
+    #[inline(always)]
+    fn balance<T: Number>(&self, engine: &Engine, work: &mut Workspace<T>) {
+        let Workspace { state, scratch, .. } = work;
+        let Some(mut forces) = state.forces.take() else {
+            return;
+        };
+        forces.extent = match state.condition {
+            Condition::Ok => Extent::All,
+            Condition::ChangePoint => Extent::Drive,
+            Condition::DeadPoint | Condition::NoAssembly => Extent::Nothing,
+        };
+        if forces.extent != Extent::Nothing {
+            forces.clear();
+            self.acting.act(state, &mut *forces);
+        }
+        if forces.extent == Extent::All {
+            self.frame.note_ground(&mut forces, state);
+            if self.run_back(engine, state, scratch, &mut forces) {
+                if let Some(link) = engine.driven() {
+                    let couple = forces.links[link.index()];
+                    forces.drive_by(None, couple, state);
+                }
+                self.locked.finish(&mut forces);
+                self.frame.free_origins(state, &mut forces);
+                self.frame.feel(state, &mut forces);
+            } else {
+                forces.extent = Extent::Drive;
+            }
+        }
+        state.forces = Some(forces);
+    }
+
+    /// Every step backwards; whether all could be.
+    #[inline(always)]
+    fn run_back<T: Number>(
+        &self,
+        engine: &Engine,
+        state: &State<T>,
+        scratch: &mut Scratch<T>,
+        forces: &mut ForceState<T>,
+    ) -> bool {
+        let (q, _) = engine.coordinate(state.at);
+        self.passes.iter().rev().all(|pass| match pass {
+            Pass::Coupled { index } => {
+                let group = &engine.program.coupled[*index];
+                group.run_back(q, &self.slots, state, scratch, forces)
+            }
+            pass => {
+                pass.run(state, forces);
+                true
+            }
+        })
+    }
+}

@@ -1,0 +1,236 @@
+//! Reactions that the equilibrium leaves open: those of constraints that repeat others.
+//!
+//! The steps stand on as many constraints as there are unknowns. A constraint beyond these may press with
+//! any force: whatever feels it is indeterminate. So each is made to press with a unit force, which the
+//! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
+//! it, is open.
+
+use super::{Balance, Extent, ForceState, Slots};
+use crate::solver::network::Network;
+use crate::solver::plan::{Gauge, WatchedConstraint};
+use crate::solver::state::{Condition, State};
+use crate::solver::workspace::Workspace;
+use crate::solver::{Order, Solver};
+use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// Below this part of a unit force, what is felt is rounding.
+pub(super) const FELT: f64 = 1e-9;
+/// Where in the motion constraints are tried, besides where the scene opens: what is open need not be
+/// felt at each place, and scenes open at special ones.
+const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
+
+/// What cannot be told.
+#[derive(Clone, Debug)]
+pub(super) struct Open {
+    /// By slot.
+    pub joints: Vec<bool>,
+    /// By slide.
+    pub normals: Vec<bool>,
+    pub moments: Vec<bool>,
+}
+
+/// A reaction that a redundant linkage leaves open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Indeterminate {
+    /// The force on a link at a joint.
+    Joint(LinkId, PointId),
+    /// The normal force of a slide.
+    Normal(SlideId),
+    /// The moment of a slide.
+    Moment(SlideId),
+}
+
+impl Open {
+    pub(super) fn none(mechanism: &Mechanism, slots: &Slots) -> Open {
+        let slides = mechanism.slides().len();
+        Open {
+            joints: vec![false; slots.nowhere() + 1],
+            normals: vec![false; slides],
+            moments: vec![false; slides],
+        }
+    }
+
+    /// Tries every constraint at ordinary states of the motion.
+    pub(super) fn find(
+        balance: &Balance,
+        network: &Network<'_>,
+        solver: &Solver,
+        work: &mut Workspace,
+    ) -> Open {
+        let mut open = Open::none(network.mechanism, &balance.slots);
+        if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
+            return open;
+        }
+        let (low, high) = solver.motion.range.ends();
+        let places = PLACES.map(|part| low + part * (high - low));
+        for at in places.into_iter().chain([solver.opening]) {
+            if solver.solve(at, Order::Position, work) == Condition::Ok {
+                probes(balance, network, solver, work, |forces, felt| {
+                    open.mark(forces, felt)
+                });
+            }
+        }
+        open
+    }
+
+    fn mark(&mut self, forces: &ForceState<f64>, felt: &Felt) {
+        let joints = forces.joints.iter().zip(&felt.joints);
+        for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
+            *open |= is_felt((a + b).norm());
+        }
+        let normals = forces.normals.iter().zip(&felt.normals);
+        for (open, (a, b)) in self.normals.iter_mut().zip(normals) {
+            *open |= is_felt((a + b).abs());
+        }
+        let moments = forces.moments.iter().zip(&felt.moments);
+        for (open, (a, b)) in self.moments.iter_mut().zip(moments) {
+            *open |= is_felt((a + b).abs());
+        }
+    }
+
+    /// What is open, in the order of the mechanism.
+    pub(super) fn list(&self, mechanism: &Mechanism, slots: &Slots) -> Vec<Indeterminate> {
+        let mut list = Vec::new();
+        for link in mechanism.link_ids() {
+            for point in mechanism.pins(link) {
+                if self.joints[slots.of(link, point)] {
+                    list.push(Indeterminate::Joint(link, point));
+                }
+            }
+        }
+        for slide in mechanism.slide_ids() {
+            if self.normals[slide.index()] {
+                list.push(Indeterminate::Normal(slide));
+            }
+            if self.moments[slide.index()] {
+                list.push(Indeterminate::Moment(slide));
+            }
+        }
+        list
+    }
+}
+
+/// Lets every constraint that repeats others press with a unit force at a state, and tells of all that is felt:
+/// what the steps find and, besides, what the constraint itself does.
+pub(super) fn probes(
+    balance: &Balance,
+    network: &Network<'_>,
+    solver: &Solver,
+    work: &mut Workspace,
+    mut tell: impl FnMut(&ForceState<f64>, &Felt),
+) {
+    for watch in &solver.engine.program.watches {
+        probe(balance, solver, work, &mut tell, |state, forces, felt| {
+            press(watch, &balance.slots, network, state, forces, felt);
+        });
+    }
+    for &slide in &network.repeated_locks {
+        let given = network.mechanism.slide(slide);
+        let Slider::Link { link, .. } = given.slider else {
+            continue;
+        };
+        let on = network.body(given.on);
+        probe(balance, solver, work, &mut tell, |_, forces, felt| {
+            forces.links[link.index()] += 1.0;
+            forces.links[on.index()] += -1.0;
+            felt.moments[slide.index()] = 1.0;
+        });
+    }
+}
+
+/// Presses, hands down, and tells.
+fn probe(
+    balance: &Balance,
+    solver: &Solver,
+    work: &mut Workspace,
+    tell: &mut impl FnMut(&ForceState<f64>, &Felt),
+    press: impl Fn(&State, &mut ForceState<f64>, &mut Felt),
+) {
+    let Workspace { state, scratch, .. } = work;
+    let Some(mut forces) = state.forces.take() else {
+        return;
+    };
+    forces.clear();
+    let mut felt = Felt::new(&balance.open);
+    press(state, &mut forces, &mut felt);
+    if balance.run_back(&solver.engine, state, scratch, &mut forces) {
+        balance.locked.finish(&mut forces);
+        balance.frame.free_origins(state, &mut forces);
+        tell(&forces, &felt);
+    }
+    forces.extent = Extent::Nothing;
+    state.forces = Some(forces);
+}
+
+/// Written so that what is no number counts.
+fn is_felt(size: f64) -> bool {
+    !(size <= FELT)
+}
+
+/// What a constraint itself does to links and slides while it presses; nothing to begin with.
+pub(super) struct Felt {
+    pub(super) joints: Vec<Vec2>,
+    pub(super) normals: Vec<f64>,
+    pub(super) moments: Vec<f64>,
+}
+
+impl Felt {
+    pub(super) fn new(open: &Open) -> Felt {
+        Felt {
+            joints: vec![Vec2::ZERO; open.joints.len()],
+            normals: vec![0.0; open.normals.len()],
+            moments: vec![0.0; open.moments.len()],
+        }
+    }
+}
+
+/// A watched constraint presses with a unit force.
+fn press(
+    watch: &WatchedConstraint,
+    slots: &Slots,
+    network: &Network<'_>,
+    state: &State,
+    forces: &mut ForceState<f64>,
+    felt: &mut Felt,
+) {
+    let at = |p: PointId| state.points[p.index()].p;
+    let mut pair = |from: PointId, to: PointId, force: Vec2, forces: &mut ForceState<f64>| {
+        forces.points[to.index()] += force;
+        forces.points[from.index()] += -force;
+        if let crate::ElementId::Link(link) = watch.element {
+            felt.joints[slots.of(link, to)] += -force;
+            felt.joints[slots.of(link, from)] += force;
+        }
+    };
+    match watch.gauge {
+        Gauge::Distance { from, to, .. } => {
+            let e = at(to) - at(from);
+            pair(from, to, e / e.norm(), forces);
+        }
+        Gauge::Direction { from, to, link, .. } => {
+            let e = at(to) - at(from);
+            pair(from, to, e.perp() / e.norm(), forces);
+            forces.links[link.index()] += -e.norm();
+        }
+        Gauge::OnLine { point, line } => {
+            let guide = line.at(state);
+            forces.points[point.index()] += guide.n;
+            forces.points[line.through.index()] += -guide.n;
+            let s = guide.t.dot(at(point) - guide.q.p);
+            forces.links[line.link.index()] += -s;
+            if let crate::ElementId::Slide(slide) = watch.element {
+                felt.normals[slide.index()] += 1.0;
+                let given = network.mechanism.slide(slide);
+                // On the link itself, and not by its pin.
+                if let Slider::Link { link, origin, .. } = given.slider {
+                    felt.joints[slots.of(link, origin)] += -guide.n;
+                }
+                if let Body::Link(on) = given.on {
+                    felt.joints[slots.of(on, line.through)] += guide.n;
+                }
+            }
+        }
+        // The driver's own: it repeats nothing.
+        Gauge::Pushed { .. } | Gauge::Turned { .. } => {}
+    }
+}

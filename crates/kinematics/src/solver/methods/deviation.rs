@@ -1,0 +1,134 @@
+//! How far a state is from the reference.
+
+use crate::solver::Solver;
+use crate::solver::state::State;
+use crate::{Ball, Double, LinkId, Mechanism, Number, PointId, Vec2};
+
+/// Sizes of positions, velocities and accelerations: of differences, or of themselves. Derivatives are
+/// those by the driver's coordinate; lengths are parts of the longest one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// Of positions, in longest lengths.
+    pub position: f64,
+    /// Of first derivatives by the driver's coordinate.
+    pub velocity: f64,
+    /// Of second derivatives by the driver's coordinate.
+    pub acceleration: f64,
+}
+
+impl Deviation {
+    /// The larger of each.
+    pub fn max(self, other: Deviation) -> Deviation {
+        Deviation {
+            position: self.position.max(other.position),
+            velocity: self.velocity.max(other.velocity),
+            acceleration: self.acceleration.max(other.acceleration),
+        }
+    }
+
+    /// Returns `true` if no value is infinite or NaN.
+    pub fn is_finite(self) -> bool {
+        // A sum of sizes is finite where each of them is.
+        (self.position + self.velocity + self.acceleration).is_finite()
+    }
+}
+
+/// What is looked at in a state.
+pub(super) struct Subjects {
+    /// The scene's moving points.
+    points: Vec<PointId>,
+    /// Links that bear a single point, so that their turning shows in none: they count as if they bore
+    /// another one at the longest length.
+    links: Vec<LinkId>,
+    /// The longest length in the solver's unit.
+    pub(super) longest: f64,
+}
+
+impl Subjects {
+    pub(super) fn new(mechanism: &Mechanism, solver: &Solver) -> Subjects {
+        let is_moving = |p: &PointId| mechanism.point(*p).ground.is_none();
+        let is_lonely = |l: &LinkId| mechanism.link(*l).members.len() == 1;
+        Subjects {
+            points: mechanism.point_ids().filter(is_moving).collect(),
+            links: mechanism.link_ids().filter(is_lonely).collect(),
+            longest: solver.engine.frame.longest,
+        }
+    }
+
+    /// The largest differences of a state from the reference; not finite where it is not.
+    pub(super) fn deviation<T: Number>(
+        &self,
+        state: &State<T>,
+        reference: &State<Double>,
+    ) -> Deviation {
+        self.gather(
+            |p| {
+                let (p, q) = (&state.points[p.index()], &reference.points[p.index()]);
+                [apart(p.p, q.p), apart(p.v, q.v), apart(p.a, q.a)]
+            },
+            |l| {
+                let (l, m) = (&state.links[l.index()], &reference.links[l.index()]);
+                let far = |a: T, b: Double| (Double::exactly(a.nearest()) - b).nearest().abs();
+                [apart(l.d, m.d), far(l.w, m.w), far(l.a, m.a)]
+            },
+        )
+    }
+
+    /// The largest velocity and acceleration of a state.
+    pub(super) fn sizes(&self, state: &State<Double>) -> Deviation {
+        self.gather(
+            |p| {
+                let p = &state.points[p.index()];
+                [0.0, p.v.nearest().norm(), p.a.nearest().norm()]
+            },
+            |l| {
+                let l = &state.links[l.index()];
+                [0.0, l.w.nearest().abs(), l.a.nearest().abs()]
+            },
+        )
+    }
+
+    /// Whether every figure of the reference lies in its ball, and every ball has an end.
+    pub(super) fn hold(&self, enclosure: &State<Ball>, reference: &State<Double>) -> bool {
+        let holds = |ball: Vec2<Ball>, value: Vec2<Double>| {
+            let inside = |ball: Ball, value: Double| {
+                let off = (value - Double::exactly(ball.mid)).nearest().abs();
+                off <= ball.radius && ball.radius.is_finite()
+            };
+            inside(ball.x, value.x) && inside(ball.y, value.y)
+        };
+        self.points.iter().all(|p| {
+            let (ball, value) = (&enclosure.points[p.index()], &reference.points[p.index()]);
+            holds(ball.p, value.p) && holds(ball.v, value.v) && holds(ball.a, value.a)
+        })
+    }
+
+    fn gather(
+        &self,
+        of_point: impl Fn(&PointId) -> [f64; 3],
+        of_link: impl Fn(&LinkId) -> [f64; 3],
+    ) -> Deviation {
+        let points = self
+            .points
+            .iter()
+            .map(|p| of_point(p).map(|v| v / self.longest));
+        let links = self.links.iter().map(of_link);
+        // Written so that NaN stays.
+        let larger = |a: f64, b: f64| if b <= a { a } else { b };
+        let [position, velocity, acceleration] =
+            points.chain(links).fold([0.0; 3], |most, here| {
+                std::array::from_fn(|i| larger(most[i], here[i]))
+            });
+        Deviation {
+            position,
+            velocity,
+            acceleration,
+        }
+    }
+}
+
+/// The distance of two vectors.
+fn apart<T: Number>(one: Vec2<T>, two: Vec2<Double>) -> f64 {
+    let one: Vec2<Double> = one.nearest().exactly();
+    (one - two).nearest().norm()
+}

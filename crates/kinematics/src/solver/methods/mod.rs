@@ -1,0 +1,243 @@
+//! The mechanism by other methods, for comparison.
+//!
+//! The same network of constraints, in the same order, is made into a second program in which every
+//! group - dyads too - is a list of rows with unknowns, as it otherwise is for coupled groups alone. So
+//! residuals, rates and matrices of all methods come from one place.
+
+mod deviation;
+mod drift;
+mod method;
+mod runner;
+
+pub use deviation::Deviation;
+pub use drift::DriftMethod;
+pub use method::{Method, Start, Unfit};
+pub use runner::Runner;
+
+use super::coupled::{Closing, Coupled, Scratch};
+use super::elements::ACCELERATION;
+use super::engine::Engine;
+use super::network::Network;
+use super::state::State;
+use super::{Condition, Group, GroupKind, Order, Range, Solver, Workspace, chain};
+use crate::{Double, LinkId, Mechanism, Number, PointId};
+use deviation::Subjects;
+
+/// A mechanism ready to be solved by any method.
+pub struct Methods {
+    solver: Solver,
+    slides: usize,
+    /// Every group by its rows; `None` where they cannot be listed.
+    rows: Option<RowProgram>,
+    subjects: Subjects,
+    reference: Workspace<Double>,
+    /// A state of the solver itself.
+    guide: Workspace,
+    /// The side on which every group of rows was when it was last looked up.
+    sides: Vec<f64>,
+}
+
+/// The program in which every group is a list of rows.
+struct RowProgram {
+    engine: Engine,
+    /// To look into.
+    probe: Workspace,
+    /// What each group reads of earlier ones.
+    inputs: Vec<(Vec<PointId>, Vec<LinkId>)>,
+    /// The one unknown angle of each group.
+    closings: Vec<Option<Closing>>,
+    /// Where the scene opens.
+    opening: Scratch,
+}
+
+impl Methods {
+    /// Prepares the mechanism of a solver for all methods.
+    pub fn new(solver: &Solver) -> Methods {
+        let mechanism = solver.mechanism();
+        Methods {
+            rows: RowProgram::new(mechanism, solver),
+            subjects: Subjects::new(mechanism, solver),
+            slides: mechanism.slides().len(),
+            reference: solver.twice(),
+            guide: solver.state(),
+            sides: Vec::new(),
+            solver: solver.clone(),
+        }
+    }
+
+    /// The longest length of the mechanism, in the scene's unit.
+    pub fn longest(&self) -> f64 {
+        self.subjects.longest * self.solver.engine.frame.scale
+    }
+
+    /// How many unknowns all groups have as rows.
+    pub fn unknowns(&self) -> usize {
+        let groups = self
+            .rows
+            .iter()
+            .flat_map(|rows| &rows.engine.program.coupled);
+        groups.map(Coupled::unknowns).sum()
+    }
+
+    /// The range of the motion.
+    pub fn range(&self) -> Range {
+        self.solver.motion().range
+    }
+
+    /// Whether a method can be used for this mechanism.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn usable(&self, method: Method) -> Result<(), Unfit> {
+        let groups = &self.solver.plan().groups;
+        let coupled = groups
+            .iter()
+            .find(|g| matches!(g.kind, GroupKind::Coupled { .. }));
+        let closed = coupled.map_or(Ok(()), |group| Err(Unfit::Coupled(group.point)));
+        let rows = self.rows.as_ref().ok_or(Unfit::NoRows);
+        match method {
+            Method::ClosedForm => closed,
+            Method::Bounded | Method::Single => Ok(()),
+            Method::Polished => closed.and(rows.map(|_| ())),
+            Method::Anchored => coupled.map(|_| ()).ok_or(Unfit::AllClosed),
+            Method::Newton { .. } => rows.map(|_| ()),
+            Method::Bisection => rows?.one_condition_each(groups),
+            Method::Integration { .. } => match self.range() {
+                Range::Full { .. } => rows.map(|_| ()),
+                Range::Limited { .. } => Err(Unfit::Limits),
+            },
+        }
+    }
+
+    /// The state at a coordinate in twice the precision, if the mechanism can be there and is at no
+    /// special place.
+    pub fn look_up(&mut self, at: f64) -> bool {
+        if self.solver.solve(at, Order::Acceleration, &mut self.guide) != Condition::Ok {
+            return false;
+        }
+        if let Some(rows) = &mut self.rows {
+            rows.look(at, &self.guide, &mut self.sides);
+        }
+        let Methods {
+            solver,
+            guide,
+            reference,
+            ..
+        } = self;
+        solver.solve_twice(guide, Order::Acceleration, reference)
+            && self.subjects.sizes(reference).is_finite()
+    }
+
+    /// Whether a state of rows is of the assembly that was looked up last, as far as the sides of its
+    /// groups tell.
+    fn is_same_assembly(&self, work: &mut Workspace) -> bool {
+        let Some(rows) = &self.rows else { return true };
+        let (q, _) = rows.engine.coordinate(self.guide.at);
+        let Workspace { state, scratch, .. } = work;
+        let groups = rows.engine.program.coupled.iter().zip(&self.sides);
+        let mut sides = groups.map(|(group, side)| side * group.side_at(q, state, scratch));
+        sides.all(|product| product >= 0.0)
+    }
+
+    /// Stands at a coordinate, for methods that begin there, without looking anything up.
+    pub fn guide_to(&mut self, at: f64) {
+        let _ = self.solver.solve(at, Order::Position, &mut self.guide);
+    }
+
+    /// The largest velocity and acceleration of the last state that was looked up.
+    pub fn sizes(&self) -> Deviation {
+        self.subjects.sizes(&self.reference)
+    }
+}
+
+/// Begins where a state of the solver stands: its assembly, and what its coupled groups have found.
+fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
+    for (to, from) in work.state.signs.iter_mut().zip(&guide.signs) {
+        *to = T::exactly(*from);
+    }
+    let numbers = work.scratch.numbers.iter_mut();
+    for (to, from) in numbers.zip(&guide.scratch.numbers) {
+        *to = T::exactly(*from);
+    }
+}
+
+/// Runs a program in any arithmetic; `solve` finds z of each coupled group. Whether everything was
+/// found.
+fn run<T: Number, const ORDER: u8>(
+    engine: &Engine,
+    at: T,
+    work: &mut Workspace<T>,
+    mut solve: impl FnMut(&Coupled, T, &State<T>, &mut Scratch<T>) -> bool,
+) -> bool {
+    engine.run_in::<T, ORDER>(at, work, |group, q, state, scratch| {
+        solve(group, q, state, scratch) && group.finish(q, ORDER, state, scratch)
+    })
+}
+
+impl RowProgram {
+    fn new(mechanism: &Mechanism, solver: &Solver) -> Option<RowProgram> {
+        let frame = solver.engine.frame;
+        let network = Network::new(mechanism, frame);
+        let (_, program) = chain::build(&network, &solver.ordering, chain::Dyads::AsRows).ok()?;
+        let engine = Engine::new(mechanism, frame, program);
+        let groups = &engine.program.coupled;
+        let mut rows = RowProgram {
+            inputs: groups.iter().map(Coupled::inputs).collect(),
+            closings: groups.iter().map(Coupled::closing).collect(),
+            probe: engine.state(mechanism.slides().len()),
+            opening: Scratch::default(),
+            engine,
+        };
+        rows.open(mechanism.driver().start, solver)?;
+        Some(rows)
+    }
+
+    /// Finds z and the side of every group where the scene opens.
+    fn open(&mut self, start: f64, solver: &Solver) -> Option<()> {
+        let (mut guide, mut sides) = (solver.state(), Vec::new());
+        let _ = solver.solve(start, Order::Acceleration, &mut guide);
+        let solved = self.look(start, &guide, &mut sides);
+        for (group, side) in self.engine.program.coupled.iter_mut().zip(sides) {
+            group.side = side;
+        }
+        self.opening = self.probe.scratch.clone();
+        solved.then_some(())
+    }
+
+    /// Puts every group where a state of the solver has it, and tells the sides.
+    fn look(&mut self, at: f64, guide: &State, sides: &mut Vec<f64>) -> bool {
+        sides.clear();
+        let probe = &mut self.probe;
+        run::<_, ACCELERATION>(&self.engine, at, probe, |group, q, state, scratch| {
+            group.read(guide, group.open(scratch).z);
+            sides.push(group.side_at(q, state, scratch));
+            true
+        })
+    }
+
+    /// 1, or -1 where the motion has passed change points of a group since the opening: by the signs of
+    /// the dyads in closed form, where there is one to every group.
+    fn flip(&self, number: usize, solver: &Solver, signs: &[f64]) -> f64 {
+        let dyads = solver.plan.groups.len().saturating_sub(1);
+        if dyads != self.closings.len() {
+            return 1.0;
+        }
+        // The driver is the first group.
+        signs[number + 1] * solver.engine.signs[number + 1]
+    }
+
+    fn one_condition_each(&self, planned: &[Group]) -> Result<(), Unfit> {
+        let groups = self.engine.program.coupled.iter();
+        let mut others = groups.zip(&self.closings).filter(|(_, c)| c.is_none());
+        others.next().map_or(Ok(()), |(group, _)| {
+            // Named as everywhere else: by the point that names it in the plan.
+            let joint = group.joints().next();
+            let holds = |group: &&Group| joint.is_some_and(|joint| group.points.contains(&joint));
+            let named = planned.iter().find(holds).and_then(|group| group.point);
+            Err(Unfit::Conditions {
+                point: named.or(joint),
+                unknowns: group.unknowns(),
+            })
+        })
+    }
+}

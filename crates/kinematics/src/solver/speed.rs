@@ -1,0 +1,63 @@
+//! The same motion at another speed of the driver.
+
+use super::engine::rates;
+use super::state::{Rates, State};
+use super::{Solver, Workspace};
+use crate::{Constant, DriverMoment, Input, Number};
+
+/// A degree in radians, rounded up.
+const RADIAN: f64 = 0.017_453_292_519_943_3;
+
+impl Solver {
+    /// The same solver with another speed and acceleration of its driver, in rad/s and rad/s^2 or in the
+    /// scene's length unit per s and s^2. The geometry is not solved anew: with a speed of 1 and no
+    /// acceleration the rates are derivatives by the driver's coordinate, and with the opposite speed
+    /// they are those of the way back.
+    #[must_use]
+    pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
+        let mechanism = self.mechanism.at_speed(speed, acceleration);
+        Solver {
+            engine: self.engine.at_speed_of(&mechanism),
+            mechanism,
+            ..self.clone()
+        }
+    }
+
+    /// From the next solution on, the driver of these states passes with the speed and the acceleration of a moment
+    /// of its motion over time; so does that of an enclosure, which has to be told too. Allocates nothing.
+    pub fn drive<T: Number>(&self, work: &mut Workspace<T>, moment: &DriverMoment) {
+        let given = [moment.speed, moment.acceleration];
+        let [at, off @ ..] = moment.off;
+        let (rates, off) = match self.mechanism.driver().input {
+            Input::Turn(_) => (
+                rates(given.map(f64::to_radians), 1.0, true),
+                off.map(|off| off * RADIAN),
+            ),
+            Input::Push(_) => {
+                let scale = self.engine.frame.scale;
+                (rates(given, scale, true), off.map(|off| off / scale))
+            }
+        };
+        let rates = [rates[0].widened(off[0]), rates[1].widened(off[1])];
+        work.errors.driven = at;
+        work.state.pass(rates);
+        // What bounds are found by goes with it.
+        if let Some(sharp) = &mut work.errors.sharp {
+            sharp.state.pass(rates);
+        }
+        if let Some(edge) = &mut work.errors.edge {
+            edge.pass(rates);
+        }
+        if let Some(close) = &mut work.close {
+            close.pass(rates);
+        }
+    }
+}
+
+impl<T: Number> State<T> {
+    /// The driver has this speed and acceleration, in the solver's units.
+    fn pass(&mut self, [speed, acceleration]: [Constant; 2]) {
+        self.rates = Rates::new(speed, acceleration);
+        self.length_rates = self.rates.times(self.frame.scale);
+    }
+}

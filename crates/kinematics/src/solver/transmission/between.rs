@@ -1,0 +1,161 @@
+//! Extremes between two neighbouring states.
+//!
+//! A state of a long chain costs as much as the chain is long, and it has as many extremes as dyads. So
+//! extremes between the same two neighbours are sought together: the same few states between them serve
+//! all these dyads, and the whole takes a number of states that does not depend on the length of the chain.
+//! Sums of Chebyshev polynomials stand for a dyad there. Where they do not, as next to a limit, its extreme
+//! is sought by states of its own.
+
+use super::{DyadLines, SeenJoint};
+use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
+use crate::numeric::{few_decimals, root};
+use crate::solver::{Order, Solver, Workspace};
+
+/// An extreme is flat: its rate, a difference of two turnings, is rounding for so many units in the last
+/// place around it, and of these the one with few decimals is named: 0 rather than -6e-15 degrees.
+const BLUR: f64 = 1024.0;
+/// Of a smooth function the terms fall as a geometric series does: where they have come down to this part
+/// of the largest after a third of them, the last ones are down to the cube of it, which is rounding. The
+/// terms themselves do not fall as far, since the states are rounded, too.
+const FALLEN: f64 = 1e-5;
+
+/// Two neighbours between which mu turns back.
+#[derive(Clone, Copy)]
+pub(super) struct Bracket {
+    pub(super) ends: [DyadLines; 2],
+    pub(super) reading: ExtremeFunction,
+    /// The cosine that is to be expected between them.
+    pub(super) cosine: f64,
+}
+
+/// What has its zero at an extreme: for lines without a sense mu is 90 degrees at the most, where the
+/// cosine changes its sign.
+#[derive(Clone, Copy)]
+pub(super) enum ExtremeFunction {
+    Rate,
+    Cosine,
+}
+
+/// A bracket and the joint to which it belongs.
+struct Sought {
+    joint: usize,
+    bracket: Bracket,
+}
+
+/// A dyad between two coordinates: sine, cosine and its rate.
+struct Sums {
+    ends: [f64; 2],
+    sums: [ChebyshevSum; 3],
+}
+
+impl Solver {
+    /// Looks at the extremes of all joints between the states in which they have been seen.
+    pub(super) fn look_between(&self, seen: &mut [SeenJoint<'_>], work: &mut Workspace) {
+        let mut sought = Vec::new();
+        for (joint, seen) in seen.iter_mut().enumerate() {
+            let brackets = seen.take_likely();
+            sought.extend(brackets.map(|bracket| Sought { joint, bracket }));
+        }
+        sought.sort_by(|a, b| a.bracket.start().total_cmp(&b.bracket.start()));
+        let basis = Basis::new();
+        for together in sought.chunk_by(|a, b| a.bracket.coordinates() == b.bracket.coordinates()) {
+            let sums = self.sums(&basis, together, seen, work);
+            for (Sought { joint, bracket }, sums) in together.iter().zip(sums) {
+                let seen = &mut seen[*joint];
+                let found = match sums {
+                    Some(sums) => self.extreme(bracket, |at| Some(sums.look(at))),
+                    None => self.extreme(bracket, |at| {
+                        let condition = self.solve(at, Order::Velocity, work);
+                        seen.joint.look(condition, work)
+                    }),
+                };
+                if let Some(look) = found {
+                    seen.consider(&look);
+                }
+            }
+        }
+    }
+
+    /// The sums of several dyads between the same coordinates; `None` for one for which they do not stand.
+    fn sums(
+        &self,
+        basis: &Basis,
+        together: &[Sought],
+        seen: &[SeenJoint<'_>],
+        work: &mut Workspace,
+    ) -> Vec<Option<Sums>> {
+        let Some(first) = together.first() else {
+            return Vec::new();
+        };
+        let ends = first.bracket.coordinates();
+        let mut values = vec![Some([[0.0; TERMS]; 3]); together.len()];
+        for (k, t) in basis.places.into_iter().enumerate() {
+            let at = ends[0] + 0.5 * (1.0 + t) * (ends[1] - ends[0]);
+            let condition = self.solve(at, Order::Velocity, work);
+            for (values, sought) in values.iter_mut().zip(together) {
+                let look = seen[sought.joint].joint.look(condition, work);
+                let read = look.and_then(|look| Some([look.sine, look.cosine, look.rate?]));
+                match (values.as_mut(), read) {
+                    (Some(values), Some(read)) => {
+                        for (values, value) in values.iter_mut().zip(read) {
+                            values[k] = value;
+                        }
+                    }
+                    _ => *values = None,
+                }
+            }
+        }
+        let stand = |values: Option<[[f64; TERMS]; 3]>| {
+            let sums = values?.map(|values| basis.through(&values));
+            let is_smooth = |sum: &ChebyshevSum| sum.third() <= FALLEN * sum.size();
+            sums.iter().all(is_smooth).then_some(Sums { ends, sums })
+        };
+        values.into_iter().map(stand).collect()
+    }
+
+    /// The extreme in a bracket, by looks between its ends.
+    fn extreme(
+        &self,
+        bracket: &Bracket,
+        mut look: impl FnMut(f64) -> Option<DyadLines>,
+    ) -> Option<DyadLines> {
+        let read = |look: &DyadLines| match bracket.reading {
+            ExtremeFunction::Rate => look.rate,
+            ExtremeFunction::Cosine => Some(look.cosine),
+        };
+        let [a, b] = &bracket.ends;
+        let finest = self.engine.finest();
+        let (from, to) = ((a.at, read(a)?), (b.at, read(b)?));
+        let at = root(from, to, finest, |at| read(&look(at)?)).ok()?;
+        let round = few_decimals(at);
+        let is_blurred = (round - at).abs() <= BLUR * finest.max(f64::EPSILON * at.abs());
+        look(if is_blurred { round } else { at })
+    }
+}
+
+impl Bracket {
+    fn start(&self) -> f64 {
+        self.ends[0].at
+    }
+
+    fn coordinates(&self) -> [f64; 2] {
+        self.ends.map(|look| look.at)
+    }
+}
+
+impl Sums {
+    fn look(&self, at: f64) -> DyadLines {
+        let [from, to] = self.ends;
+        let t = 2.0 * (at - from) / (to - from) - 1.0;
+        let [sine, cosine, rate] = self.sums.map(|sum| sum.at(t));
+        DyadLines {
+            at,
+            sine,
+            cosine,
+            rate: Some(rate),
+        }
+    }
+}
+
+#[cfg(any(test, feature = "testing"))]
+pub(in crate::solver) mod testing;

@@ -1,0 +1,33 @@
+//! Compares two ways to find extreme transmission angles.
+
+use super::*;
+
+/// Compares the extreme transmission angles from shared Chebyshev sums with those from states of
+/// their own, and returns how many were compared.
+///
+/// # Panics
+/// If an angle differs by more than rounding, or a place by more than it is defined.
+pub fn compare_extremes(solver: &Solver) -> u32 {
+    let (mut compared, basis) = (0, Basis::new());
+    let mut work = solver.state();
+    let mut seen = solver.seen(&mut work);
+    for joint in 0..seen.len() {
+        for bracket in std::mem::take(&mut seen[joint].brackets) {
+            let sought = [Sought { joint, bracket }];
+            let sums = solver.sums(&basis, &sought, &seen, &mut work).pop();
+            let Some(sums) = sums.flatten() else { continue };
+            let told = solver.extreme(&bracket, |at| Some(sums.look(at))).unwrap();
+            let exact = |at: f64| {
+                let condition = solver.solve(at, Order::Velocity, &mut work);
+                seen[joint].joint.look(condition, &work)
+            };
+            let found = solver.extreme(&bracket, exact).unwrap();
+            let off = (told.sine * found.cosine - told.cosine * found.sine).abs();
+            assert!(off < 1e-13, "{off:e}");
+            let off = (told.at - found.at).abs();
+            assert!(off < 1e-8, "{off:e} at {}", found.at);
+            compared += 1;
+        }
+    }
+    compared
+}

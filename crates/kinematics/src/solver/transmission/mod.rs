@@ -1,0 +1,342 @@
+#![doc = include_str!("../../guide/transmission.md")]
+
+mod between;
+
+#[cfg(any(test, feature = "testing"))]
+pub use between::testing::compare_extremes;
+
+use super::elements::Step;
+use super::engine::Engine;
+use super::motion::positive_remainder;
+use super::plan::GroupId;
+use super::state::{Condition, State};
+use super::{Order, Range, Solver, Workspace};
+use crate::{LinkId, PointId, Vec2};
+use between::{Bracket, ExtremeFunction};
+
+/// The parabolas between samples tell cosines as well as this: brackets that are worse than what has been
+/// seen by no more are looked into.
+const LIKELY: f64 = 1e-4;
+/// Angles in rad that differ by less are one: then the extreme that comes first is named.
+const SAME: f64 = 1e-12;
+/// A limit has no rates; it is looked at from this far inside, as a part of the range.
+const INSIDE: f64 = 1e-9;
+
+/// The transmission angle of a group over the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmission {
+    /// The group.
+    pub group: GroupId,
+    /// Where mu is smallest.
+    pub smallest: Extreme,
+    /// Where mu is largest.
+    pub largest: Extreme,
+}
+
+/// An extreme of a transmission angle: of several equal ones, the one at the smallest coordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The angle at the inner joint in degrees: from 0 to 180 between two links, to 90 where one of
+    /// the two lines is the normal of a guide.
+    pub angle: f64,
+    /// The driver's coordinate, in degrees or the scene's length unit.
+    pub at: f64,
+}
+
+impl Transmission {
+    /// The largest deviation from the best angle, 90 degrees, in degrees.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        (90.0 - self.smallest.angle).max(self.largest.angle - 90.0)
+    }
+}
+
+/// One of the two lines at an inner joint: its direction, of any length, and its turning.
+pub(super) struct Ray {
+    d: Vec2,
+    w: f64,
+}
+
+impl Ray {
+    /// From point to point.
+    pub(super) fn between(from: PointId, to: PointId, state: &State) -> Ray {
+        let (a, b) = (state.points[from.index()], state.points[to.index()]);
+        let d = b.p - a.p;
+        Ray {
+            d,
+            w: d.cross(b.v - a.v) / d.norm2(),
+        }
+    }
+
+    /// Along a direction of a link's frame.
+    pub(super) fn on(link: LinkId, along: Vec2, state: &State) -> Ray {
+        let link = state.links[link.index()];
+        Ray {
+            d: along.turned(link.d),
+            w: link.w,
+        }
+    }
+
+    /// Of the ground.
+    pub(super) fn fixed(d: Vec2) -> Ray {
+        Ray { d, w: 0.0 }
+    }
+}
+
+/// The inner joint of a dyad.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InnerJoint {
+    group: usize,
+    /// Whether one of the two lines is a normal, which has no sense of its own.
+    has_normal: bool,
+}
+
+impl InnerJoint {
+    /// Between two links.
+    pub(super) fn of_links(group: usize) -> InnerJoint {
+        InnerJoint {
+            group,
+            has_normal: false,
+        }
+    }
+
+    /// Between anything and the normal of a guide.
+    pub(super) fn beside_normal(group: usize) -> InnerJoint {
+        InnerJoint {
+            group,
+            has_normal: true,
+        }
+    }
+}
+
+/// The lines of a dyad in one state: the angle from the first to the second.
+#[derive(Clone, Copy)]
+struct DyadLines {
+    at: f64,
+    sine: f64,
+    cosine: f64,
+    /// The rate of the cosine, where there are rates.
+    rate: Option<f64>,
+}
+
+/// An inner joint, and where it is.
+struct Joint<'s> {
+    step: &'s Step,
+    of: InnerJoint,
+}
+
+/// The smallest or the largest mu that has been seen.
+#[derive(Clone, Copy)]
+struct Best {
+    /// -1 for the smallest, 1 for the largest.
+    sense: f64,
+    /// Of cosines, the larger one is better.
+    rank: f64,
+    mu: f64,
+    at: f64,
+}
+
+/// A joint, and what has been seen of it on the way through the motion.
+struct SeenJoint<'s> {
+    joint: Joint<'s>,
+    last: Option<DyadLines>,
+    best: [Best; 2],
+    brackets: Vec<Bracket>,
+}
+
+impl Solver {
+    /// The smallest and the largest transmission angle of every dyad, with where they occur, in the
+    /// order of the plan. Coupled groups have none.
+    ///
+    /// Takes a few times as long as opening: the whole motion is looked at once more.
+    #[must_use]
+    pub fn transmission(&self) -> Vec<Transmission> {
+        let mut work = self.state();
+        let mut seen = self.seen(&mut work);
+        self.look_between(&mut seen, &mut work);
+        seen.iter().filter_map(SeenJoint::found).collect()
+    }
+
+    /// All joints, looked at over the whole motion.
+    fn seen(&self, work: &mut Workspace) -> Vec<SeenJoint<'_>> {
+        let steps = self.engine.program.steps.iter();
+        let mut seen: Vec<SeenJoint<'_>> =
+            steps.filter_map(Joint::of).map(SeenJoint::new).collect();
+        for at in self.looked_at() {
+            let condition = self.solve(at, Order::Velocity, work);
+            for seen in &mut seen {
+                seen.note(&self.engine, condition, work);
+            }
+        }
+        seen
+    }
+
+    /// Where the motion is looked at, ascending: where the walk has been, at change points and at the
+    /// ends.
+    fn looked_at(&self) -> Vec<f64> {
+        let mut at = self.motion.samples.clone();
+        at.extend(&self.motion.change_points);
+        match self.motion.range {
+            Range::Full { period } => {
+                let reduce = |at: &mut f64| *at = positive_remainder(*at, period);
+                at.iter_mut().for_each(reduce);
+                at.extend([0.0, period]);
+            }
+            Range::Limited { low, high } => {
+                let inside = INSIDE * (high - low);
+                at.retain(|&at| low + inside < at && at < high - inside);
+                at.extend([low, low + inside, high - inside, high]);
+            }
+        }
+        at.sort_by(f64::total_cmp);
+        at.dedup();
+        at
+    }
+}
+
+impl<'s> Joint<'s> {
+    fn of(step: &'s Step) -> Option<Joint<'s>> {
+        let of = step.inner_joint()?;
+        Some(Joint { step, of })
+    }
+
+    fn look(&self, condition: Condition, state: &State) -> Option<DyadLines> {
+        if condition == Condition::NoAssembly {
+            return None;
+        }
+        let [e, f] = self.step.rays(state)?;
+        let size = e.d.norm() * f.d.norm();
+        let (sine, cosine) = (e.d.cross(f.d) / size, e.d.dot(f.d) / size);
+        let rate = -sine * (f.w - e.w);
+        let has_rates = condition != Condition::DeadPoint && rate.is_finite();
+        cosine.is_finite().then_some(DyadLines {
+            at: state.at(),
+            sine,
+            cosine,
+            rate: has_rates.then_some(rate),
+        })
+    }
+
+    /// The cosine of mu.
+    fn folded(&self, cosine: f64) -> f64 {
+        if self.of.has_normal {
+            cosine.abs()
+        } else {
+            cosine
+        }
+    }
+
+    /// The places between two neighbours where mu turns back.
+    fn between(&self, engine: &Engine, ends: [DyadLines; 2]) -> impl Iterator<Item = Bracket> {
+        let [a, b] = ends;
+        let vertex = match (a.rate, b.rate) {
+            (Some(rate_a), Some(rate_b)) if rate_a * rate_b < 0.0 => {
+                // The vertex of a parabola. What it gains may be rounding, where mu does not change.
+                let share = rate_a / (rate_a - rate_b);
+                let gain = 0.5 * share * engine.difference(a.at, b.at) * rate_a;
+                (gain.abs() > 0.5 * SAME * a.sine.abs()).then_some(a.cosine + gain)
+            }
+            _ => None,
+        };
+        let upright = (self.folded(-1.0) > 0.0 && a.cosine * b.cosine < 0.0).then_some(0.0);
+        let bracket = move |reading| {
+            move |cosine| Bracket {
+                ends,
+                reading,
+                cosine,
+            }
+        };
+        let vertex = vertex.map(bracket(ExtremeFunction::Rate));
+        vertex
+            .into_iter()
+            .chain(upright.map(bracket(ExtremeFunction::Cosine)))
+    }
+}
+
+impl Best {
+    fn new(sense: f64) -> Best {
+        Best {
+            sense,
+            rank: f64::NEG_INFINITY,
+            mu: f64::NAN,
+            at: f64::NAN,
+        }
+    }
+
+    /// Small angles have large cosines.
+    fn rank(&self, folded: f64) -> f64 {
+        -self.sense * folded
+    }
+
+    /// Takes another mu if it is better, or comes first.
+    fn consider(&mut self, look: &DyadLines, folded: f64) {
+        let rank = self.rank(folded);
+        let mu = look.sine.abs().atan2(folded);
+        let gain = self.sense * (mu - self.mu);
+        let comes_first = gain >= -SAME && look.at < self.at;
+        if self.mu.is_nan() || gain > SAME || comes_first {
+            (self.rank, self.mu, self.at) = (rank, mu, look.at);
+        }
+    }
+
+    fn extreme(&self) -> Option<Extreme> {
+        let angle = self.mu.to_degrees();
+        angle.is_finite().then_some(Extreme { angle, at: self.at })
+    }
+}
+
+impl<'s> SeenJoint<'s> {
+    fn new(joint: Joint<'s>) -> SeenJoint<'s> {
+        SeenJoint {
+            joint,
+            last: None,
+            best: [Best::new(-1.0), Best::new(1.0)],
+            brackets: Vec::new(),
+        }
+    }
+
+    /// Looks at the next state.
+    fn note(&mut self, engine: &Engine, condition: Condition, state: &State) {
+        let Some(look) = self.joint.look(condition, state) else {
+            return;
+        };
+        let folded = self.joint.folded(look.cosine);
+        for best in &mut self.best {
+            // Cosines tell at once that most places are no better.
+            if best.rank(folded) > best.rank {
+                best.consider(&look, folded);
+            }
+        }
+        if let Some(last) = self.last.replace(look) {
+            let between = self.joint.between(engine, [last, look]);
+            self.brackets.extend(between);
+        }
+    }
+
+    /// Takes the brackets in which a smaller or a larger mu may lie than any that has been seen.
+    fn take_likely(&mut self) -> impl Iterator<Item = Bracket> {
+        let (joint, best) = (&self.joint, &self.best);
+        self.brackets.drain(..).filter(|bracket| {
+            let folded = joint.folded(bracket.cosine);
+            best.iter()
+                .any(|best| best.rank(folded) >= best.rank - LIKELY)
+        })
+    }
+
+    /// Looks at an extreme that has been found between two states.
+    fn consider(&mut self, look: &DyadLines) {
+        let folded = self.joint.folded(look.cosine);
+        self.best
+            .iter_mut()
+            .for_each(|best| best.consider(look, folded));
+    }
+
+    fn found(&self) -> Option<Transmission> {
+        let [smallest, largest] = self.best;
+        Some(Transmission {
+            group: GroupId::new(self.joint.of.group),
+            smallest: smallest.extreme()?,
+            largest: largest.extreme()?,
+        })
+    }
+}

@@ -1,0 +1,85 @@
+//! States at another driver speed.
+
+use crate::quantity::Catalogue;
+use crate::scene::{Scene, presets};
+use crate::solver::{Order, Solver};
+use crate::{DriverMoment, Input};
+
+/// Everything that a solver of that speed finds, forces and bounds included.
+#[test]
+fn a_driven_state_is_that_of_a_solver_at_this_speed() {
+    for name in ["four-bar", "excavator-boom", "press-ram", "press"] {
+        let scene = Scene::parse(presets::find(name).unwrap().text, name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let (speed, acceleration) = (0.75, -3.0);
+        let turns = matches!(scene.mechanism.driver().input, Input::Turn(_));
+        let scale = if turns { 1.0_f64.to_degrees() } else { 1.0 };
+        let at = scene.mechanism.driver().start + 0.125;
+        let moment = DriverMoment {
+            at,
+            speed: speed * scale,
+            acceleration: acceleration * scale,
+            off: [0.0; 3],
+        };
+        let other = solver.at_speed(moment.speed / scale, moment.acceleration / scale);
+        let (mut one, mut two) = (solver.state(), other.state());
+        let (mut ball, mut bare) = (solver.enclosure(), other.enclosure());
+        solver.drive(&mut one, &moment);
+        solver.drive(&mut ball, &moment);
+        let _ = solver.solve(at, Order::Force, &mut one);
+        let _ = other.solve(at, Order::Force, &mut two);
+        solver.enclose(&mut one, Order::Force, &mut ball);
+        other.enclose(&mut two, Order::Force, &mut bare);
+        for point in scene.mechanism.point_ids() {
+            let [driven, meant] = [&ball, &bare].map(|ball| ball.acceleration(point));
+            assert_eq!(driven.is_some(), meant.is_some(), "{name}");
+            for (driven, meant) in driven.into_iter().zip(meant) {
+                let apart = (driven.nearest() - meant.nearest()).norm();
+                assert!(apart <= 1e-11 * meant.nearest().norm(), "{name} {apart}");
+            }
+        }
+        for figure in Catalogue::new(&scene).all() {
+            let [one, two] = [&one, &two].map(|state| figure.value(state));
+            let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs());
+            let agree = one.zip(two).map_or(one == two, |(a, b)| near(a, b));
+            assert!(agree, "{name} {}: {one:?} {two:?}", figure.name);
+        }
+    }
+}
+
+#[test]
+fn another_speed_gives_what_a_scene_of_that_speed_gives() {
+    for (name, given, other) in [
+        ("four-bar", "15 rad/s", "-2.5 rad/s"),
+        ("excavator-boom", "0.15 m/s", "-0.4 m/s"),
+        ("press-ram", "10 rad/s", "1 rad/s"),
+    ] {
+        let preset = presets::find(name).unwrap();
+        let opened = |text: &str| {
+            let scene = Scene::parse(text, name).unwrap();
+            Solver::new(&scene.mechanism).unwrap()
+        };
+        let text = preset.text.replace(given, other);
+        assert_ne!(text, preset.text, "{name} has another speed now");
+        let speed: f64 = other.split(' ').next().unwrap().parse().unwrap();
+        let paced = opened(preset.text).at_speed(speed, 0.0);
+        let whole = opened(&text);
+        let scene = Scene::parse(&text, name).unwrap();
+        let at = scene.mechanism.driver().start + 0.125;
+        let (mut one, mut two) = (paced.state(), whole.state());
+        let _ = paced.solve(at, Order::Acceleration, &mut one);
+        let _ = whole.solve(at, Order::Acceleration, &mut two);
+        for point in scene.mechanism.point_ids() {
+            assert_eq!(
+                one.velocity(point).unwrap(),
+                two.velocity(point).unwrap(),
+                "{name}"
+            );
+            assert_eq!(
+                one.acceleration(point).unwrap(),
+                two.acceleration(point).unwrap(),
+                "{name}"
+            );
+        }
+    }
+}
