@@ -304,7 +304,7 @@ pub(super) fn rate(
                         reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
                         return None;
                     }
-                    let rate = rate::of(worth.value.hi + 0.0, unit, kind);
+                    let rate = rate::of(worth.nearest(), unit, kind);
                     if rate.value.is_finite() {
                         return Some(rate);
                     }

@@ -25,7 +25,7 @@ impl Reader<'_> {
             Ok(number) => number,
             Err(Misplaced::Text(formula)) => {
                 let worth = self.worked_out(what, formula, &value.span)?;
-                worth.value.hi + 0.0
+                worth.nearest()
             }
             Err(found) => {
                 let fault = self.wrong_type(what, words().a_number(), found, &value.span);

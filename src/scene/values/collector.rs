@@ -274,7 +274,7 @@ impl Collector<'_> {
                 let Ok(found) = self.named.worth_of_text(text) else {
                     return;
                 };
-                let number = found.value.hi + 0.0;
+                let number = found.nearest();
                 (number, Some(text.clone()), found.dimension)
             }
             Err(_) => return,
@@ -329,7 +329,7 @@ impl Collector<'_> {
                     return;
                 };
                 let formula = formula.to_owned();
-                (found.value.hi + 0.0, formula.clone(), Some(formula), unit)
+                (found.nearest(), formula.clone(), Some(formula), unit)
             }
         };
         self.found.push(Value {
