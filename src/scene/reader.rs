@@ -3,7 +3,7 @@
 use super::numeral::number_length;
 use crate::Vec2;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced, has_decimal_comma};
 use crate::expression;
 use crate::wording::words;
 
@@ -141,10 +141,15 @@ impl Reader<'_> {
             return Some([one, other]);
         }
         let count = items.len();
+        let typed = self.text().get(span.clone()).unwrap_or("");
+        let help = match count > 2 && has_decimal_comma(typed) {
+            true => words().decimals_have_a_point("0.5"),
+            false => words().for_example(example),
+        };
         self.report(
             Diagnostic::new(words().must_be_a_pair(what, form, count))
                 .at(span.clone(), words().expected_two(count))
-                .help(words().for_example(example)),
+                .help(help),
         );
         None
     }
