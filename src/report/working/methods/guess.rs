@@ -7,6 +7,7 @@ use super::super::stages::LoopUnknown;
 use super::PositionMethod;
 use super::problem::{kind, longest, name};
 use crate::nearest::did_you_mean;
+use crate::page::UNIT;
 use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::SoughtKind;
@@ -272,7 +273,11 @@ pub(super) fn told(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> Stri
             SoughtKind::Angle => "deg",
             SoughtKind::Length => f.unit,
         };
-        format!("{} = {} {unit}", name(context, unknown), f.angle(value))
+        format!(
+            "{} = {} {UNIT}{unit}",
+            name(context, unknown),
+            f.angle(value)
+        )
     };
     values.iter().map(one).collect::<Vec<_>>().join(", ")
 }
