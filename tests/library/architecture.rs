@@ -390,7 +390,9 @@ fn root_exports() -> BTreeMap<String, String> {
         let lib = fs::read_to_string(folder.join("lib.rs")).unwrap();
         exports(&lib)
     });
-    own.into_iter().chain(kernel).collect()
+    // A module that is re-exported whole keeps its own name.
+    let named = own.into_iter().filter(|(_, from)| from != "kinematics");
+    named.chain(kernel).collect()
 }
 
 /// `solver/plan.rs` is `solver::plan`, `solver/mod.rs` and `solver.rs` are `solver`.
