@@ -22,6 +22,7 @@ mod parser;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod unit_words;
 mod wide;
 
 pub(crate) use code::{Code, Op};
@@ -30,10 +31,11 @@ pub(crate) use conversion::converted;
 pub(crate) use cuts::DirectionCut;
 pub(crate) use dimension::{Dimension, LengthScale};
 pub(crate) use evaluate::{MeasuredNumber, evaluate};
-pub(crate) use parser::{UNITS, glued, is_unit, parse};
+pub(crate) use parser::{glued, parse};
 #[cfg(test)]
 pub(crate) use tree::functions;
 pub(crate) use tree::{ExpressionTree, is_function};
+pub(crate) use unit_words::{UNITS, is_unit, plain_unit};
 pub(crate) use wide::Wide;
 
 use std::ops::Range;

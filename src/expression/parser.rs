@@ -11,6 +11,7 @@
 use super::dimension::{LARGEST_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
 use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
+use super::unit_words::{is_of_unit, is_unit, unit_named};
 use super::{Dimension, ExpressionTree, LONGEST, Malformed, is_of_name};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -298,7 +299,8 @@ fn pair(operation: Operation, left: ExpressionTree, right: ExpressionTree) -> Ex
 /// A unit with its power at a place of a text, and where it ends; `None` where the word there is none.
 fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> {
     let rest = &text[from..];
-    let word = &rest[..rest.find(|c| !is_of_name(c)).unwrap_or(rest.len())];
+    let is_of_word = |c| is_of_name(c) || is_of_unit(c);
+    let word = &rest[..rest.find(|c| !is_of_word(c)).unwrap_or(rest.len())];
     let (dimension, tenths, degrees) = unit_of(word)?;
     let mut end = from + word.len();
     let mut power = 1;
@@ -321,9 +323,6 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     Some((unit, end))
 }
 
-/// The words that are read as units behind a number.
-pub(crate) const UNITS: [&str; 9] = ["mm", "cm", "m", "in", "deg", "rad", "s", "kg", "N"];
-
 /// A number and a unit without a blank between them, which are read as a name.
 pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
     let at = name.find(|c: char| !c.is_ascii_digit() && c != '.')?;
@@ -331,15 +330,10 @@ pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
     (number.parse::<f64>().is_ok() && is_unit(unit)).then_some((number, unit))
 }
 
-/// Whether a word is read as a unit where it stands behind a number.
-pub(crate) fn is_unit(word: &str) -> bool {
-    unit_of(word).is_some()
-}
-
 /// What a unit measures; of a length its size in tenths of a millimetre, and whether it is in degrees.
 fn unit_of(word: &str) -> Option<(Dimension, Option<f64>, i8)> {
     let length = |tenths| Some((Dimension::LENGTH, Some(tenths), 0));
-    match word {
+    match unit_named(word)? {
         "mm" => length(10.0),
         "cm" => length(100.0),
         "m" => length(METRE),

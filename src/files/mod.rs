@@ -43,7 +43,7 @@ pub(crate) use elsewhere::{Output, mend};
 pub(crate) use growing::{GrowingFile, GrownFile};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
-pub(crate) use reading::{limited, read_any};
+pub(crate) use reading::{limited, read_any, read_ready};
 pub(crate) use same::is_same_file;
 #[cfg(feature = "tui")]
 pub(crate) use stamp::Stamp;

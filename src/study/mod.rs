@@ -38,7 +38,7 @@ pub use findings::{
 };
 pub use grading::{
     AnswerKey, AskedFigure, ChainGroup, ChainSlot, ChainValues, FigureVerdict, GivenAnswer,
-    RoundedEarly, SolutionChain, WrittenFigure,
+    LinkPoints, MisreadValue, RoundedEarly, SheetScene, SolutionChain, WrittenFigure,
 };
 pub use iterations::{
     Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,

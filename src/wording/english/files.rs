@@ -8,6 +8,7 @@ catalogue! {
     trait FilesWords for English {
         // What stands where a file should.
         is_a_folder = "it is a folder";
+        pipe_without_writer = "it is a pipe to which nobody writes";
         is_a_pipe = "it is a pipe, not a file";
         is_a_socket = "it is a socket, not a file";
         is_a_device = "it is a device, not a file";

@@ -8,6 +8,7 @@ catalogue! {
     impl FilesWords for Turkish {
         // What stands where a file should.
         is_a_folder = "bu bir klasör";
+        pipe_without_writer = "bu, kimsenin yazmadığı bir boru";
         is_a_pipe = "bu bir boru, dosya değil";
         is_a_socket = "bu bir soket, dosya değil";
         is_a_device = "bu bir aygıt, dosya değil";
