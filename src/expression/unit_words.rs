@@ -69,7 +69,8 @@ pub(crate) fn plain_unit(text: &str) -> Cow<'_, str> {
         let (word, behind) = rest.split_at(length.max(first.len_utf8()));
         match (length, first) {
             (1.., _) => {
-                plain.push_str(any_case(word));
+                let is_divisor = plain.trim_end().ends_with('/');
+                plain.push_str(any_case(word, is_divisor));
                 // `s2` is a power without its mark.
                 if behind.starts_with(|c: char| c.is_ascii_digit()) {
                     plain.push('^');
@@ -77,7 +78,7 @@ pub(crate) fn plain_unit(text: &str) -> Cow<'_, str> {
             }
             (_, '²') => plain.push_str("^2"),
             (_, '³') => plain.push_str("^3"),
-            (_, '·' | '*') => plain.push(' '),
+            (_, '·') if !plain.is_empty() => plain.push(' '),
             _ => plain.push_str(word),
         }
         rest = behind;
@@ -86,12 +87,12 @@ pub(crate) fn plain_unit(text: &str) -> Cow<'_, str> {
     parts.join("/").into()
 }
 
-/// Returns the name that a word stands for: the word itself where it is none of a unit.
-fn any_case(word: &str) -> &str {
-    // Of single letters the case tells.
-    let lower = || word.to_lowercase();
-    let others = || unit_named(&lower()).filter(|_| word.chars().count() > 1);
-    unit_named(word).or_else(others).unwrap_or(word)
+/// Returns the name that a word stands for: the word itself where it is none of a unit. Of single letters the case tells,
+/// but below a stroke.
+fn any_case(word: &str, is_divisor: bool) -> &str {
+    let is_free = is_divisor || word.chars().count() > 1;
+    let lower = || unit_named(&word.to_lowercase()).filter(|_| is_free);
+    unit_named(word).or_else(lower).unwrap_or(word)
 }
 
 fn spelled(word: &str) -> Option<&'static str> {
@@ -133,6 +134,9 @@ mod tests {
             ("N m/rad", "N m/rad"),
             ("furlong/s", "furlong/s"),
             ("%", "%"),
+            ("*", "*"),
+            ("·", "·"),
+            ("MM/S²", "mm/s^2"),
             ("", ""),
         ] {
             assert_eq!(plain_unit(text), unit, "{text}");

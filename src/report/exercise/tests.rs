@@ -856,6 +856,7 @@ fn every_misread_value_costs_one_point() {
 fn unrelated_mistakes_are_no_misread_value() {
     let key = key("four-bar", &[]);
     let mut chance = crate::numeric::SeededChance::new(5);
+    let mut points = 0;
     for _ in 0..20 {
         let rows = key.figures.iter().map(|f| {
             let factor = f64::from(chance.between(600, 900)) / 1000.0;
@@ -864,8 +865,10 @@ fn unrelated_mistakes_are_no_misread_value() {
         let rows: String = rows.collect();
         let graded = graded_rows("four-bar", None, &rows);
         assert_eq!(graded.misread, None, "{rows}");
-        assert!(graded.counts().points() <= 1, "{:?}", told_of(&graded));
+        points += graded.counts().points();
     }
+    // Of 440 answers a few come near by chance.
+    assert!(points <= 8, "{points}");
 }
 
 /// A value of 0 is asked for, and 0 is the answer.

@@ -16,9 +16,18 @@ impl ReportedState<'_> {
 
     /// The tables of an order that ask for what an answer key asks for, without a word before them.
     pub(in crate::report) fn asked_tables(&self, order: Order, key: &AnswerKey, page: &mut Page) {
-        let write = |figure: &VectorFigure| match (&figure.value, key.asks(&figure.column)) {
-            (Some(value), false) => value.clone(),
-            _ => figure.asked(),
+        let vectors = || self.loops.iter().flat_map(|of| &of.vectors);
+        let is_found_here = |column: &str| {
+            let mut figures = vectors().flat_map(|vector| vector.figures.iter().flatten());
+            figures.any(|own| own.column == column && own.is_sought && own.found_by.is_none())
+        };
+        let write = |figure: &VectorFigure| {
+            let is_elsewhere = figure.found_by.is_some() && is_found_here(&figure.column);
+            match (&figure.value, key.asks(&figure.column)) {
+                (Some(value), false) if figure.found_by.is_none() => value.clone(),
+                (_, true) if !is_elsewhere && figure.is_sought => figure.unknown(),
+                _ => figure.asked(),
+            }
         };
         self.tables(order, &write, page);
     }

@@ -62,8 +62,14 @@ impl VectorFigure {
         match (&self.value, self.is_sought, self.found_by) {
             (Some(value), false, _) => value.clone(),
             (_, true, Some(number)) => words().found_by_loop(number),
-            _ => format!("{} = ?", self.symbol),
+            _ => self.unknown(),
         }
+    }
+
+    /// As an unknown: `θ3 = ?`.
+    #[must_use]
+    pub fn unknown(&self) -> String {
+        format!("{} = ?", self.symbol)
     }
 
     /// Once it is found: what is given as it is, and `θ3 = 29.3794`.

@@ -49,6 +49,9 @@ impl AnswerKey {
         let lost: Vec<(usize, WrittenFigure)> = (0..self.asked.min(verdicts.len()))
             .filter(|&number| is_lost(verdicts[number]))
             .filter_map(|number| Some((number, answers.get(number)?.figure()?)))
+            .filter(|(number, written)| {
+                !Truth::of(&self.figures[*number]).is_out_of_reach(*written)
+            })
             .collect();
         if lost.len() <= FEWEST_EXPLAINED {
             return None;
@@ -63,10 +66,10 @@ impl AnswerKey {
         });
         for &(first, written) in firsts {
             for value in sheet.given() {
-                let Some(number) = self.read_as((first, written), &value, sheet) else {
+                let Some((number, by)) = self.reading((first, written), &lost, &value, sheet)
+                else {
                     continue;
                 };
-                let by = self.explained_by_number((first, written), &lost, (&value, number), sheet);
                 if by.len() >= FEWEST_EXPLAINED {
                     for explained in by {
                         verdicts[explained] = FigureVerdict::Followed(first);
@@ -111,45 +114,52 @@ impl AnswerKey {
         None
     }
 
-    /// The answers, but the first, that are right by a value that was read as a number.
-    fn explained_by_number(
+    /// The number that a value was read as, and the answers, but the first, that are right by it.
+    fn reading(
         &self,
         (first, written): (usize, WrittenFigure),
         lost: &[(usize, WrittenFigure)],
-        (value, number): (&Value, f64),
+        value: &Value,
         sheet: SheetScene<'_>,
-    ) -> Vec<usize> {
+    ) -> Option<(f64, Vec<usize>)> {
+        let found = self.read_as((first, written), value, sheet)?;
         let figures = |number| {
             sheet.with(value, number, |state| {
                 let values = self.figures.iter().map(|asked| asked.quantity.value(state));
                 values.collect::<Vec<_>>()
             })
         };
-        let nearby = number * (1.0 + FIRST_STEP);
-        let (Some(there), Some(beside)) = (figures(number), figures(nearby)) else {
-            return Vec::new();
-        };
+        let beside = (figures(found)?, figures(found * (1.0 + FIRST_STEP))?);
         let moved = |figure: usize| {
-            let apart = Truth::of(&self.figures[figure]).with(there[figure]?);
-            Some(apart.apart(beside[figure]?).abs())
+            let there = Truth::of(&self.figures[figure]).with(beside.0[figure]?);
+            Some(there.apart(beside.1[figure]?).abs())
         };
-        // What the digits that the first answer does not have do to the others: they may have been cut off.
+        // What the digits that the first answer does not have do to the value: they may have been cut off.
         let last = written.unit_of(FEWEST, i32::MAX);
-        let parts = moved(first).filter(|by| *by > 0.0).map(|by| last / by);
-        let is_explained = |figure: usize, written: WrittenFigure| {
+        let parts = last / moved(first).filter(|by| *by > 0.0)?;
+        let number = roundest(found, (parts * FIRST_STEP * found).abs());
+        let there = figures(number)?;
+        let is_explained = |figure: usize, own: WrittenFigure| {
             let truth = Truth::of(&self.figures[figure]);
             let followed = truth.with(there[figure]?);
-            let apart = followed.apart(written.value).abs();
-            let carried = (parts? * moved(figure)?).min(followed.carried());
-            let is_nearer = apart <= 0.5 * truth.apart(written.value).abs();
-            Some(is_nearer && apart <= written.unit_of(FEWEST, MOST) + carried)
+            let apart = followed.apart(own.value).abs();
+            let carried = (parts * moved(figure)?).min(followed.carried());
+            let is_nearer = apart <= 0.5 * truth.apart(own.value).abs();
+            // Who writes the same number everywhere follows from nothing.
+            let is_copied = own.value == written.value;
+            Some(is_nearer && !is_copied && apart <= own.unit_of(FEWEST, MOST) + carried)
         };
         let others = lost.iter().filter(|(number, _)| *number != first);
-        others
-            .filter(|(number, written)| is_explained(*number, *written) == Some(true))
-            .map(|(number, _)| *number)
-            .collect()
+        let explained = others.filter(|(number, own)| is_explained(*number, *own) == Some(true));
+        Some((number, explained.map(|(number, _)| *number).collect()))
     }
+}
+
+/// The number with the fewest digits, four at the most, that is no farther from another than this; else that one.
+fn roundest(number: f64, within: f64) -> f64 {
+    let rounded = (0..4).filter_map(|digits| format!("{number:.digits$e}").parse::<f64>().ok());
+    let mut near = rounded.filter(|rounded| (rounded - number).abs() <= within);
+    near.next().unwrap_or(number)
 }
 
 impl SheetScene<'_> {

@@ -224,9 +224,13 @@ impl AnswerKey {
         if is_position && other() {
             return FigureVerdict::OtherAssembly;
         }
-        let explained = self.follows_from_points(figure, written, &faced.vectors);
-        let explained = explained.or_else(|| self.explained(figure, written, &faced.slots));
-        if let Some(explained) = explained {
+        let by_points = self.follows_from_points(figure, written, &faced.vectors);
+        let is_followed = matches!(by_points, Some(FigureVerdict::Followed(_)));
+        let by_slots = match is_followed {
+            true => None,
+            false => self.explained(figure, written, &faced.slots),
+        };
+        if let Some(explained) = by_slots.or(by_points) {
             return explained;
         }
         if let Some(verdict) = truth.mistaken(written, &figure.quantity.unit) {

@@ -30,6 +30,8 @@ pub(super) struct FacedVector {
     pub(super) is_sound: bool,
 }
 
+/// So few wrong answers may each have been carried on with all digits.
+const FEW_WRONG: usize = 2;
 /// The ends of names, with the order and whether it is a direction.
 const ENDS: [(&str, usize, bool); 4] = [
     (".v", 1, false),
@@ -152,7 +154,12 @@ impl AnswerKey {
             more[number].1 = more[number].0.half;
             followed.apart(with(&more)).abs()
         };
-        let carried: f64 = (0..used.len()).map(carried).sum();
+        // Among many wrong answers one that comes near is chance.
+        let wrong = used.iter().filter(|(face, _)| !face.is_sound).count();
+        let carried: f64 = match wrong <= FEW_WRONG {
+            true => (0..used.len()).map(carried).sum(),
+            false => 0.0,
+        };
         if !(apart <= unit + carried.min(followed.carried())) {
             return None;
         }
@@ -162,17 +169,25 @@ impl AnswerKey {
             let faces = faces.map(|(face, _)| (effect(face), *face));
             faces.max_by(|a, b| a.0.total_cmp(&b.0))
         };
+        // Who writes the same number everywhere follows from nothing.
+        let is_copied = |(face, _): &UsedFace<'_>| {
+            !face.is_sound && face.number == written.value && !self.is_shared(face, figure, written)
+        };
         match largest(false) {
-            // Who writes the same few digits everywhere follows from nothing.
-            Some((effect, face)) if effect > unit && !face.is_copied(written) => {
-                Some(FigureVerdict::Followed(face.figure))
-            }
-            Some((effect, _)) if effect > unit => None,
+            Some((effect, _)) if effect > unit && used.iter().any(is_copied) => None,
+            Some((effect, face)) if effect > unit => Some(FigureVerdict::Followed(face.figure)),
             _ => {
                 let (_, face) = largest(true)?;
                 Some(FigureVerdict::Rounded(RoundedEarly::By(face.figure)))
             }
         }
+    }
+
+    /// Whether a figure truly is the same as another, and was written with digits enough to tell.
+    fn is_shared(&self, face: &FacedVector, figure: &AskedFigure, written: WrittenFigure) -> bool {
+        let exact = self.figures.get(face.figure).map(|other| other.exact);
+        let is_same = exact.is_some_and(|exact| Truth::of(figure).is_near(exact));
+        is_same && written.digits >= FEWEST
     }
 
     /// The vector of a point: what was answered of it, and the exact figure for the rest. What is not asked is 0.
@@ -194,13 +209,6 @@ impl AnswerKey {
             (Some(size), Some(direction)) => crate::angle::unit(direction) * size,
             _ => Vec2::ZERO,
         }
-    }
-}
-
-impl FacedVector {
-    /// Whether a figure is the same number with too few digits.
-    fn is_copied(&self, written: WrittenFigure) -> bool {
-        self.number == written.value && written.digits < FEWEST
     }
 }
 
