@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(marked("2 @mm/s")[4], unit("s"));
         assert_eq!(marked("2 @N m")[2..], [unit("N"), Blank, unit("m")]);
         assert_eq!(marked("2 @m/s^2 s")[2], unit("m"));
-        assert_eq!(marked("2 @m/s^2 + s")[8], symbol("s", "", 0));
+        assert_eq!(marked("2 @m/s^2 + s")[9], symbol("s", "", 0));
         // What is not marked is a symbol.
         for (text, at, letter) in [("2 m r3", 2, "m"), ("r2/s", 2, "s"), ("2 N", 2, "N")] {
             assert_eq!(pieces(text)[at], symbol(letter, "", 0), "{text}");

