@@ -94,7 +94,10 @@ fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
     }
     match output::write_text(None, &screen.shown(&text)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.code(),
+        Err(failure) => {
+            failure.tell(screen);
+            failure.code()
+        }
     }
 }
 

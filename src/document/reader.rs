@@ -108,6 +108,11 @@ impl<'t> Reader<'t> {
         self.found.push(diagnostic);
     }
 
+    /// Returns `true` if something was reported that makes the document unusable.
+    pub(crate) fn has_errors(&self) -> bool {
+        self.found.iter().any(|found| !found.is_warning)
+    }
+
     /// Adds a mend to the last report.
     pub(crate) fn help(&mut self, help: &str) {
         if let Some(last) = self.found.last_mut() {

@@ -1,19 +1,42 @@
-//! A file that grows line by line: what is written stays, whatever ends the program, and the next run goes on with it.
+//! Writes a table row by row: what is written stays, whatever ends the program, and the next run resumes it.
+//!
+//! The file is locked while it grows. Before each write the program checks that its name still leads to it and that
+//! nobody has changed its length: rows are never lost in silence.
 
+use super::lock::{self, LockOutcome, is_at};
+use super::{Output, Trouble};
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
-use std::path::Path;
+use std::io::{self, BufRead, BufReader, Read, Seek, Write};
+use std::path::{Path, PathBuf};
 
 /// Lines at the beginning that are kept to be compared; the last one is, too.
 const FIRST_LINES: u64 = 3;
 
 /// A file that grows.
 #[derive(Debug)]
-pub(crate) struct GrowingFile(File);
+pub(crate) struct GrowingFile {
+    name: PathBuf,
+    rows: Rows,
+}
+
+/// Where rows go.
+#[derive(Debug)]
+enum Rows {
+    /// Beside an older file, until the first rows lie on the disk.
+    First {
+        output: Output,
+        records: Option<PathBuf>,
+    },
+    /// Into the file, whose length is known.
+    More { file: File, length: u64 },
+    /// Nowhere: the first rows could not take their place.
+    Failed,
+}
 
 /// What a file has that is to be gone on with.
 #[derive(Debug)]
 pub(crate) struct GrownFile {
+    name: PathBuf,
     file: File,
     /// Where its last whole line ends.
     end: u64,
@@ -24,31 +47,105 @@ pub(crate) struct GrownFile {
 }
 
 impl GrowingFile {
-    /// A file that begins with `head`; what it held is gone.
+    /// Creates a file that begins with `head`. An older one keeps its place until the first rows are written.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn begin(path: &Path, head: &str) -> io::Result<GrowingFile> {
-        let mut file = GrowingFile(File::create(path)?);
-        file.write(head)?;
-        Ok(file)
+    /// Another process is writing the file, or what the system says.
+    pub(crate) fn begin(
+        name: &Path,
+        head: &str,
+        records: Option<PathBuf>,
+    ) -> Result<GrowingFile, Trouble> {
+        let mut output = Output::to(name, records.as_deref())?;
+        output.write_all(head.as_bytes())?;
+        Ok(GrowingFile {
+            name: name.to_owned(),
+            rows: Rows::First { output, records },
+        })
     }
 
-    /// Some whole lines more.
+    /// Appends whole lines.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn write(&mut self, lines: &str) -> io::Result<()> {
-        self.0.write_all(lines.as_bytes())
+    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
+        self.check()?;
+        match &mut self.rows {
+            Rows::First { output, .. } => {
+                output.write_all(lines.as_bytes())?;
+                self.take_place()
+            }
+            Rows::More { file, length } => {
+                file.write_all(lines.as_bytes())?;
+                *length += length_of(lines);
+                Ok(())
+            }
+            Rows::Failed => Err(Trouble::Disturbed),
+        }
     }
 
-    /// What is written lies on the disk.
+    /// Ensures that all rows lie on the disk, under the name of the file.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn finish(self) -> io::Result<()> {
-        self.0.sync_all()
+    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    pub(crate) fn finish(mut self) -> Result<(), Trouble> {
+        if let Rows::First { .. } = self.rows {
+            self.take_place()?;
+        }
+        if let Rows::More { file, .. } = &self.rows {
+            file.sync_all()?;
+        }
+        self.check()
     }
+
+    /// Returns `true` if no other process can add rows meanwhile; some network disks have no locks.
+    pub(crate) fn is_locked(&self) -> bool {
+        match &self.rows {
+            Rows::First { output, .. } => output.is_locked(),
+            Rows::More { file, .. } => lock::take(file) == LockOutcome::Ours,
+            Rows::Failed => false,
+        }
+    }
+
+    /// The first rows take the place of an older file.
+    fn take_place(&mut self) -> Result<(), Trouble> {
+        if let Rows::First { output, records } = std::mem::replace(&mut self.rows, Rows::Failed) {
+            let file = output.commit(records.as_deref())?;
+            self.rows = Rows::More {
+                length: file.metadata()?.len(),
+                file: appending(file)?,
+            };
+        }
+        Ok(())
+    }
+
+    fn check(&self) -> Result<(), Trouble> {
+        match &self.rows {
+            Rows::More { file, length }
+                if !is_at(file, &self.name) || file.metadata()?.len() != *length =>
+            {
+                Err(Trouble::Disturbed)
+            }
+            Rows::First { .. } | Rows::More { .. } | Rows::Failed => Ok(()),
+        }
+    }
+}
+
+fn length_of(lines: &str) -> u64 {
+    u64::try_from(lines.len()).unwrap_or(u64::MAX)
+}
+
+/// Makes every write go to the end of a file: a truncated one never gets a hole.
+#[cfg(unix)]
+fn appending(file: File) -> io::Result<File> {
+    rustix::fs::fcntl_setfl(&file, rustix::fs::OFlags::APPEND)?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn appending(mut file: File) -> io::Result<File> {
+    file.seek(io::SeekFrom::End(0))?;
+    Ok(file)
 }
 
 impl GrownFile {
@@ -56,11 +153,15 @@ impl GrownFile {
     /// cut off within its head, has no lines.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn open(path: &Path, head: &str) -> io::Result<Option<GrownFile>> {
+    /// Another process is writing the file, or what the system says.
+    pub(crate) fn open(path: &Path, head: &str) -> Result<Option<GrownFile>, Trouble> {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
-        let mut reader = BufReader::new(options.open(path)?);
+        let file = options.open(path)?;
+        if lock::take(&file) == LockOutcome::Others || !is_at(&file, path) {
+            return Err(Trouble::Busy);
+        }
+        let mut reader = BufReader::new(file);
         let mut begin = Vec::new();
         let most = u64::try_from(head.len()).unwrap_or(u64::MAX);
         reader.by_ref().take(most).read_to_end(&mut begin)?;
@@ -68,6 +169,7 @@ impl GrownFile {
             return Ok(None);
         }
         let mut grown = GrownFile {
+            name: path.to_owned(),
             file: reader.get_ref().try_clone()?,
             end: most,
             lines: 0,
@@ -110,10 +212,15 @@ impl GrownFile {
     ///
     /// # Errors
     /// What the system says.
-    pub(crate) fn go_on(mut self) -> io::Result<GrowingFile> {
+    pub(crate) fn go_on(self) -> Result<GrowingFile, Trouble> {
         self.file.set_len(self.end)?;
-        self.file.seek(SeekFrom::Start(self.end))?;
-        Ok(GrowingFile(self.file))
+        Ok(GrowingFile {
+            name: self.name,
+            rows: Rows::More {
+                file: appending(self.file)?,
+                length: self.end,
+            },
+        })
     }
 }
 

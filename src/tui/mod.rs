@@ -206,8 +206,12 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
             workbench.app().tour_on_first_start();
         }
         let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
-        if let Some(state) = state {
-            workbench.app().recover_in(&state.join("recovery"));
+        match state {
+            Some(state) => workbench.app().recover_in(&state.join("recovery")),
+            None => workbench.app().recover_nowhere(),
+        }
+        if let Some(warnings) = &options.config.warnings {
+            workbench.app().warn_of_config(warnings);
         }
         if let Some(task) = &options.task {
             workbench.app().synthesize(task.clone());

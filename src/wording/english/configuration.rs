@@ -17,6 +17,13 @@ catalogue! {
         separator_is_decimal = "`separator` cannot be a comma where `decimal` is one";
         take_a_semicolon = "write \"semicolon\" or \"tab\"";
 
+        ignored(first: &str, more: usize) = {
+            match more {
+                0 => first.to_owned(),
+                _ => format!("{first}, and {more} more"),
+            }
+        };
+
         // Actions.
         unknown_action(name: &str) = "[keys]: unknown action {name}";
         unknown_action_here = "unknown action";

@@ -108,6 +108,8 @@ starts proves nothing of designs that it has not found.";
              number behind / out";
         too_many_designs(most: &str) = "the grid has more than {most} designs: take fewer places, or --latin";
         no_part(text: &str) = "`{text}` is no part: write 3/64 for the third of 64";
+        disk_without_locks(file: &str) =
+            "{file}: this disk has no file locks; do not start a second study on it";
         resume_needs_file = "--resume goes on with a file of CSV: name it with -o";
         chart_needs_grid(most: &str) =
             "a chart is of a grid of one or two values, all of its parts, and at most {most} designs";

@@ -17,6 +17,13 @@ catalogue! {
         separator_is_decimal = "`decimal` virgülken `separator` virgül olamaz";
         take_a_semicolon = "\"semicolon\" ya da \"tab\" yaz";
 
+        ignored(first: &str, more: usize) = {
+            match more {
+                0 => first.to_owned(),
+                _ => format!("{first}, ve {more} tane daha"),
+            }
+        };
+
         // Actions.
         unknown_action(name: &str) = "[keys]: bilinmeyen eylem {name}";
         unknown_action_here = "bilinmeyen eylem";

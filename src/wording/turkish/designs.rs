@@ -107,6 +107,8 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         too_many_designs(most: &str) =
             "ızgarada {most} tasarımdan fazlası var: daha az yer verin ya da --latin kullanın";
         no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yazın";
+        disk_without_locks(file: &str) =
+            "{file}: bu diskte dosya kilidi yok; aynı dosyaya ikinci bir çalışma başlatma";
         resume_needs_file = "--resume bir CSV dosyasını sürdürür: dosyayı -o ile belirtin";
         chart_needs_grid(most: &str) =
             "çizim, bir ya da iki değerin ızgarasından, bütün parçalarıyla ve en çok {most} tasarımla yapılır";
