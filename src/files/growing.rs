@@ -16,12 +16,12 @@ const FIRST_LINES: u64 = 3;
 #[derive(Debug)]
 pub(crate) struct GrowingFile {
     name: PathBuf,
-    rows: Rows,
+    rows: RowTarget,
 }
 
 /// Where rows go.
 #[derive(Debug)]
-enum Rows {
+enum RowTarget {
     /// Beside an older file, until the first rows lie on the disk.
     First {
         output: Output,
@@ -60,7 +60,7 @@ impl GrowingFile {
         output.write_all(head.as_bytes())?;
         Ok(GrowingFile {
             name: name.to_owned(),
-            rows: Rows::First { output, records },
+            rows: RowTarget::First { output, records },
         })
     }
 
@@ -71,16 +71,16 @@ impl GrowingFile {
     pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
         self.check()?;
         match &mut self.rows {
-            Rows::First { output, .. } => {
+            RowTarget::First { output, .. } => {
                 output.write_all(lines.as_bytes())?;
                 self.take_place()
             }
-            Rows::More { file, length } => {
+            RowTarget::More { file, length } => {
                 file.write_all(lines.as_bytes())?;
                 *length += length_of(lines);
                 Ok(())
             }
-            Rows::Failed => Err(Trouble::Disturbed),
+            RowTarget::Failed => Err(Trouble::Disturbed),
         }
     }
 
@@ -89,10 +89,10 @@ impl GrowingFile {
     /// # Errors
     /// Somebody has deleted, replaced or changed the file, or what the system says.
     pub(crate) fn finish(mut self) -> Result<(), Trouble> {
-        if let Rows::First { .. } = self.rows {
+        if let RowTarget::First { .. } = self.rows {
             self.take_place()?;
         }
-        if let Rows::More { file, .. } = &self.rows {
+        if let RowTarget::More { file, .. } = &self.rows {
             file.sync_all()?;
         }
         self.check()
@@ -101,17 +101,19 @@ impl GrowingFile {
     /// Returns `true` if no other process can add rows meanwhile; some network disks have no locks.
     pub(crate) fn is_locked(&self) -> bool {
         match &self.rows {
-            Rows::First { output, .. } => output.is_locked(),
-            Rows::More { file, .. } => lock::take(file) == LockOutcome::Ours,
-            Rows::Failed => false,
+            RowTarget::First { output, .. } => output.is_locked(),
+            RowTarget::More { file, .. } => lock::take(file) == LockOutcome::Ours,
+            RowTarget::Failed => false,
         }
     }
 
     /// The first rows take the place of an older file.
     fn take_place(&mut self) -> Result<(), Trouble> {
-        if let Rows::First { output, records } = std::mem::replace(&mut self.rows, Rows::Failed) {
+        if let RowTarget::First { output, records } =
+            std::mem::replace(&mut self.rows, RowTarget::Failed)
+        {
             let file = output.commit(records.as_deref())?;
-            self.rows = Rows::More {
+            self.rows = RowTarget::More {
                 length: file.metadata()?.len(),
                 file: appending(file)?,
             };
@@ -121,12 +123,12 @@ impl GrowingFile {
 
     fn check(&self) -> Result<(), Trouble> {
         match &self.rows {
-            Rows::More { file, length }
+            RowTarget::More { file, length }
                 if !is_at(file, &self.name) || file.metadata()?.len() != *length =>
             {
                 Err(Trouble::Disturbed)
             }
-            Rows::First { .. } | Rows::More { .. } | Rows::Failed => Ok(()),
+            RowTarget::First { .. } | RowTarget::More { .. } | RowTarget::Failed => Ok(()),
         }
     }
 }
@@ -216,7 +218,7 @@ impl GrownFile {
         self.file.set_len(self.end)?;
         Ok(GrowingFile {
             name: self.name,
-            rows: Rows::More {
+            rows: RowTarget::More {
                 file: appending(self.file)?,
                 length: self.end,
             },
@@ -229,10 +231,96 @@ mod tests {
     use super::*;
     use std::fs;
 
+    fn place(name: &str) -> PathBuf {
+        let name = format!("krank-growing-{name}-{}.csv", std::process::id());
+        std::env::temp_dir().join(name)
+    }
+
+    #[test]
+    fn old_file_stays_until_first_rows_are_written() {
+        let path = place("old");
+        for is_linked in [false, true] {
+            let records = place("records");
+            let second = place("second");
+            fs::write(&path, "old").unwrap();
+            if is_linked {
+                fs::hard_link(&path, &second).unwrap();
+            }
+            let begin = || GrowingFile::begin(&path, "head\n", Some(records.clone())).unwrap();
+            drop(begin());
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            let mut file = begin();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            file.write("0\n").unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n");
+            file.write("1\n").unwrap();
+            assert!(file.is_locked());
+            file.finish().unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n1\n");
+            if is_linked {
+                assert_eq!(fs::read_to_string(&second).unwrap(), "head\n0\n1\n");
+                fs::remove_file(&second).unwrap();
+                fs::remove_dir_all(&records).unwrap();
+            }
+        }
+        begin_without_rows(&path);
+        fs::remove_file(&path).unwrap();
+    }
+
+    /// A study of no designs has a head.
+    fn begin_without_rows(path: &Path) {
+        let file = GrowingFile::begin(path, "head\n", None).unwrap();
+        file.finish().unwrap();
+        assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
+    }
+
+    /// Rows used to go into a file that nobody had any more, and into the hole of one that was cut.
+    #[test]
+    fn disturbed_file_gets_no_more_rows() {
+        type Deed = fn(&Path);
+        let deeds: [(Deed, Option<&str>); 4] = [
+            (|path| fs::write(path, "").unwrap(), Some("")),
+            (|path| fs::remove_file(path).unwrap(), None),
+            (
+                |path| {
+                    fs::remove_file(path).unwrap();
+                    fs::write(path, "head\n0\n").unwrap();
+                },
+                Some("head\n0\n"),
+            ),
+            (
+                |path| {
+                    let mut file = OpenOptions::new().append(true).open(path).unwrap();
+                    file.write_all(b"foreign\n").unwrap();
+                },
+                Some("head\n0\nforeign\n"),
+            ),
+        ];
+        for (number, (deed, left)) in deeds.into_iter().enumerate() {
+            for is_resumed in [false, true] {
+                let path = place(&format!("disturbed-{number}-{is_resumed}"));
+                let mut file = GrowingFile::begin(&path, "head\n", None).unwrap();
+                file.write("0\n").unwrap();
+                if is_resumed {
+                    file.finish().unwrap();
+                    let grown = GrownFile::open(&path, "head\n").unwrap().unwrap();
+                    assert_eq!(grown.lines, 1);
+                    file = grown.go_on().unwrap();
+                }
+                deed(&path);
+                let refused = file.write("1\n");
+                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                let refused = file.finish();
+                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                assert_eq!(fs::read_to_string(&path).ok().as_deref(), left);
+                let _ = fs::remove_file(&path);
+            }
+        }
+    }
+
     #[test]
     fn what_was_cut_off_is_written_again() {
-        let name = format!("krank-growing-{}.csv", std::process::id());
-        let path = std::env::temp_dir().join(name);
+        let path = place("cut");
         let whole = "head\n0\n1\n2\n3\n4\n";
         for cut in 0..=whole.len() {
             fs::write(&path, &whole[..cut]).unwrap();

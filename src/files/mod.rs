@@ -63,7 +63,6 @@ use thiserror::Error;
 pub(crate) enum Trouble {
     /// There is a file, and nobody has said that it may go.
     #[error("{}", words().exists_already())]
-    #[cfg(feature = "tui")]
     Exists,
     /// It no longer holds what it held when work on it began.
     #[error("{}", words().changed_on_disk())]

@@ -124,7 +124,10 @@ impl Output {
                 Ok(file)
             }
             OutputWay::New { draft, target } => {
-                let file = draft.appear(&target)?;
+                let file = draft.appear(&target).map_err(|e| match e.kind() {
+                    ErrorKind::AlreadyExists => Trouble::Exists,
+                    _ => e.into(),
+                })?;
                 sync_folder_of(&target);
                 Ok(file)
             }

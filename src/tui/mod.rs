@@ -456,11 +456,12 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
 }
 
 /// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the
-/// terminal survives it. A release build knows no such switch.
+/// terminal survives it; `KRANK_FAULT=busy` makes it compute for ever. A release build knows no such switch.
 #[cfg(debug_assertions)]
 fn fault_on_demand() {
-    assert!(
-        std::env::var_os("KRANK_FAULT").is_none_or(|fault| fault != "panic"),
-        "KRANK_FAULT=panic asks for this"
-    );
+    let fault = std::env::var_os("KRANK_FAULT").unwrap_or_default();
+    assert!(fault != "panic", "KRANK_FAULT=panic asks for this");
+    while fault == "busy" {
+        std::hint::spin_loop();
+    }
 }

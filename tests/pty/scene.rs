@@ -198,6 +198,20 @@ fn a_full_disk_leaves_file_and_edits() {
     );
 }
 
+/// Edits used to be kept nowhere without a word.
+#[test]
+fn edits_without_a_home_are_not_kept_in_silence() {
+    for home in ["HOME=", "HOME=relative"] {
+        let (folder, _) = folder("homeless");
+        let line = format!("export {home}; unset XDG_STATE_HOME; exec $KRANK mine.toml");
+        let mut session = Session::run(&folder, &line);
+        session.wait_for("60.00 deg").send(EDIT).wait_for(EDITED);
+        session.wait_for("edits are not kept for recovery: set HOME");
+        session.send("q").wait_for("unsaved edits").send("q");
+        assert!(session.ended());
+    }
+}
+
 #[test]
 fn leaving_asks_and_saves() {
     let (folder, file) = folder("asked");

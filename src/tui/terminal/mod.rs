@@ -1,12 +1,13 @@
 //! All that lies between krank and the terminal: modes, keys, signals and bytes.
 //!
 //! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
-//! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
+//! linkages. One reader reads all that the terminal sends (`intake`, `keyboard`), one writer writes whole
 //! frames (`painter`), one guard puts the terminal back as it was found (`tty`).
 
 mod about;
 mod base64;
 pub(crate) mod clipboard;
+mod intake;
 mod keyboard;
 mod line;
 mod painter;

@@ -65,7 +65,8 @@ catalogue! {
 # ~/.config/krank/config.toml where that is not set. krank never writes it.
 #
 # Everything here is commented out and says what is built in: take away the # before a
-# line to change it. What is wrong is told with its line when krank starts.
+# line to change it. What is wrong is told with its line when krank starts; names that it
+# does not know are left out.
 
 ";
         for_a_ground(values: &str) = "for a ground: {values}";

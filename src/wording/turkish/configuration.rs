@@ -65,7 +65,8 @@ catalogue! {
 # ~/.config/krank/config.toml dosyasından okunur. krank onu hiç yazmaz.
 #
 # Buradaki her satır kapalıdır ve yerleşik olanı söyler: değiştirmek için satırın
-# başındaki # işaretini kaldır. Yanlış olan, krank açılırken satırıyla söylenir.
+# başındaki # işaretini kaldır. Yanlış olan, krank açılırken satırıyla söylenir; krank'ın
+# tanımadığı adlar atlanır.
 
 ";
         for_a_ground(values: &str) = "zemine göre: {values}";
