@@ -26,6 +26,7 @@ enum RowTarget {
     First {
         output: Output,
         records: Option<PathBuf>,
+        length: u64,
     },
     /// Into the file, whose length is known.
     More { file: File, length: u64 },
@@ -60,7 +61,11 @@ impl GrowingFile {
         output.write_all(head.as_bytes())?;
         Ok(GrowingFile {
             name: name.to_owned(),
-            rows: RowTarget::First { output, records },
+            rows: RowTarget::First {
+                output,
+                records,
+                length: length_of(head),
+            },
         })
     }
 
@@ -71,8 +76,9 @@ impl GrowingFile {
     pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
         self.check()?;
         match &mut self.rows {
-            RowTarget::First { output, .. } => {
+            RowTarget::First { output, length, .. } => {
                 output.write_all(lines.as_bytes())?;
+                *length += length_of(lines);
                 self.take_place()
             }
             RowTarget::More { file, length } => {
@@ -109,13 +115,17 @@ impl GrowingFile {
 
     /// The first rows take the place of an older file.
     fn take_place(&mut self) -> Result<(), Trouble> {
-        if let RowTarget::First { output, records } =
-            std::mem::replace(&mut self.rows, RowTarget::Failed)
+        let first = std::mem::replace(&mut self.rows, RowTarget::Failed);
+        if let RowTarget::First {
+            output,
+            records,
+            length,
+        } = first
         {
             let file = output.commit(records.as_deref())?;
             self.rows = RowTarget::More {
-                length: file.metadata()?.len(),
                 file: appending(file)?,
+                length,
             };
         }
         Ok(())

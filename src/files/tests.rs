@@ -16,7 +16,7 @@ fn folder(name: &str) -> PathBuf {
 fn write(to: &Path, bytes: &[u8], records: Option<&Path>) -> Result<(), Trouble> {
     let mut output = Output::to(to, records)?;
     output.write_all(bytes)?;
-    output.commit(records)
+    output.commit(records).map(drop)
 }
 
 fn names(folder: &Path) -> Vec<String> {

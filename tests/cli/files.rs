@@ -366,7 +366,7 @@ fn a_kill_leaves_the_old_file_or_the_new_one() {
 /// A draft may be read by nobody who may not read the file.
 #[test]
 fn a_private_file_is_private_while_it_is_written() {
-    let folder = fresh("private");
+    let folder = fresh("private").canonicalize().unwrap();
     let file = folder.join("out.csv");
     fs::write(&file, "old").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
@@ -376,8 +376,9 @@ fn a_private_file_is_private_while_it_is_written() {
         .spawn()
         .unwrap();
     // What it has opened in the folder beside the old file, with a name or without.
+    let opened = format!("/proc/{}/fd", child.id());
     let draft = || {
-        let opened = fs::read_dir(format!("/proc/{}/fd", child.id()));
+        let opened = fs::read_dir(&opened);
         let mut opened = opened.into_iter().flatten().flatten();
         let is_draft = |fd: &fs::DirEntry| {
             let to = fs::read_link(fd.path()).unwrap_or_default();
@@ -389,7 +390,10 @@ fn a_private_file_is_private_while_it_is_written() {
     let draft = loop {
         match draft() {
             Some(draft) if draft.len() > 0 => break draft,
-            _ => thread::yield_now(),
+            _ => assert!(
+                child.try_wait().unwrap().is_none(),
+                "no draft was ever there"
+            ),
         }
     };
     assert_eq!(draft.mode() & 0o777, 0o600);

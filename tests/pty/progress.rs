@@ -209,8 +209,8 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
 }
 
 /// A search that takes hours.
-const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize G.vx.max --generations 1000000 \
-    --vary r2.length=14..16,r3.length=48..52";
+const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 1000000 \
+    --vary m.length=14..16,j.length=49..51,k.length=61..62";
 
 /// The best so far used to be lost.
 #[test]
@@ -226,7 +226,7 @@ fn ctrl_c_stops_solve_and_the_best_so_far_is_written() {
     assert!(left.contains("stopped: what was found"), "{left}");
     assert!(left.contains("code 0"), "{left}");
     let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
-    assert!(told.contains("r2.length"), "{told}");
+    assert!(told.contains("m.length"), "{told}");
     let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
     assert!(scene.contains("[links]"), "{scene}");
 }
@@ -245,6 +245,7 @@ fn ctrl_c_stops_solve_where_nobody_sees_it() {
     let pid = rustix::process::Pid::from_child(&child);
     let is_caught = || {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        assert!(!status.contains("zombie"), "it ended");
         let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
         let mask = mask.map(|mask| u64::from_str_radix(mask.trim(), 16).unwrap());
         mask.is_some_and(|mask| mask & 2 != 0)

@@ -88,7 +88,7 @@ impl BestDesign {
         let mut go_on = |generations, best: Worth| {
             let value = if order.greatest { -best.1 } else { best.1 };
             let best = (best.0 == 0.0).then_some(value);
-            is_stopped |= !watch(OptimiseState { generations, best });
+            is_stopped = is_stopped || !watch(OptimiseState { generations, best });
             !is_stopped
         };
         let from_start = &mut |_| go_on(0, NONE);
@@ -133,17 +133,12 @@ impl BestDesign {
                 .partial_cmp(&worth[b])
                 .unwrap_or(std::cmp::Ordering::Equal)
         })?;
+        let so_far = worth[best];
         let design = judge.judge(generation.swap_remove(best))?;
         let Polished {
             design,
             is_stationary,
-        } = match is_stopped {
-            true => Polished {
-                design,
-                is_stationary: false,
-            },
-            false => polished(&mut judge, design),
-        };
+        } = polished(&mut judge, design, &mut || go_on(made, so_far));
         let (missed, value) = design.worth;
         Some(BestDesign {
             numbers: design.numbers,
