@@ -187,6 +187,8 @@ pub struct Check {
     pub choices: ChoiceList,
     /// The lower and the upper end of the driver's range, in deg or the scene's unit.
     pub range: [f64; 2],
+    /// The error of each of these ends at most, in the same unit; `None` where it is not proved.
+    pub range_bounds: [Option<f64>; 2],
     /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
     pub period: Option<f64>,
     /// Ends of the range at which the mechanism cannot go on, in deg or the scene's unit.
@@ -410,6 +412,7 @@ impl Check {
             groups: plan.groups.iter().map(|g| names.group(g)).collect(),
             choices: ChoiceList::new(scene, solver),
             range,
+            range_bounds: solver.motion().range_bounds,
             period,
             dead_points: solver.motion().dead_points.clone(),
             stops: stops(scene, solver),

@@ -17,6 +17,7 @@ mod driver;
 mod edge_rates;
 mod edges;
 mod equal_lengths;
+mod far_ends;
 mod led_through;
 mod lifts;
 mod limits;

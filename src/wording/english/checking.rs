@@ -156,6 +156,9 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "turns fully; the motion repeats after {period} {unit}";
         range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
+        range_errors(low: &str, high: &str) = "error of the lower end {low}, of the upper end {high}";
+        end_error(bound: &str, unit: &str) = "at most {bound} {unit}";
+        end_error_not_proved = "not proved";
         never_met(name: &str, low: &str, high: &str, unit: &str) =
             "never met: {name} from {low} to {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =

@@ -150,6 +150,9 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "tam döner; hareket {period} {unit} sonra yinelenir";
         range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
+        range_errors(low: &str, high: &str) = "alt ucun hatası {low}, üst ucun hatası {high}";
+        end_error(bound: &str, unit: &str) = "en çok {bound} {unit}";
+        end_error_not_proved = "kanıtlanmadı";
         never_met(name: &str, low: &str, high: &str, unit: &str) =
             "hiç ulaşılmıyor: {name}, {low} ile {high} {unit} arası";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =

@@ -125,17 +125,27 @@ impl Constant {
         })
     }
 
-    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
-    /// twice the precision rounds it.
+    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Twice the
+    /// precision rounds it, and a decimal of more than 15 digits is read as a double.
     pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         place.map(|v| {
             if !is_decimal {
                 return Constant::new(Double::exactly(v), 0.0);
             }
             let Decimal {
-                value, roundings, ..
+                value,
+                roundings,
+                is_long,
+                is_double,
+                ..
             } = Decimal::of(v);
-            Constant::new(value, f64::from(roundings) * LOST * v.abs())
+            let lost = f64::from(roundings) * LOST * v.abs();
+            let typed = if is_long && is_double {
+                typed_radius(v)
+            } else {
+                0.0
+            };
+            Constant::new(value, lost + typed)
         })
     }
 

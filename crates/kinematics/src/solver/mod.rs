@@ -53,6 +53,7 @@ mod motion;
 mod network;
 mod order;
 mod plan;
+mod proved_run;
 mod rank;
 mod speed;
 mod state;

@@ -6,6 +6,7 @@ mod comparison;
 mod curve_tracing;
 mod enclose;
 mod equations;
+mod exact_fold;
 mod exchange;
 
 mod levenberg_marquardt;
@@ -28,7 +29,8 @@ use super::network::{ClassId, Network};
 use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::Maker;
-pub(super) use singular::{Correction, Crossing};
+pub(super) use exact_fold::{ExactFold, FoldResiduals};
+pub(super) use singular::{Correction, Crossing, Fold};
 
 /// More corrections than quadratic convergence needs from anywhere near.
 const CORRECTIONS: usize = 24;

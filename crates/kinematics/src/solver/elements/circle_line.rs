@@ -168,7 +168,7 @@ impl TwoAssemblies for CircleLine {
         self.place::<T, { POSITION }>(&guide, s, e, [h0, T::default()], state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let guide = self.line.at(state);
         let pivot = state.points[self.arm.pivot.index()];
         let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);

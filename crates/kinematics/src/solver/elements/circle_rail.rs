@@ -168,9 +168,9 @@ impl TwoAssemblies for CircleRail {
         self.place::<T, { POSITION }>(along, d, [h0, T::default()], state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let v = state.points[self.arm.pivot.index()].v;
-        Some(self.along.nearest().cross(v))
+        Some(Vec2::of(self.along).cross(v))
     }
 
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {

@@ -232,7 +232,7 @@ impl TwoAssemblies for Cylinder {
     }
 
     /// Its own reach changes.
-    fn stretch_rate(&self, _state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, _state: &State<T>) -> Option<T> {
         None
     }
 

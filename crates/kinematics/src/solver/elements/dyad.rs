@@ -51,7 +51,7 @@ pub(super) trait TwoAssemblies {
 
     /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
     /// to a positive factor: zero where the stretch is extreme. `None` where its own reach changes.
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
         Some((b.p - a.p).dot(b.v - a.v))
     }
@@ -121,7 +121,7 @@ impl Dyad<'_> {
     }
 
     /// See [`TwoAssemblies::stretch_rate`].
-    pub(in crate::solver) fn stretch_rate(self, state: &State) -> Option<f64> {
+    pub(in crate::solver) fn stretch_rate<T: Number>(self, state: &State<T>) -> Option<T> {
         each!(self, d => d.stretch_rate(state))
     }
 

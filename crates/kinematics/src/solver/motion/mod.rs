@@ -6,10 +6,12 @@ mod crossing;
 mod ends;
 mod junction;
 mod limits;
+mod proved_ends;
 mod stopped;
 mod walk;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub(super) use proved_ends::sign_change;
 pub use stopped::EndStop;
 
 use super::angle_turn;
@@ -20,7 +22,8 @@ use super::fault::Fault;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
-use walk::{MOST_TURNS, PUSH_REACH, WalkEnd, Walker};
+use proved_ends::BoundedEnd;
+use walk::{MOST_TURNS, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +99,9 @@ pub struct NearMiss {
 pub struct Motion {
     /// The driver's range.
     pub range: Range,
+    /// The error of the lower and the upper end of the range at most, in degrees or in the scene's length unit:
+    /// zero for an end that no group sets, `None` for one whose error is not proved.
+    pub range_bounds: [Option<f64>; 2],
     /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
     /// unit: there are two, or none.
     pub dead_points: Vec<f64>,
@@ -233,19 +239,19 @@ pub(super) fn explore<'e>(
     };
     walker.check_fit()?;
     let up = walker.walk()?;
-    let (range, period) = match up {
-        WalkEnd::Closed(turns) => {
+    let (range, period, range_bounds) = match up.end() {
+        Err(turns) => {
             let period = angle_turn(turns);
-            (Range::Full { period }, period)
+            (Range::Full { period }, period, [Some(0.0); 2])
         }
-        WalkEnd::Limit(high) | WalkEnd::Cut(high) => {
+        Ok(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
-            let low = match walker.walk()? {
-                WalkEnd::Limit(low) | WalkEnd::Cut(low) => low,
-                WalkEnd::Closed(turns) => start - angle_turn(turns),
-            };
-            (Range::Limited { low, high }, 0.0)
+            let low = walker.walk()?.end();
+            let low = low.unwrap_or_else(|turns| BoundedEnd::exact(start - angle_turn(turns)));
+            let bounds = [low, high].map(|end| end.bound);
+            let [low, high] = [low, high].map(|end| end.at);
+            (Range::Limited { low, high }, 0.0, bounds)
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
@@ -257,6 +263,7 @@ pub(super) fn explore<'e>(
         samples: walker.samples,
         misfits: walker.misfits,
         range,
+        range_bounds,
         whole: range,
         stops: Vec::new(),
         clear: clear(range, &dead_points, engine),

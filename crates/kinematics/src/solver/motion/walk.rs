@@ -1,6 +1,7 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
+use super::proved_ends::BoundedEnd;
 use super::{Folded, NearMiss, Stretched};
 use crate::Double;
 use crate::solver::change_point::Passage;
@@ -41,9 +42,20 @@ const CLOSED: f64 = 1e-7;
 /// How a walk ended.
 pub(super) enum WalkEnd {
     Closed(usize),
-    Limit(f64),
+    Limit(BoundedEnd),
     /// Followed no further.
     Cut(f64),
+}
+
+impl WalkEnd {
+    /// The end of the range, or the number of turns after which the motion has closed.
+    pub(super) fn end(self) -> Result<BoundedEnd, usize> {
+        match self {
+            WalkEnd::Closed(turns) => Err(turns),
+            WalkEnd::Limit(end) => Ok(end),
+            WalkEnd::Cut(at) => Ok(BoundedEnd::exact(at)),
+        }
+    }
 }
 
 /// Someone who follows the motion from its start, in one direction.
