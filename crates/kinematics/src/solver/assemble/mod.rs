@@ -440,8 +440,18 @@ impl Assembler<'_> {
 
     /// The rough places of points that a group places, in the solver's frame.
     fn wanted(&self, number: usize, engine: &Engine) -> Vec<(PointId, Vec2)> {
+        self.places(number, self.request.near, engine)
+    }
+
+    /// Of rough places those of points that a group places, in the solver's frame.
+    fn places(
+        &self,
+        number: usize,
+        near: &[(PointId, Vec2)],
+        engine: &Engine,
+    ) -> Vec<(PointId, Vec2)> {
         let points = &self.group(number).points;
-        let ours = self.request.near.iter().filter(|(p, _)| points.contains(p));
+        let ours = near.iter().filter(|(p, _)| points.contains(p));
         ours.map(|&(point, near)| (point, engine.frame.inner(near).nearest()))
             .collect()
     }

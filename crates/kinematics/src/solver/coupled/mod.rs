@@ -18,7 +18,7 @@ mod twice;
 mod unfolding;
 
 pub(super) use comparison::Closing;
-pub(super) use curve_tracing::is_same;
+pub(super) use curve_tracing::{SAME, distance};
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
