@@ -23,6 +23,7 @@ mod lifts;
 mod limits;
 mod many_links;
 mod others;
+mod ratios;
 mod refusals;
 mod rig;
 mod sizes;

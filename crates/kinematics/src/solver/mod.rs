@@ -223,11 +223,11 @@ impl Solver {
                 at,
             });
         }
-        let with = |ordering: &Ordering, near: &[(PointId, Vec2)]| {
+        let with = |ordering: &Ordering, at: f64, near: &[(PointId, Vec2)]| {
             let solver = Solver::with(&network, ordering, at, near, picks)?;
             rank::judged(&network, solver)
         };
-        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, near));
+        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, at, near));
         let whole = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
         whole.and_then(Solver::between_stops)
     }

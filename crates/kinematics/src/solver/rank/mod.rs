@@ -76,11 +76,21 @@ pub(super) fn reopened(
     fault: Fault,
     at: f64,
     near: &[(PointId, Vec2)],
-    open: impl Fn(&Ordering, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
+    open_at: impl Fn(&Ordering, f64, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
 ) -> Result<Solver, Fault> {
     let structure = order::ordering(network, &[]).ok();
     if !fault.asks_for_the_rank(structure.as_ref()) {
         return Err(fault);
+    }
+    let open = |ordering: &Ordering, near: &[(PointId, Vec2)]| open_at(ordering, at, near);
+    if let (Fault::Singular { elements, .. }, Some(ordering)) = (&fault, &structure)
+        && ordering.set_aside.is_empty()
+        && verdict::beside(network, at).any(|at| open_at(ordering, at, near).is_ok())
+    {
+        return Err(Fault::Singular {
+            elements: elements.clone(),
+            is_here_only: true,
+        });
     }
     if verdict::is_too_large(network) {
         return by_trial(network, structure, |ordering| open(ordering, near)).ok_or(fault);
