@@ -120,7 +120,7 @@ impl Scribe<'_> {
         let unit = f.length_unit(self.order);
         let length = f.beside(size, self.size);
         if length == "0" {
-            return format!("0 {unit}");
+            return format!("0 {UNIT}{unit}");
         }
         let direction = f.direction(angle::degrees(along));
         words().at_degrees(&format!("{length} {UNIT}{unit}"), &direction)
