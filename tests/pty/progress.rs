@@ -209,7 +209,7 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
 }
 
 /// A search that takes hours.
-const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 1000000 \
+const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 100000 \
     --vary m.length=14..16,j.length=49..51,k.length=61..62";
 
 /// The best so far used to be lost.
