@@ -146,7 +146,9 @@ impl Keyboard {
             .last_byte
             .map(|then| now.saturating_duration_since(then));
         let is_key = bytes.len() <= LONGEST_KEY && !bytes.contains(&CTRL_C);
-        is_key && pause >= Some(HEELS) && !has_end(bytes)
+        let has_begun = |end: usize| self.held.ends_with(&PASTE_ENDS[..end]);
+        let ends = (1..PASTE_ENDS.len()).any(has_begun) || has_end(bytes);
+        is_key && pause >= Some(HEELS) && !ends
     }
 
     /// When to call [`Keyboard::give_up`], if anything is held back.
