@@ -13,6 +13,7 @@ mod lengths;
 mod limit;
 mod load;
 mod polar;
+mod ranks;
 mod spline;
 mod tolerances;
 
@@ -238,6 +239,7 @@ struct Parts {
     misfit: f64,
     decimals: bool,
     converted_rates: bool,
+    ranks: ranks::Ranks,
 }
 
 impl Mechanism {
