@@ -34,6 +34,7 @@ mod solve;
 mod source;
 mod study;
 mod study_chart;
+mod study_rows;
 mod sweep;
 mod synthesize;
 mod tolerance;

@@ -6,6 +6,7 @@ use super::output::{self, goes_to_terminal, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
+use super::study_rows;
 use crate::files::{GrowingFile, GrownFile, Output, Trouble};
 use crate::parallel;
 use crate::quantity::Catalogue;
@@ -224,6 +225,7 @@ fn resumed(
             return Err(other(number + 2));
         }
     }
+    study_rows::verify(ready, table, designs.start, path, grown.lines)?;
     let done = grown.lines;
     note(&words().file_goes_on(&shown, done, all), screen);
     Ok((grown.go_on().map_err(failed)?, done))

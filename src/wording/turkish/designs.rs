@@ -117,6 +117,9 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         designs = "tasarım";
         file_of_other_study(file: &str, line: u64) =
             "{file} bu çalışmanın dosyası değil: {line}. satırı farklı. Baştan yazmak için --resume seçeneğini kaldırın";
+        row_was_changed(file: &str, line: u64) =
+            "{file} dosyasının {line}. satırı bu çalışmanın yazdığı değil: değiştirilmiş. Satırı geri getirin ya \
+             da baştan yazmak için --resume seçeneğini kaldırın";
         file_goes_on(file: &str, done: u64, all: u64) = "{file} içinde {all} tasarımın {done} tanesi hazır";
         designs_left_out(open: u64, unreadable: u64, all: u64) =
             "{all} tasarımın {open} tanesi sahnedeki gibi kurulamıyor, {unreadable} tanesi bir sahne vermiyor: nedeni \
