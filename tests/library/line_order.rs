@@ -60,8 +60,8 @@ fn opening(text: &str) -> Option<&str> {
     )
 }
 
-/// Coupled groups whose motion is followed anew for every machine.
-const SLOW: [&str; 1] = ["lift-table"];
+/// Scenes whose tolerances over the whole motion are quick: every machine is followed anew.
+const FOLLOWED: [&str; 4] = ["four-bar", "slotted-lever", "excavator-boom", "press-ram"];
 
 /// The result of a command as JSON; `None` where it fails.
 fn result(scene: &Path, command: &[&str], at: Option<&str>) -> Option<Value> {
@@ -204,7 +204,8 @@ fn compare_all(scenes: impl Iterator<Item = (String, String)>, what: &str) {
             std::fs::write(&file, text).unwrap();
             file
         });
-        let is_quick = |command: &&&[&str]| !(SLOW.contains(&&*name) && command.contains(&"range"));
+        let is_quick =
+            |command: &&&[&str]| !command.contains(&"range") || FOLLOWED.contains(&&*name);
         for &command in COMMANDS.iter().filter(is_quick) {
             let [a, b] = files
                 .each_ref()

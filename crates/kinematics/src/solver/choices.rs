@@ -240,7 +240,7 @@ impl Solver {
         self.plan.groups.get(group)?;
         let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
         let key = steps.iter().find(|s| s.choice().is_some())?;
-        Some(if sign * handedness(key) > 0.0 {
+        Some(if sign * handedness(&self.mechanism, key) > 0.0 {
             Pick::Plus
         } else {
             Pick::Minus
