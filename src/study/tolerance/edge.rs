@@ -39,7 +39,7 @@ const NONLINEAR: f64 = 3.0;
 
 /// A machine at which a group is at its edge, or as good as there.
 #[derive(Clone, Debug)]
-struct Edge {
+struct ReachedEdge {
     group: usize,
     /// The measure that levels are parts of.
     base: f64,
@@ -106,7 +106,13 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// The furthest that a figure comes in one direction, on all edges and away from them.
-    fn furthest(&mut self, edges: &[Edge], figure: usize, sign: f64, nominal: f64) -> EdgeReach {
+    fn furthest(
+        &mut self,
+        edges: &[ReachedEdge],
+        figure: usize,
+        sign: f64,
+        nominal: f64,
+    ) -> EdgeReach {
         let inside = self.off.nothing();
         let mut reach = EdgeReach {
             furthest: nominal,
@@ -135,7 +141,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// The furthest machine and its value on each surface towards an edge.
-    fn along_edge(&mut self, edge: &Edge, figure: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
+    fn along_edge(&mut self, edge: &ReachedEdge, figure: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
         let mut found: Vec<(Vec<f64>, f64)> = Vec::new();
         let mut from = edge.machine.clone();
         let inside = self.off.nothing();
@@ -166,7 +172,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     /// Goes from machine to machine as long as the figure gains: on a surface, or among all that close.
     fn climb(
         &mut self,
-        surface: Option<(&Edge, f64)>,
+        surface: Option<(&ReachedEdge, f64)>,
         figure: usize,
         sign: f64,
         (mut machine, mut value): (Vec<f64>, f64),
@@ -216,7 +222,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// All edges within the tolerances: of each group the nearest, and one on its other side if there is any.
-    fn edges(&mut self, fails: bool) -> Vec<Edge> {
+    fn edges(&mut self, fails: bool) -> Vec<ReachedEdge> {
         let nothing = self.off.nothing();
         self.machines.make(&nothing, &mut self.values);
         let given: Vec<f64> = self.machines.measures().to_vec();
@@ -237,7 +243,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             let starts = [nothing.clone(), aim];
             let found = starts.into_iter().filter_map(|start| {
                 let machine = self.descend(group, base, start)?;
-                Some(Edge {
+                Some(ReachedEdge {
                     group,
                     base,
                     machine,
@@ -303,7 +309,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// A machine below a surface: straight down from another one, or that at the edge.
-    fn lower(&mut self, edge: &Edge, machine: &[f64], level: f64) -> Vec<f64> {
+    fn lower(&mut self, edge: &ReachedEdge, machine: &[f64], level: f64) -> Vec<f64> {
         let by = self.differences(Some(edge.group), machine);
         let slopes = self.slopes(machine, &by, |search, machine| {
             search.measure(machine, edge.group).map(|measure| -measure)

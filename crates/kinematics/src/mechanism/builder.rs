@@ -1,6 +1,6 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
-use super::ranks::Ranks;
+use super::ranks::NameRanks;
 use super::{
     Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
     LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
@@ -307,7 +307,7 @@ impl Builder {
                     misfit: self.misfit,
                     decimals: self.decimals,
                     converted_rates: self.converted_rates,
-                    ranks: Ranks::default(),
+                    ranks: NameRanks::default(),
                 }),
             }),
             _ => Err(Defects { list: defects }),

@@ -239,7 +239,7 @@ struct Parts {
     misfit: f64,
     decimals: bool,
     converted_rates: bool,
-    ranks: ranks::Ranks,
+    ranks: ranks::NameRanks,
 }
 
 impl Mechanism {

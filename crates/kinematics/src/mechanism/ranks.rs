@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 /// The rank of every link and of every point; none where they are taken in the order in which they were given.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ranks {
+pub(super) struct NameRanks {
     links: Vec<usize>,
     points: Vec<usize>,
 }
@@ -20,7 +20,7 @@ impl Mechanism {
         let firsts: Vec<Option<usize>> = firsts.collect();
         let points = ranks(points.len(), |point| (firsts[point], &points[point]));
         let mut parts = self.parts;
-        Arc::make_mut(&mut parts).ranks = Ranks { links, points };
+        Arc::make_mut(&mut parts).ranks = NameRanks { links, points };
         Mechanism { parts }
     }
 
