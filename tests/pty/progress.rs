@@ -1,15 +1,13 @@
 //! The line that tells how far a sweep has come, on a pseudo-terminal: when it is there, and that it
 //! leaves nothing behind.
 
+use crate::session::PATIENCE;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 use std::io::{Read, Write};
 use std::num::NonZeroU16;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// On a machine with much else to do everything takes its time.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A shell's command line on a terminal of its own.
 struct Terminal {
