@@ -1917,7 +1917,8 @@ impl Trial<'_> {
             let ((a, bound), (b, more)) = (self.omega(link)?, like(other)?);
             let bounds = bound.zip(more).map(|(a, b)| a + b);
             let rounding = 1e-14 * (1.0 + crank.abs());
-            let allowed = bounds.unwrap_or(0.01 * (1.0 + crank.abs())) + rounding;
+            let unproved = (0.01 + 1e-13 / self.planted.sine(q).powi(2)) * (1.0 + crank.abs());
+            let allowed = bounds.unwrap_or(unproved) + rounding;
             ((a - b).abs() > allowed).then(|| {
                 format!("{link}.omega at {q:?} is {a}, and that of {other} {b}; allowed are {allowed:e}; bounds {bounds:?}")
             })
