@@ -21,3 +21,4 @@ mod reference;
 mod sensitivity;
 mod states;
 mod stops;
+mod typed_lengths;

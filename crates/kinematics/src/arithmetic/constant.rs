@@ -125,8 +125,8 @@ impl Constant {
         })
     }
 
-    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Twice the
-    /// precision rounds it, and a decimal of more than 15 digits is read as a double.
+    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
+    /// twice the precision rounds it; a decimal of more than 15 digits is known to half an ulp.
     pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         place.map(|v| {
             if !is_decimal {
@@ -135,17 +135,11 @@ impl Constant {
             let Decimal {
                 value,
                 roundings,
-                is_long,
-                is_double,
+                is_short,
                 ..
             } = Decimal::of(v);
-            let lost = f64::from(roundings) * LOST * v.abs();
-            let typed = if is_long && is_double {
-                typed_radius(v)
-            } else {
-                0.0
-            };
-            Constant::new(value, lost + typed)
+            let typed = if is_short { 0.0 } else { typed_radius(v) };
+            Constant::new(value, typed + f64::from(roundings) * LOST * v.abs())
         })
     }
 

@@ -90,6 +90,11 @@ impl Engine {
         }
     }
 
+    /// The driver's speed and acceleration, in radians or scaled lengths.
+    pub(super) fn driver_rates(&self) -> [Constant; 2] {
+        self.driver_rates
+    }
+
     /// Room for an empty state, with the constants in it.
     pub(super) fn state<T: Number>(&self, slides: usize) -> Workspace<T> {
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));

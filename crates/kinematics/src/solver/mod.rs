@@ -330,7 +330,14 @@ impl Solver {
 
     /// Room for a state in any arithmetic.
     fn room<T: Number>(&self) -> Workspace<T> {
-        self.with_forces(self.engine.state(self.slides))
+        self.room_of(&self.engine)
+    }
+
+    /// The same with the constants of an engine, at the speed of this solver.
+    fn room_of<T: Number>(&self, engine: &Engine) -> Workspace<T> {
+        let mut work = engine.state(self.slides);
+        work.state.pass(self.engine.driver_rates());
+        self.with_forces(work)
     }
 
     /// Makes room for the forces, where anything acts.

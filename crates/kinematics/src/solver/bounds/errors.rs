@@ -156,17 +156,19 @@ impl LinkError {
 }
 
 impl Errors {
-    /// Room for the errors of an engine's states, with those of its constants in it.
-    pub(super) fn new(engine: &Engine, sharp: Workspace<Sharp>) -> Errors {
-        let program = &engine.program;
+    /// Room for the errors of an engine's states: those of its constants, of which `meant` knows best what they are.
+    pub(super) fn new(engine: &Engine, meant: &Engine, sharp: Workspace<Sharp>) -> Errors {
+        let program = &meant.program;
+        let computed = &engine.program;
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
-        let points = program.points.iter().map(|&p| {
-            let shift = [p.map(|v| v.lo), Vec2::ZERO, Vec2::ZERO];
+        let way = |v: Vec2<Constant>, from: Vec2| (v.map(Constant::value) - from.exactly()).nearest();
+        let points = program.points.iter().zip(&computed.points).map(|(&p, of)| {
+            let shift = [way(p, of.nearest()), Vec2::ZERO, Vec2::ZERO];
             PointError::new(shift, [size(off(p)), 0.0, 0.0])
         });
-        let links = program.links.iter().map(|&d| {
-            let [near, low] = [d.map(|v| v.hi), d.map(|v| v.lo)];
-            LinkError::of_way(near, low, size(off(d)))
+        let links = program.links.iter().zip(&computed.links).map(|(&d, of)| {
+            let near = of.nearest();
+            LinkError::of_way(near, way(d, near), size(off(d)))
         });
         Errors {
             points: points.collect(),

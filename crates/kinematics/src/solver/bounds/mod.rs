@@ -59,11 +59,12 @@ impl Solver {
     /// Room for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
-        let mut enclosure = self.room();
-        let groups = self.engine.program.coupled.iter();
+        let engine = self.meant_engine();
+        let mut enclosure = self.room_of(engine);
+        let groups = engine.program.coupled.iter();
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
-        enclosure.errors = Errors::new(&self.engine, self.room());
+        enclosure.errors = Errors::new(&self.engine, engine, self.room_of(engine));
         enclosure.errors.edge = self.close_state().map(Box::new);
         enclosure
     }
@@ -77,15 +78,23 @@ impl Solver {
     pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
         let state = &mut work.state;
         let order = order.min(state.order);
+        let engine = self.meant_engine();
         let is_clear = self.motion.is_clear(state.at);
-        let proved = is_clear && self.engine.enclose_to(false, order, state, enclosure);
+        let proved = is_clear && engine.enclose_to(false, order, state, enclosure);
         if !proved {
             let is_edge = self.look_at_edge(order, state, enclosure);
             if is_edge || !is_clear {
-                self.engine.enclose_to(is_edge, order, state, enclosure);
+                engine.enclose_to(is_edge, order, state, enclosure);
             }
         }
         self.enclose_forces(order, state, enclosure);
+    }
+
+    /// The steps with their numbers as they are known best: typed decimals to twice the digits, so that what their
+    /// doubles are off by is known with its sign.
+    fn meant_engine(&self) -> &Engine {
+        let exact = self.exact.as_ref().filter(|_| self.mechanism.has_decimals());
+        exact.map_or(&self.engine, |exact| &exact.engine)
     }
 
     fn enclose_forces(&self, order: Order, state: &mut State, enclosure: &mut Workspace<Ball>) {
