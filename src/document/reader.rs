@@ -66,6 +66,8 @@ pub(crate) struct Reader<'t> {
     pub(crate) named: NamedNumbers,
     /// What formulas came to, by where they begin.
     pub(crate) worked: HashMap<usize, f64>,
+    /// Whether a number was rounded to a double that reads as a decimal of up to 15 digits.
+    pub(crate) has_rounded: bool,
 }
 
 impl<'t> Reader<'t> {
@@ -75,6 +77,7 @@ impl<'t> Reader<'t> {
             found: Vec::new(),
             named: NamedNumbers::default(),
             worked: HashMap::new(),
+            has_rounded: false,
         }
     }
 

@@ -3,6 +3,7 @@
 //! A formula of plain numbers is evaluated once, where a scene is read, and its result is rounded once. No intermediate
 //! value overflows or underflows, and what cancels has digits to spare: `1e308 + 1e-308 - 1e308` is 1e-308.
 
+use crate::Double;
 use num_bigint::{BigInt, BigUint, Sign};
 
 /// Bits of a sum, product, quotient or root. Two doubles of any size are added exactly in 2,100.
@@ -279,6 +280,16 @@ impl Wide {
             false => &self.mid << by,
             true => (&self.mid + (BigInt::from(1) << (by - 1))) >> by,
         }
+    }
+
+    /// The value in double-double.
+    pub(crate) fn twice(&self) -> Double {
+        let hi = self.nearest();
+        if !hi.is_finite() {
+            return Double::exactly(hi);
+        }
+        let lo = self.minus(&Wide::exactly(hi)).nearest();
+        Double { hi, lo }
     }
 
     /// The nearest double, infinite beyond all of them.

@@ -1,9 +1,9 @@
 //! Speeds and accelerations with their units, as the driver gives them.
 
 use super::Unit;
-use super::numeral::{are_thousands, number_length};
-use crate::angle;
+use super::numeral::{self, are_thousands, number_length};
 use crate::expression::plain_unit;
+use crate::{Double, angle};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -31,6 +31,8 @@ pub(super) struct Rate {
     pub(super) value: f64,
     /// Whether it was typed in another unit: the conversion rounds.
     pub(super) is_converted: bool,
+    /// What was typed, to twice the digits, where that is known.
+    pub(super) typed: Option<Double>,
 }
 
 /// Why a text is no rate.
@@ -67,8 +69,11 @@ pub(super) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'stat
 
 /// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
 pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
-    let WrittenRate { number, unit } = WrittenRate::of(text);
-    let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
+    let WrittenRate {
+        number: written,
+        unit,
+    } = WrittenRate::of(text);
+    let number: f64 = written.parse().map_err(|_| Misfit::NoNumber)?;
     if unit.starts_with(['.', ',']) {
         return Err(Misfit::TwoMarks);
     }
@@ -78,7 +83,8 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
     let unit = known(kind, degree, unit).ok_or(Misfit::Unit(unit))?;
     let rate = of(number, unit, kind);
     let is_finite = rate.value.is_finite();
-    is_finite.then_some(rate).ok_or(Misfit::NotFinite)
+    let typed = numeral::typed(&written).map(|typed| closely(typed, unit, kind));
+    is_finite.then_some(Rate { typed, ..rate }).ok_or(Misfit::NotFinite)
 }
 
 /// A number in one of its units.
@@ -87,6 +93,7 @@ pub(super) fn of(number: f64, unit: &str, kind: RateKind) -> Rate {
     Rate {
         value: converted.unwrap_or(number),
         is_converted: converted.is_some(),
+        typed: None,
     }
 }
 
@@ -152,6 +159,24 @@ fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
             let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
             let from = from.filter(|from| *from != scene)?;
             Some(number * from.tenths_of_mm() / scene.tenths_of_mm())
+        }
+    }
+}
+
+/// The same in twice the digits.
+fn closely(number: Double, unit: &str, kind: RateKind) -> Double {
+    let base = unit.split('/').next().unwrap_or(unit);
+    match kind {
+        RateKind::Turn => match base {
+            "deg" => number * Double::RADIAN,
+            "rpm" => number * Double::exactly(6.0) * Double::RADIAN,
+            _ => number,
+        },
+        RateKind::Push(scene) => {
+            let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
+            let [from, to] =
+                [from.unwrap_or(scene), scene].map(|u| Double::exactly(u.tenths_of_mm()));
+            number * from / to
         }
     }
 }

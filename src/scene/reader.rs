@@ -1,7 +1,8 @@
 //! Numbers and pairs of a scene; what does not fit becomes a diagnostic.
 
-use super::numeral::number_length;
+use super::numeral::{is_rounded, number_length};
 use crate::Vec2;
+use crate::arithmetic::Decimal;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, has_decimal_comma};
 use crate::expression;
@@ -18,14 +19,24 @@ pub(super) const LARGEST: f64 = 1e300;
 /// No length may be smaller, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 
+/// What a formula in twice the digits may have lost of a decimal, with room.
+const TWICE_ROUNDED: f64 = 1e-29;
+
 impl Reader<'_> {
     /// A finite number that is not too large.
     pub(crate) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
-            Ok(number) => number,
+            Ok(number) => {
+                self.has_rounded |= is_rounded(&self.text()[value.span.clone()], number);
+                number
+            }
             Err(Misplaced::Text(formula)) => {
                 let worth = self.worked_out(what, formula, &value.span)?;
-                worth.nearest()
+                let number = worth.nearest();
+                let decimal = Decimal::of(number);
+                let apart = (decimal.value - worth.value.twice()).hi.abs();
+                self.has_rounded |= decimal.is_short && apart > TWICE_ROUNDED * number.abs();
+                number
             }
             Err(found) => {
                 let fault = self.wrong_type(what, words().a_number(), found, &value.span);

@@ -211,6 +211,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         if driver.is_converted {
             self.builder.converted_rates();
         }
+        if let Some(rates) = driver.typed_rates {
+            self.builder.typed_rates(rates);
+        }
     }
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
@@ -320,6 +323,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         redundant::check(self.reader, self.draft);
         self.builder.misfit(self.draft.redundant.misfit);
         self.builder.decimals();
+        if self.reader.has_rounded {
+            self.builder.rounded();
+        }
     }
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.

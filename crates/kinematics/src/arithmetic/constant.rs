@@ -59,6 +59,8 @@ fn is_exact(value: f64) -> bool {
 impl Constant {
     /// A degree in radians.
     pub(crate) const RADIAN: Constant = Constant::new(Double::RADIAN, 0.0);
+    /// A radian in degrees.
+    pub(crate) const DEGREES: Constant = Constant::new(Double::DEGREES, 0.0);
 
     /// A number that was given, in a scene or by a program.
     #[must_use]
@@ -209,6 +211,23 @@ impl Constant {
     /// A number that nobody gave, to twice the digits.
     pub(crate) fn known(value: Double) -> Constant {
         Constant::new(value, TWICE * value.hi.abs())
+    }
+
+    /// A number that is known to twice the digits, but for a few roundings, and is stored as a double next to it.
+    pub(crate) fn stored(hi: f64, value: Double) -> Constant {
+        Constant::new(value, 4.0 * LOST * value.hi.abs()).beside(hi)
+    }
+
+    /// The same number, seen from a double next to it.
+    #[must_use]
+    pub(crate) fn beside(self, hi: f64) -> Constant {
+        let rest = self.value() - Double::exactly(hi);
+        Constant {
+            hi,
+            lo: rest.hi,
+            radius: self.radius + rest.lo.abs(),
+            ..self
+        }
     }
 
     /// The stored value.

@@ -476,7 +476,10 @@ fn driver_rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
         Input::Push(_) => frame.scale,
     };
     let given = [driver.speed, driver.acceleration];
-    rates(given, unit, mechanism.has_converted_rates())
+    match mechanism.typed_rates() {
+        Some(typed) => [0, 1].map(|i| Constant::stored(given[i], typed[i]).scaled(1.0 / unit)),
+        None => rates(given, unit, mechanism.has_converted_rates()),
+    }
 }
 
 /// A speed and an acceleration in units of a size; `are_converted` tells that they were given in others.

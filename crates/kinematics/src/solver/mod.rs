@@ -376,6 +376,8 @@ impl Solver {
             );
         if !is_solved {
             self.solve_closely(at, order, work);
+        } else if work.state.is_thin() {
+            self.refine(at, order, work);
         }
         if self.follows_forces(work) {
             self.find_forces(order, work);

@@ -4,7 +4,7 @@
 //! residuals say, to the first order. The rest is only known to be small: what no residual tells, such
 //! as what a typed coordinate of the driver is off by, and what is of the second order.
 
-use super::driver::asked_radius;
+use super::driver::AskedCoordinate;
 use super::influence::Influences;
 use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
@@ -57,6 +57,8 @@ pub(in crate::solver) struct Errors {
     feeds_sharp: bool,
     /// All steps in the numbers that are meant, for what is near to an end.
     pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
+    /// Whether numbers stand for the decimals that they were typed as.
+    pub(super) is_decimal: bool,
     /// How far the driver's coordinate can be from what was meant where it was not typed but follows from a time, in
     /// its own unit.
     pub(in crate::solver) driven: f64,
@@ -178,14 +180,20 @@ impl Errors {
             has_close_steps: program.steps.iter().any(|step| !step.has_residuals()),
             feeds_sharp: false,
             edge: None,
+            is_decimal: false,
             driven: 0.0,
         }
     }
 
-    /// How far the driver's coordinate can be from what was meant.
+    /// Where the driver's coordinate lies that was meant; close to an end of the motion its double may be meant as well.
     #[inline(always)]
-    pub(super) fn asked<const FUSED: bool>(&self, at: f64) -> f64 {
-        asked_radius::<FUSED>(at).max(self.driven)
+    pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> AskedCoordinate {
+        let asked = AskedCoordinate::of::<FUSED>(at);
+        if self.is_decimal && is_clear && self.driven == 0.0 {
+            asked
+        } else {
+            AskedCoordinate::within(asked.most().max(self.driven))
+        }
     }
 
     /// Before a state, and whether its forces are asked for.

@@ -12,8 +12,9 @@
 //! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
 //! and so are the forces, which are one pass backwards.
 //!
-//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
-//! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's
+//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and stored to half an
+//! ulp. What its double leaves out is known with its sign: residuals are found from the numbers that are meant. They are
+//! for the assembly that the figure is near to. They trust the platform's
 //! square root to be rounded correctly and its arctangent to an ulp.
 
 mod aim;
@@ -46,6 +47,7 @@ use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
 use driver::CrankDirection;
+pub(super) use driver::AskedCoordinate;
 use off::LinkOff;
 use places::Bodies;
 
@@ -66,6 +68,7 @@ impl Solver {
         enclosure.scratch.work = vec![0.0; work];
         enclosure.errors = Errors::new(&self.engine, engine, self.room_of(engine));
         enclosure.errors.edge = self.close_state().map(Box::new);
+        enclosure.errors.is_decimal = self.mechanism.has_decimals();
         enclosure
     }
 
@@ -80,11 +83,11 @@ impl Solver {
         let order = order.min(state.order);
         let engine = self.meant_engine();
         let is_clear = self.motion.is_clear(state.at);
-        let proved = is_clear && engine.enclose_to(false, order, state, enclosure);
+        let proved = is_clear && engine.enclose_to((false, is_clear), order, state, enclosure);
         if !proved {
             let is_edge = self.look_at_edge(order, state, enclosure);
             if is_edge || !is_clear {
-                engine.enclose_to(is_edge, order, state, enclosure);
+                engine.enclose_to((is_edge, is_clear), order, state, enclosure);
             }
         }
         self.enclose_forces(order, state, enclosure);
@@ -93,8 +96,17 @@ impl Solver {
     /// The steps with their numbers as they are known best: typed decimals to twice the digits, so that what their
     /// doubles are off by is known with its sign.
     fn meant_engine(&self) -> &Engine {
-        let exact = self.exact.as_ref().filter(|_| self.mechanism.has_decimals());
+        let exact = self.exact.as_ref().filter(|_| self.mechanism.is_typed());
         exact.map_or(&self.engine, |exact| &exact.engine)
+    }
+
+    /// The coordinate that is meant: close to an end of the motion the double itself.
+    pub(super) fn meant_coordinate(&self, at: f64) -> Double {
+        if self.mechanism.has_decimals() && self.motion.is_clear(at) {
+            AskedCoordinate::of::<false>(at).close(at)
+        } else {
+            Double::exactly(at)
+        }
     }
 
     fn enclose_forces(&self, order: Order, state: &mut State, enclosure: &mut Workspace<Ball>) {
@@ -165,7 +177,7 @@ impl Dyad<'_> {
 /// The bounds of one state, to be found.
 struct Enclosing<'a> {
     engine: &'a Engine,
-    how: (bool, Order),
+    how: ((bool, bool), Order),
     state: &'a State,
     work: &'a mut Workspace<Ball>,
 }
@@ -187,19 +199,19 @@ impl Fusing for &mut Enclosing<'_> {
 }
 
 impl Engine {
-    /// Encloses a state, by what its steps have come to in twice the digits where that is the `edge`; whether
-    /// all of it was proved.
+    /// Encloses a state, by what its steps have come to in twice the digits where that is the edge, and which is
+    /// clear of an end or not; whether all of it was proved.
     fn enclose_to(
         &self,
-        is_edge: bool,
+        how: (bool, bool),
         order: Order,
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         work.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            let at = Ball::new(state.at, work.errors.asked::<false>(state.at));
-            work.state.begin(at, order);
+            let asked = work.errors.asked::<false>(state.at, false);
+            work.state.begin(Ball::new(state.at, asked.most()), order);
             return true;
         }
         // By the machine's vectors, and by fused multiplication and addition where it has that, to the same bits. Long
@@ -207,7 +219,7 @@ impl Engine {
         let is_long = work.errors.influences.is_long();
         let mut enclosing = Enclosing {
             engine: self,
-            how: (is_edge, order),
+            how: (how, order),
             state,
             work,
         };
@@ -222,14 +234,14 @@ impl Engine {
     fn enclose_here<S: Simd, const FUSED: bool>(
         &self,
         simd: S,
-        (is_edge, order): (bool, Order),
+        ((is_edge, is_clear), order): ((bool, bool), Order),
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let at = Ball::new(state.at, errors.asked::<FUSED>(state.at));
-        enclosure.begin(at, order);
+        let asked = errors.asked::<FUSED>(state.at, is_clear);
+        enclosure.begin(Ball::new(state.at, asked.most()), order);
         errors.begin(order == Order::Force);
         let order = match order {
             Order::Position => POSITION,
@@ -237,7 +249,7 @@ impl Engine {
             Order::Acceleration | Order::Force => ACCELERATION,
         };
         let heading = if self.turns {
-            CrankDirection::at::<FUSED>(at, errors.influences.matter::<FUSED>())
+            CrankDirection::at::<FUSED>(state.at, asked, errors.influences.matter::<FUSED>())
         } else {
             CrankDirection::NONE
         };
@@ -294,7 +306,7 @@ impl Engine {
                 // What has no residuals of its own.
                 _ => {
                     let scratch = &mut work.scratch;
-                    self.enclose_closely((step, order), state, enclosure, errors, scratch)
+                    self.enclose_closely((step, order, asked), state, enclosure, errors, scratch)
                 }
             };
             if !proved {
@@ -308,7 +320,7 @@ impl Engine {
     /// Runs a step in twice the digits; whether it could be.
     fn enclose_closely(
         &self,
-        (step, order): (&Step, u8),
+        (step, order, asked): (&Step, u8, AskedCoordinate),
         state: &State,
         enclosure: &mut State<Ball>,
         errors: &mut Errors,
@@ -317,8 +329,7 @@ impl Engine {
         let Some(mut sharp) = errors.sharp.take() else {
             return false;
         };
-        let at = enclosure.at;
-        let exact = Sharp::new(Double::exactly(at.mid), at.radius);
+        let exact = Sharp::new(asked.close(state.at), asked.radius);
         let (q, _) = self.coordinate(exact);
         if let Some(group) = step.choice() {
             sharp.state.signs[group] = Sharp::exactly(state.signs[group]);
