@@ -66,7 +66,7 @@ pub(crate) struct Reader<'t> {
     pub(crate) named: NamedNumbers,
     /// What formulas came to, by where they begin.
     pub(crate) worked: HashMap<usize, f64>,
-    /// Whether a number was rounded to a double that reads as a decimal of up to 15 digits.
+    /// Whether a number was rounded to a double that reads as a decimal of up to 14 digits.
     pub(crate) has_rounded: bool,
 }
 

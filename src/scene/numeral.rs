@@ -54,16 +54,19 @@ pub(super) fn number_length(text: &str) -> usize {
     end
 }
 
-/// Whether a number of more than 15 digits reads as a decimal of fewer, which it is not.
+/// Decimals of so many digits are what was meant; longer ones have been rounded by whoever typed them.
+const MOST_DIGITS: usize = 14;
+
+/// Whether a long number reads as a decimal of few digits, which it is not.
 pub(super) fn is_rounded(text: &str, number: f64) -> bool {
-    digits(text) > 15 && Decimal::of(number).is_short
+    digits(text) > MOST_DIGITS && !Decimal::of(number).is_long
 }
 
-/// The decimal of up to 15 digits that a text is, to twice the digits.
+/// The decimal of few digits that a text is, to twice the digits.
 pub(super) fn typed(text: &str) -> Option<Double> {
     let number: f64 = text.parse().ok()?;
     let decimal = Decimal::of(number);
-    (digits(text) <= 15 && decimal.is_short).then_some(decimal.value)
+    (digits(text) <= MOST_DIGITS).then_some(decimal.value)
 }
 
 /// The digits of a decimal number, without zeros at its ends.
@@ -79,11 +82,21 @@ mod tests {
 
     #[test]
     fn long_numbers_are_not_the_short_ones_that_they_read_as() {
-        for rounded in ["0.10000000000000001", "250.00000000000001", "1.0000000000000000001e5"] {
+        for rounded in [
+            "0.10000000000000001",
+            "250.00000000000001",
+            "1.0000000000000000001e5",
+        ] {
             assert!(is_rounded(rounded, rounded.parse().unwrap()), "{rounded}");
             assert_eq!(typed(rounded), None);
         }
-        for exact in ["0.1", "0.100000000000000000000", "39.3", "100000000000000000000", "141.4213562373095"] {
+        for exact in [
+            "0.1",
+            "0.100000000000000000000",
+            "39.3",
+            "100000000000000000000",
+            "141.4213562373095",
+        ] {
             assert!(!is_rounded(exact, exact.parse().unwrap()), "{exact}");
         }
         let tenth = typed("0.1").unwrap();

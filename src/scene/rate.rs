@@ -84,7 +84,9 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
     let rate = of(number, unit, kind);
     let is_finite = rate.value.is_finite();
     let typed = numeral::typed(&written).map(|typed| closely(typed, unit, kind));
-    is_finite.then_some(Rate { typed, ..rate }).ok_or(Misfit::NotFinite)
+    is_finite
+        .then_some(Rate { typed, ..rate })
+        .ok_or(Misfit::NotFinite)
 }
 
 /// A number in one of its units.

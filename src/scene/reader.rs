@@ -27,7 +27,8 @@ impl Reader<'_> {
     pub(crate) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
             Ok(number) => {
-                self.has_rounded |= is_rounded(&self.text()[value.span.clone()], number);
+                let written = self.text().get(value.span.clone()).unwrap_or("");
+                self.has_rounded |= is_rounded(written, number);
                 number
             }
             Err(Misplaced::Text(formula)) => {
@@ -35,7 +36,7 @@ impl Reader<'_> {
                 let number = worth.nearest();
                 let decimal = Decimal::of(number);
                 let apart = (decimal.value - worth.value.twice()).hi.abs();
-                self.has_rounded |= decimal.is_short && apart > TWICE_ROUNDED * number.abs();
+                self.has_rounded |= !decimal.is_long && apart > TWICE_ROUNDED * number.abs();
                 number
             }
             Err(found) => {

@@ -1,7 +1,7 @@
 //! Numbers with a bound on their error.
 
-use super::{TWICE, U};
 use super::double::{two_product, two_sum};
+use super::{TWICE, U};
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 

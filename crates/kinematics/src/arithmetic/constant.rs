@@ -128,7 +128,7 @@ impl Constant {
     }
 
     /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
-    /// twice the precision rounds it; a decimal of more than 15 digits is known to half an ulp.
+    /// twice the precision rounds it; a decimal of 15 digits or more was rounded by whoever typed it, to half an ulp.
     pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         place.map(|v| {
             if !is_decimal {
@@ -137,10 +137,14 @@ impl Constant {
             let Decimal {
                 value,
                 roundings,
-                is_short,
+                is_long,
                 ..
             } = Decimal::of(v);
-            let typed = if is_short { 0.0 } else { typed_radius(v) };
+            let typed = if is_long {
+                typed_radius(v) + value.lo.abs()
+            } else {
+                0.0
+            };
             Constant::new(value, typed + f64::from(roundings) * LOST * v.abs())
         })
     }

@@ -20,8 +20,6 @@ pub struct Decimal {
     pub(crate) is_long: bool,
     /// Whether a double holds it, or it has more than 15 digits and is the double that it reads as.
     pub is_double: bool,
-    /// Whether it has at most 15 digits.
-    pub(crate) is_short: bool,
 }
 
 impl Decimal {
@@ -32,9 +30,8 @@ impl Decimal {
             value: Double::exactly(value),
             roundings: 0,
             rounding: 0.0,
-            is_long: false,
+            is_long: value != 0.0,
             is_double: value == 0.0,
-            is_short: value == 0.0,
         };
         let size = value.abs();
         // Written so that NaN and infinities are themselves, and what has no 15 digits left.
@@ -61,7 +58,6 @@ impl Decimal {
             rounding: 0.5 * times_power(Double::ONE, unit).hi,
             is_long: !is_read_so || digits % 10.0 != 0.0,
             is_double: !is_read_so || decimal.lo == 0.0,
-            is_short: is_read_so,
         }
     }
 }

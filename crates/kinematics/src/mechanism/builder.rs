@@ -276,12 +276,13 @@ impl Builder {
 
     /// Says that lengths and coordinates were typed as decimals: one of up to 15 digits then stands for
     /// the decimal, not for the double next to it. It counts where lengths are compared, see
-    /// [`Motion::tolerance`](crate::solver::Motion::tolerance), and in the bounds of errors.
+    /// [`Motion::tolerance`](crate::solver::Motion::tolerance). Bounds of errors take one of up to 14 digits for the
+    /// decimal; whoever gives more has rounded it.
     pub fn decimals(&mut self) {
         self.decimals = true;
     }
 
-    /// Says that some number which reads as a decimal of up to 15 digits was rounded from another one: bounds of errors
+    /// Says that some number which reads as a decimal of up to 14 digits was rounded from another one: bounds of errors
     /// then cover half an ulp of every number.
     pub fn rounded(&mut self) {
         self.rounded = true;

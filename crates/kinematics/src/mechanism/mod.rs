@@ -335,7 +335,7 @@ impl Mechanism {
         self.parts.decimals
     }
 
-    /// Whether all its numbers of up to 15 digits are the decimals that they read as: none was rounded to one.
+    /// Whether all its numbers of up to 14 digits are the decimals that they read as: none was rounded to one.
     pub(crate) fn is_typed(&self) -> bool {
         self.parts.decimals && !self.parts.rounded
     }

@@ -46,8 +46,17 @@ impl AskedCoordinate {
         let whole = hi.round_ties_even();
         if whole.abs() < MOST_DIGITS && whole / unit == at {
             let rest = ((whole - hi) - lo) * (1.0 / unit);
-            let radius = rest.abs() * (4.0 * U);
-            AskedCoordinate { rest, radius }
+            let asked = AskedCoordinate {
+                rest,
+                radius: rest.abs() * (4.0 * U),
+            };
+            // Who gives 15 digits may have rounded them: the double counts as well.
+            let is_short = (whole * 0.1).round_ties_even() * 10.0 == whole;
+            if is_short {
+                asked
+            } else {
+                AskedCoordinate::within(asked.most())
+            }
         } else {
             AskedCoordinate::default()
         }

@@ -163,7 +163,8 @@ impl Errors {
         let program = &meant.program;
         let computed = &engine.program;
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
-        let way = |v: Vec2<Constant>, from: Vec2| (v.map(Constant::value) - from.exactly()).nearest();
+        let way =
+            |v: Vec2<Constant>, from: Vec2| (v.map(Constant::value) - from.exactly()).nearest();
         let points = program.points.iter().zip(&computed.points).map(|(&p, of)| {
             let shift = [way(p, of.nearest()), Vec2::ZERO, Vec2::ZERO];
             PointError::new(shift, [size(off(p)), 0.0, 0.0])

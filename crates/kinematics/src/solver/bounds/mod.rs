@@ -46,8 +46,8 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
-use driver::CrankDirection;
 pub(super) use driver::AskedCoordinate;
+use driver::CrankDirection;
 use off::LinkOff;
 use places::Bodies;
 
@@ -83,11 +83,12 @@ impl Solver {
         let order = order.min(state.order);
         let engine = self.meant_engine();
         let is_clear = self.motion.is_clear(state.at);
-        let proved = is_clear && engine.enclose_to((false, is_clear), order, state, enclosure);
+        let proved = is_clear && engine.enclose_to(Vicinity::Clear, order, state, enclosure);
         if !proved {
-            let is_edge = self.look_at_edge(order, state, enclosure);
-            if is_edge || !is_clear {
-                engine.enclose_to((is_edge, is_clear), order, state, enclosure);
+            if self.look_at_edge(order, state, enclosure) {
+                engine.enclose_to(Vicinity::Edge, order, state, enclosure);
+            } else if !is_clear {
+                engine.enclose_to(Vicinity::NearEnd, order, state, enclosure);
             }
         }
         self.enclose_forces(order, state, enclosure);
@@ -174,10 +175,21 @@ impl Dyad<'_> {
     }
 }
 
+/// Where a state is in its motion.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Vicinity {
+    /// No end of the range is near.
+    Clear,
+    /// One is, or may be.
+    NearEnd,
+    /// The steps have been run in twice the digits.
+    Edge,
+}
+
 /// The bounds of one state, to be found.
 struct Enclosing<'a> {
     engine: &'a Engine,
-    how: ((bool, bool), Order),
+    how: (Vicinity, Order),
     state: &'a State,
     work: &'a mut Workspace<Ball>,
 }
@@ -199,11 +211,11 @@ impl Fusing for &mut Enclosing<'_> {
 }
 
 impl Engine {
-    /// Encloses a state, by what its steps have come to in twice the digits where that is the edge, and which is
-    /// clear of an end or not; whether all of it was proved.
+    /// Encloses a state, by what its steps have come to in twice the digits at the edge;
+    /// whether all of it was proved.
     fn enclose_to(
         &self,
-        how: (bool, bool),
+        vicinity: Vicinity,
         order: Order,
         state: &State,
         work: &mut Workspace<Ball>,
@@ -219,7 +231,7 @@ impl Engine {
         let is_long = work.errors.influences.is_long();
         let mut enclosing = Enclosing {
             engine: self,
-            how: (how, order),
+            how: (vicinity, order),
             state,
             work,
         };
@@ -234,13 +246,13 @@ impl Engine {
     fn enclose_here<S: Simd, const FUSED: bool>(
         &self,
         simd: S,
-        ((is_edge, is_clear), order): ((bool, bool), Order),
+        (vicinity, order): (Vicinity, Order),
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let asked = errors.asked::<FUSED>(state.at, is_clear);
+        let asked = errors.asked::<FUSED>(state.at, vicinity == Vicinity::Clear);
         enclosure.begin(Ball::new(state.at, asked.most()), order);
         errors.begin(order == Order::Force);
         let order = match order {
@@ -255,7 +267,7 @@ impl Engine {
         };
         let mut all = true;
         for step in &self.program.steps {
-            if is_edge && !matches!(step, Step::SlideReadout(_)) {
+            if vicinity == Vicinity::Edge && !matches!(step, Step::SlideReadout(_)) {
                 step.outputs(&self.program.coupled, &mut |part| {
                     errors.take_edge(part, state, enclosure);
                 });
