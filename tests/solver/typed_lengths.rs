@@ -768,18 +768,16 @@ fn bounds_of_typed_lengths_are_near_at_ends_and_far_away() {
     }
 }
 
-/// Of numbers that are longer than a double, half an ulp is not known: nor of those that read as short ones.
+/// Of numbers that are longer than a double, half an ulp is not known.
 #[test]
 fn bounds_of_long_lengths_hold() {
     for (name, make) in MACHINES {
-        for (digits, tail) in [(15, "49371"), (4, "00000000000001")] {
-            let style = Style {
-                digits,
-                tail,
-                ..PLAIN
-            };
-            let name = format!("{name}, {digits} digits and {tail}");
-            measure(&name, make, style, (count(), false));
-        }
+        let style = Style {
+            digits: 15,
+            tail: "49371",
+            ..PLAIN
+        };
+        let name = format!("{name}, 20 digits");
+        measure(&name, make, style, (count(), false));
     }
 }
