@@ -13,7 +13,7 @@ pub(super) struct NameRanks {
 impl Mechanism {
     /// Ranks links by their names, and points by the first of their links and then by their names.
     #[must_use]
-    pub(crate) fn ranked(self, links: &[impl Ord], points: &[impl Ord]) -> Mechanism {
+    pub fn ranked(self, links: &[impl Ord], points: &[impl Ord]) -> Mechanism {
         let links = ranks(links.len(), |link| &links[link]);
         let all = self.points().iter();
         let firsts = all.map(|point| point.links.iter().map(|link| links[link.index()]).min());
@@ -25,7 +25,7 @@ impl Mechanism {
     }
 
     /// The place of a link in the order that does not depend on that of a file.
-    pub(crate) fn link_rank(&self, link: LinkId) -> usize {
+    pub fn link_rank(&self, link: LinkId) -> usize {
         let ranks = &self.parts.ranks.links;
         ranks.get(link.index()).copied().unwrap_or(link.index())
     }

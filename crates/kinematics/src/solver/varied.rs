@@ -298,7 +298,7 @@ impl Varied {
     /// Of what [`Varied::solve`] found last, how far each group is from the edge of assembly: of a dyad the square of
     /// the sine of its transmission angle. Not positive for the group that is open, if one is; that of a group behind
     /// it, and of a coupled group that is open, is 1.
-    pub(crate) fn measures(&mut self, at: f64) -> &[f64] {
+    pub fn measures(&mut self, at: f64) -> &[f64] {
         let is_closed = self.work.state.condition != Condition::NoAssembly;
         if is_closed && !self.engine.program.coupled.is_empty() {
             self.engine.measure_coupled(at, &mut self.work);
