@@ -47,8 +47,6 @@ pub(super) struct Passage {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Passages {
     list: Vec<Passage>,
-    /// Group and place in the list of every passage, in order.
-    by_group: Vec<(usize, usize)>,
     start: f64,
     /// 0 where coordinates are not reduced.
     period: f64,
@@ -61,12 +59,8 @@ impl Passages {
         }
         list.sort_by(|a, b| a.at.total_cmp(&b.at));
         let start = reduced(start, period);
-        let groups = list.iter().enumerate();
-        let mut by_group: Vec<_> = groups.map(|(i, passage)| (passage.group, i)).collect();
-        by_group.sort_unstable();
         Passages {
             list,
-            by_group,
             start,
             period,
         }
@@ -104,10 +98,8 @@ impl Passages {
     /// The passage of a group in whose zone a coordinate lies, and how far from it.
     pub(super) fn near(&self, engine: &Engine, at: f64, group: usize) -> Option<(&Passage, f64)> {
         let here = reduced(at, self.period);
-        let first = self.by_group.partition_point(|&(of, _)| of < group);
-        let ours = self.by_group[first..].iter();
-        let ours = ours.take_while(|&&(of, _)| of == group);
-        let away = ours.map(|&(_, i)| (&self.list[i], self.away(engine, &self.list[i], here)));
+        let ours = self.list.iter().filter(|p| p.group == group);
+        let away = ours.map(|p| (p, self.away(engine, p, here)));
         away.filter(|(p, dq)| dq.abs() < p.zone)
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }

@@ -27,15 +27,6 @@ const LED: f64 = 1e-4;
 const LEAST_MISS: f64 = 1e-9;
 /// An extreme of a dyad's stretch belongs to a limit if it is this close to it.
 const EXTREME: f64 = 1e-3;
-
-/// How a step is stretched at a coordinate.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch {
-    /// Of a dyad the rate; it may be open itself.
-    pub(super) rate: Option<f64>,
-    pub(super) is_placed: bool,
-}
-
 /// Where two solutions of a coupled group cross.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
@@ -56,43 +47,20 @@ impl Walker<'_> {
     /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
-        let ends = [-EXTREME, EXTREME].map(|by| self.engine.moved(limit, by));
-        let stretches = ends.map(|at| self.stretches(at));
-        let mut is_stretched = false;
-        let mut tried = vec![false; self.state.measures.len()];
+        let stretched = self.stretched(limit);
+        if stretched.is_empty() {
+            return self.cross(limit);
+        }
         // Those of the plan's first group are sure: what later ones do depends on the side it is on.
-        for step in 0..self.engine.program.steps.len() {
-            let [a, b] = [0, 1].map(|k| Some((ends[k], stretches[k].get(step)?.rate?)));
-            let group = self.engine.program.steps[step].choice();
-            if group.is_none_or(|group| tried[group]) {
-                continue;
+        stretched.into_iter().find_map(|(step, at)| {
+            let at = self.exactly(step, at)?;
+            let junction = self.junction(at, None)?;
+            if junction.is_miss() {
+                self.step_over(&junction)
+            } else {
+                self.pass_through(&junction)
             }
-            let Some(at) = a.zip(b).and_then(|(a, b)| self.extreme(step, a, b)) else {
-                continue;
-            };
-            is_stretched = true;
-            if let Some(beyond) = self.pass_stretched(step, at) {
-                return Some(beyond);
-            }
-            // All that are stretched at one place pass it together.
-            self.mark_stretched(at, &mut tried);
-        }
-        if is_stretched {
-            None
-        } else {
-            self.cross(limit)
-        }
-    }
-
-    /// Goes on beyond the place at which a dyad is stretched.
-    fn pass_stretched(&mut self, step: usize, at: f64) -> Option<f64> {
-        let at = self.exactly(step, at)?;
-        let junction = self.junction(at, None)?;
-        if junction.is_miss() {
-            self.step_over(&junction)
-        } else {
-            self.pass_through(&junction)
-        }
+        })
     }
 
     /// Goes on past a near miss: on the side on which the motion came.
@@ -191,31 +159,26 @@ impl Walker<'_> {
         }
     }
 
-    /// How all steps are stretched at a coordinate, as far as a state exists: in one run.
-    pub(super) fn stretches(&mut self, at: f64) -> Vec<Stretch> {
-        self.aim_at(at);
-        let engine = self.engine;
-        let mut stretches = Vec::with_capacity(engine.program.steps.len());
-        for (i, step) in engine.program.steps.iter().enumerate() {
-            let rate = step.dyad().and_then(|dyad| {
-                engine.place_dyad(step, at, &mut self.state.state);
-                dyad.stretch_rate(&self.state.state)
-            });
-            let placed = engine.run_steps(i..i + 1, at, Order::Velocity, &mut self.state);
-            let is_placed = placed != Condition::NoAssembly;
-            stretches.push(Stretch { rate, is_placed });
-            if !is_placed {
-                break;
-            }
-        }
-        stretches
+    /// The dyads that are stretched to an extreme of their reach close to a limit, and where.
+    fn stretched(&mut self, limit: f64) -> Vec<(usize, f64)> {
+        let steps = 0..self.engine.program.steps.len();
+        steps
+            .filter_map(|step| Some((step, self.extreme(step, limit)?)))
+            .collect()
     }
 
-    /// Where a dyad's stretch is extreme between two coordinates with its rates there, if its arms are in line.
-    fn extreme(&mut self, step: usize, a: (f64, f64), b: (f64, f64)) -> Option<f64> {
+    /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
+    fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
+        let (a, b) = (
+            self.engine.moved(limit, -EXTREME),
+            self.engine.moved(limit, EXTREME),
+        );
+        let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
         let finest = self.engine.finest();
-        let at = root(a, b, finest, |at| self.stretch_rate(step, at));
+        let at = root((a, rates.0), (b, rates.1), finest, |at| {
+            self.stretch_rate(step, at)
+        });
         let at = at.ok()?;
         self.stretch_rate(step, at)?;
         self.is_stretched(step, group, at).then_some(at)

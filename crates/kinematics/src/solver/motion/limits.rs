@@ -1,6 +1,5 @@
 //! Limits between the samples of a walk: the zeros of a group's measure.
 
-use super::change::Stretch;
 use super::walk::{SAMPLES, Walker};
 use super::{NearMiss, ONE_MISS};
 use crate::numeric::root;
@@ -17,9 +16,6 @@ const TOUCH: f64 = 1e-14;
 /// in 100, is as much as workshops leave open; without it the motion would end there, or could change
 /// its assembly.
 const NEAR: f64 = 1e-3;
-/// Dyads whose stretch is extreme within this on both sides of a place are stretched there, in radians or scaled
-/// lengths.
-const SAME_PLACE: f64 = 1e-12;
 /// Sections that narrow a minimum down to the square root of the rounding.
 const GOLDEN_SECTIONS: usize = 44;
 
@@ -41,17 +37,10 @@ impl Walker<'_> {
         }
         let saved = self.state.clone();
         let told = self.misses.len();
-        let mut limits: Vec<f64> = Vec::new();
-        let mut has_limit = vec![false; self.state.measures.len()];
-        for group in dips {
-            if has_limit[group] {
-                continue;
-            }
-            if let Some(limit) = self.limit_of(group, [a, m, b]) {
-                limits.push(limit);
-                self.mark_stretched(limit, &mut has_limit);
-            }
-        }
+        let limits: Vec<f64> = dips
+            .into_iter()
+            .filter_map(|group| self.limit_of(group, [a, m, b]))
+            .collect();
         self.state = saved;
         let first = limits
             .into_iter()
@@ -66,21 +55,6 @@ impl Walker<'_> {
             });
         }
         first
-    }
-
-    /// Marks the groups that are stretched to an extreme at the same place: they have no limit before it.
-    pub(super) fn mark_stretched(&mut self, at: f64, groups: &mut [bool]) {
-        let [before, here, beyond] =
-            [-SAME_PLACE, 0.0, SAME_PLACE].map(|by| self.stretches(self.engine.moved(at, by)));
-        let program = &self.engine.program;
-        for (i, step) in program.steps.iter().enumerate() {
-            let rate = |stretches: &[Stretch]| stretches.get(i)?.rate;
-            let turns = matches!((rate(&before), rate(&beyond)), (Some(a), Some(b)) if a * b < 0.0);
-            let is_placed = here.get(i).is_some_and(|here| here.is_placed);
-            if let Some(group) = step.choice().filter(|_| turns && is_placed) {
-                groups[group] = true;
-            }
-        }
     }
 
     /// The zero of one group's measure that a minimum between three samples touches or crosses.

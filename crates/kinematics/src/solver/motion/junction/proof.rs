@@ -31,21 +31,13 @@ impl Walker<'_> {
             )?;
             // A series tells nothing of what lies behind a knot.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
-            (passage.zone > 0.0).then_some(passage)
-        });
-        let passages = passages.collect::<Option<Vec<Passage>>>()?;
-        // What is proved at a distance is proved of all groups before: once for all of one zone.
-        let mut zones: Vec<(f64, usize)> = Vec::new();
-        for (passage, fold) in passages.iter().zip(&junction.folds) {
-            let steps = fold.step + 1;
-            match zones.iter_mut().find(|(zone, _)| *zone == passage.zone) {
-                Some((_, most)) => *most = steps,
-                None => zones.push((passage.zone, steps)),
+            if passage.zone == 0.0 {
+                return None;
             }
-        }
-        let mut zones = zones.into_iter();
-        let is_proved = zones.all(|(zone, steps)| self.proves(junction, zone, steps));
-        is_proved.then_some(passages)
+            let is_proved = self.proves(junction, passage.zone, fold.step + 1);
+            is_proved.then_some(passage)
+        });
+        passages.collect()
     }
 
     /// Whether the series tells where the first steps are at a distance on both sides, and no other
@@ -74,8 +66,7 @@ impl Walker<'_> {
         let (q, direction) = self.coordinate_of(at, 1);
         let mut here = engine.state::<Series>(self.state.travels.len());
         for i in 0..steps {
-            let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
-            let fold = fold.ok().map(|k| &junction.folds[k]);
+            let fold = junction.folds.iter().find(|f| f.step == i);
             let (Some(fold), Some(dyad)) = (fold, engine.program.steps[i].dyad()) else {
                 if self.lay(i..i + 1, at.hi, q, direction, &mut here).is_none() {
                     return false;
