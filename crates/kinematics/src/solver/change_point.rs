@@ -53,7 +53,9 @@ pub(super) struct Passages {
 }
 
 impl Passages {
-    pub(super) fn new(mut list: Vec<Passage>, start: f64, period: f64) -> Passages {
+    /// Reduces all to one period, if there is one.
+    pub(super) fn of_motion(self, start: f64, period: f64) -> Passages {
+        let Passages { mut list, .. } = self;
         for passage in &mut list {
             passage.at = reduced(passage.at, period);
         }
@@ -64,6 +66,37 @@ impl Passages {
             start,
             period,
         }
+    }
+
+    /// Adds those that are not yet known.
+    pub(super) fn add(&mut self, passages: Vec<Passage>) {
+        let known = self.list.len();
+        for passage in passages {
+            let is_same = |old: &Passage| old.group == passage.group && old.at == passage.at;
+            if !self.list[..known].iter().any(is_same) {
+                self.list.push(passage);
+            }
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Forgets all but the first few.
+    pub(super) fn truncate(&mut self, kept: usize) {
+        self.list.truncate(kept);
+    }
+
+    /// The passages from a number on.
+    pub(super) fn latest(&mut self, from: usize) -> &mut [Passage] {
+        self.list.get_mut(from..).unwrap_or_default()
+    }
+
+    /// Whether a group has a passage at a coordinate, within a distance in radians or scaled lengths.
+    pub(super) fn has(&self, engine: &Engine, (group, at): (usize, f64), within: f64) -> bool {
+        let mut ours = self.list.iter().filter(|p| p.group == group);
+        ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
     pub(super) fn is_empty(&self) -> bool {

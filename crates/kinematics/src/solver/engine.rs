@@ -244,10 +244,11 @@ impl Engine {
         })
     }
 
-    /// As [`Engine::run`] close to a change point: there a dyad is placed by its passage.
+    /// As [`Engine::run_steps`] close to a change point: there a dyad is placed by its passage.
     #[inline(never)]
     pub(super) fn run_near(
         &self,
+        steps: std::ops::Range<usize>,
         at: f64,
         order: Order,
         passages: &Passages,
@@ -255,7 +256,7 @@ impl Engine {
     ) -> Condition {
         work.state.begin(at, order);
         work.state.condition = Condition::Ok;
-        for i in 0..self.program.steps.len() {
+        for i in steps {
             let condition = self.run_steps(i..i + 1, at, order, work);
             let Workspace { state, scratch, .. } = &mut *work;
             let near = self

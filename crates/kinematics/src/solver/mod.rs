@@ -429,7 +429,8 @@ impl Solver {
         let passages = &self.motion.passages;
         passages.choose(&self.engine, at, &mut work.state.signs);
         if passages.is_near(&self.engine, at) {
-            self.engine.run_near(at, order, passages, work)
+            let steps = 0..self.engine.program.steps.len();
+            self.engine.run_near(steps, at, order, passages, work)
         } else {
             self.engine.run(at, order, work)
         }

@@ -229,7 +229,8 @@ pub(super) fn explore<'e>(
         peaks: state.measures.clone(),
         start,
         sense: 1.0,
-        passages: Vec::new(),
+        passages: Passages::default(),
+        ahead: None,
         samples: Vec::new(),
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
@@ -255,7 +256,7 @@ pub(super) fn explore<'e>(
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
-    let passages = Passages::new(walker.passages, start, period);
+    let passages = walker.passages.of_motion(start, period);
     let dead_points = dead_points(range, engine, start);
     Ok(Motion {
         near_misses: near_misses(walker.misses, range, engine),

@@ -1,10 +1,12 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
+use super::change::Extreme;
 use super::proved_ends::BoundedEnd;
 use super::{Folded, NearMiss, Stretched};
 use crate::Double;
-use crate::solver::change_point::Passage;
+use crate::solver::change_point::Passages;
+use crate::solver::elements::Stretching;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::fault::Fault;
@@ -39,6 +41,15 @@ pub(super) const SAMPLES: usize = 3;
 /// How near z must come to its start for the motion to have closed.
 const CLOSED: f64 = 1e-7;
 
+/// A state of the walk.
+pub(super) struct Sample {
+    /// The driver's coordinate.
+    pub(super) at: f64,
+    pub(super) measures: Vec<f64>,
+    /// How every dyad is being stretched, by its step.
+    pub(super) stretchings: Vec<(usize, Option<Stretching>)>,
+}
+
 /// How a walk ended.
 pub(super) enum WalkEnd {
     Closed(usize),
@@ -66,13 +77,15 @@ pub(super) struct Walker<'e> {
     pub(super) closely: Option<(&'e Exact, State<Double>)>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
-    /// The last few states, by coordinate and measures.
-    pub(super) seen: Vec<(f64, Vec<f64>)>,
+    /// The last few states.
+    pub(super) seen: Vec<Sample>,
     /// The largest value of every measure so far, at most 1: what is small is small against this.
     pub(super) peaks: Vec<f64>,
     pub(super) start: f64,
     pub(super) sense: f64,
-    pub(super) passages: Vec<Passage>,
+    pub(super) passages: Passages,
+    /// The extreme that was found last, at the limit that it is.
+    pub(super) ahead: Option<Extreme>,
     /// The coordinates that have been reached.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
@@ -108,6 +121,7 @@ impl Walker<'_> {
             (PUSH_REACH / PUSH_STEP) as usize
         };
         let first_z = self.state.scratch.numbers.clone();
+        let _ = self.run(start, Order::Acceleration);
         self.look_behind(step);
         let (mut from, mut closed, mut k) = (start, None, 1);
         while k <= most {
@@ -116,7 +130,10 @@ impl Walker<'_> {
             if let Err(stop) = stop {
                 let limit = match stop {
                     Stop::Limit(limit) => limit,
-                    Stop::Barrier { good, bad } => self.bisect(good, bad),
+                    Stop::Barrier { good, bad } => {
+                        let limit = self.bisect(good, bad);
+                        self.approach(limit).unwrap_or(limit)
+                    }
                 };
                 // What lies beyond a closed turn has been met at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
@@ -147,8 +164,14 @@ impl Walker<'_> {
     }
 
     /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.
-    fn run(&mut self, at: f64, order: Order) -> Condition {
-        let condition = self.engine.run(at, order, &mut self.state);
+    pub(super) fn run(&mut self, at: f64, order: Order) -> Condition {
+        let condition = if self.passages.is_near(self.engine, at) {
+            let steps = 0..self.engine.program.steps.len();
+            let (passages, state) = (&self.passages, &mut self.state);
+            self.engine.run_near(steps, at, order, passages, state)
+        } else {
+            self.engine.run(at, order, &mut self.state)
+        };
         match &mut self.closely {
             Some((exact, close)) if condition != Condition::Ok => {
                 let state = &mut self.state.state;
@@ -159,6 +182,16 @@ impl Walker<'_> {
                 found
             }
             _ => condition,
+        }
+    }
+
+    /// Runs the steps before one, with both derivatives.
+    pub(super) fn run_inputs(&mut self, step: usize, at: f64) -> Condition {
+        let (engine, order) = (self.engine, Order::Acceleration);
+        if self.passages.is_near(engine, at) {
+            engine.run_near(0..step, at, order, &self.passages, &mut self.state)
+        } else {
+            engine.run_steps(0..step, at, order, &mut self.state)
         }
     }
 
@@ -205,10 +238,25 @@ impl Walker<'_> {
             self.seen.rotate_left(1);
             self.seen.pop();
         }
-        self.seen.push((at, self.state.measures.clone()));
+        let sample = Sample {
+            at,
+            measures: self.state.measures.clone(),
+            stretchings: self.stretchings(at),
+        };
+        self.seen.push(sample);
         for (peak, measure) in self.peaks.iter_mut().zip(&self.state.measures) {
             *peak = peak.max(*measure).min(1.0);
         }
+    }
+
+    /// How every dyad is being stretched in the state.
+    fn stretchings(&self, at: f64) -> Vec<(usize, Option<Stretching>)> {
+        let (q, _) = self.engine.coordinate(at);
+        let steps = self.engine.program.steps.iter().enumerate();
+        let dyads = steps.filter_map(|(i, step)| Some((i, step.dyad()?)));
+        dyads
+            .map(|(i, dyad)| (i, dyad.stretching(q, &self.state)))
+            .collect()
     }
 
     /// Whether every group is where it was at the start.
@@ -341,6 +389,30 @@ impl Walker<'_> {
             }
         }
         good
+    }
+
+    /// Goes from the last sample towards a limit, half of the way at a time, for what lies close before it:
+    /// the first limit that is found. Where states depend on the path, narrowing down did that.
+    fn approach(&mut self, limit: f64) -> Option<f64> {
+        if self.has_path() {
+            return None;
+        }
+        let (at_end, walked) = (self.state.clone(), self.samples.len());
+        let mut from = self.seen.last()?.at;
+        let mut found = None;
+        while found.is_none() {
+            let next = from + 0.5 * (limit - from);
+            if next == from || next == limit || self.run(next, Order::Acceleration) != Condition::Ok
+            {
+                break;
+            }
+            self.note(next);
+            found = self.limit_passed();
+            from = next;
+        }
+        self.samples.truncate(walked);
+        self.state = at_end;
+        found
     }
 
     fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
