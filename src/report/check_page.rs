@@ -96,6 +96,10 @@ impl Check {
             );
         }
         facts.tell(
+            words().fact_change(),
+            self.lined_up.iter().map(|end| end.text(unit)),
+        );
+        facts.tell(
             words().fact_near_miss(),
             self.near_misses.iter().map(|m| m.text(unit)),
         );

@@ -67,7 +67,7 @@ pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{
     Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
-    NearMissFacts, TransmissionFacts, near_misses,
+    LinedUpFacts, NearMissFacts, TransmissionFacts, near_misses,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};

@@ -18,6 +18,7 @@ mod edge_rates;
 mod edges;
 mod equal_lengths;
 mod far_ends;
+mod led_change_points;
 mod led_through;
 mod lifts;
 mod limits;

@@ -169,6 +169,8 @@ catalogue! {
         equal_as_typed = "lengths count as equal where they are equal as typed";
         equal_within(tolerance: &str, unit: &str) =
             "lengths count as equal within {tolerance} {unit}: coordinates have been rounded";
+        ends_lined_up(at: &str, unit: &str, group: &str) =
+            "the links at {group} line up at {at} {unit}, where the range ends: it is not proved how the motion goes on";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
             "all but a change point or a dead point at {at} {unit}: the sine of the transmission angle at \
              {group} is {sine}; the motion keeps its assembly";

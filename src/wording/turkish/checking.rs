@@ -163,6 +163,9 @@ catalogue! {
         equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
         equal_within(tolerance: &str, unit: &str) =
             "farkı {tolerance} {unit} içinde kalan boylar eşit sayılır: koordinatlar yuvarlanmış";
+        ends_lined_up(at: &str, unit: &str, group: &str) =
+            "{group} uzuvları {at} {unit} konumunda bir doğru üzerine gelir ve aralık orada biter: hareketin nasıl \
+             sürdüğü kanıtlanamadı";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
             "neredeyse değişim ya da ölü konum: {at} {unit}, bağlama açısının sinüsü {sine}, {group}; \
              hareket montaj biçimini korur";

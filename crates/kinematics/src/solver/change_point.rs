@@ -11,7 +11,7 @@ use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::state::{LinkState, PointState, State};
 use crate::arithmetic::{Series, TERMS};
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, PointId, Vec2};
 
 /// The series takes the group's place no further than this from a change point, in radians or scaled
 /// lengths: from there on a dyad's own second derivatives are off by less than some 1e-11, its places
@@ -30,6 +30,8 @@ type Taylor = Vec<Vec2>;
 pub(super) struct Passage {
     /// The driver's coordinate, reduced to one period if there is one.
     pub at: f64,
+    /// What that has been rounded by.
+    rest: f64,
     /// The group.
     pub group: usize,
     /// Whether its sign changes there.
@@ -156,7 +158,7 @@ impl Passages {
         if shorter.abs() <= SAME * passage.at.abs() {
             return 0.0;
         }
-        engine.difference(0.0, shorter)
+        engine.difference(passage.rest, shorter)
     }
 }
 
@@ -189,7 +191,7 @@ impl Passage {
     /// Keeps the motion of what a group places, as it stands in a state of series about `at`; `None`
     /// where too little of it is known.
     pub(super) fn new(
-        at: f64,
+        at: Double,
         (group, turns): (usize, bool),
         (points, links): (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
@@ -216,7 +218,8 @@ impl Passage {
             .chain(links.iter().map(|l| &l.1));
         let zone = zone(all, known)?;
         Some(Passage {
-            at,
+            at: at.hi,
+            rest: at.lo,
             group,
             turns,
             is_led: false,

@@ -74,7 +74,7 @@ pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Resid
 pub use known::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
-pub use motion::{EndStop, Motion, NearMiss, Range};
+pub use motion::{EndStop, LinedUp, Motion, NearMiss, Range};
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub use state::Sliding;

@@ -2,7 +2,7 @@
 //! on beyond it with all that is singular there.
 
 use super::NearMiss;
-use super::junction::Junction;
+use super::junction::{Junction, Standing};
 use super::walk::Walker;
 use crate::Double;
 use crate::numeric::root;
@@ -15,7 +15,7 @@ use crate::solver::state::Condition;
 const GAP: f64 = 1e-28;
 /// A change point is passed in one step from this much before it to this much beyond, in radians or
 /// scaled lengths: far enough for the dyad to have digits on both sides.
-pub(super) const PASSING: f64 = 1e-3;
+const PASSING: f64 = 1e-3;
 /// Where links turn too fast for that - an antiparallelogram that is almost a square turns its follower
 /// hundreds of times as fast as its crank, and several of them in a row many times more - closer by.
 const CLOSER: f64 = 0.1;
@@ -33,11 +33,9 @@ const LARGE: f64 = 1e-3;
 
 /// A place ahead at which a dyad is stretched to an extreme of its reach.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Extreme {
+pub(super) struct ReachExtreme {
     pub(super) step: usize,
     pub(super) at: Double,
-    /// The limit, as the walk counts it.
-    pub(super) limit: f64,
 }
 
 /// Where two solutions of a coupled group cross.
@@ -52,7 +50,7 @@ pub(super) struct Change {
 }
 
 /// Distances at which a place is passed, closer and closer.
-fn approaches() -> impl Iterator<Item = f64> {
+pub(super) fn approaches() -> impl Iterator<Item = f64> {
     (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k))
 }
 
@@ -60,9 +58,9 @@ impl Walker<'_> {
     /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
-        if let Some(extreme) = self.ahead.take().filter(|e| e.limit == limit) {
-            let junction = self.junction(extreme.at, None)?;
-            return self.pass_junction(&junction);
+        self.unproved.clear();
+        if let Some(extreme) = self.ahead.take().filter(|e| e.at.hi == limit) {
+            return self.pass_extreme(extreme.step, extreme.at);
         }
         let stretched = self.stretched(limit);
         if stretched.is_empty() {
@@ -71,9 +69,21 @@ impl Walker<'_> {
         // Those of the plan's first group are sure: what later ones do depends on the side it is on.
         stretched.into_iter().find_map(|(step, at)| {
             let at = self.exactly(step, at)?;
-            let junction = self.junction(at, None)?;
-            self.pass_junction(&junction)
+            self.pass_extreme(step, at)
         })
+    }
+
+    /// Goes on beyond a place at which a dyad's reach is extreme.
+    fn pass_extreme(&mut self, step: usize, at: Double) -> Option<f64> {
+        let junction = self.junction(at, None);
+        let beyond = junction.and_then(|junction| self.pass_junction(&junction));
+        if beyond.is_none()
+            && let Some(Standing::Singular { .. }) = self.standing_at(step, at)
+        {
+            let group = self.engine.group_of(step);
+            self.unproved.extend(group.map(GroupId::new));
+        }
+        beyond
     }
 
     fn pass_junction(&mut self, junction: &Junction) -> Option<f64> {
@@ -105,8 +115,16 @@ impl Walker<'_> {
             self.passages.truncate(known);
             return None;
         };
-        let groups: Vec<usize> = self.passages.latest(known).iter().map(|p| p.group).collect();
-        let led: Vec<bool> = groups.into_iter().map(|group| self.is_led(group, junction.at.hi)).collect();
+        let groups: Vec<usize> = self
+            .passages
+            .latest(known)
+            .iter()
+            .map(|p| p.group)
+            .collect();
+        let led: Vec<bool> = groups
+            .into_iter()
+            .map(|group| self.is_led(group, junction.at.hi))
+            .collect();
         for (passage, is_led) in self.passages.latest(known).iter_mut().zip(led) {
             passage.is_led = is_led;
         }
@@ -196,7 +214,7 @@ impl Walker<'_> {
         let mut flat = Vec::new();
         self.aim_at(limit);
         for (step, of) in engine.program.steps.iter().enumerate() {
-            let condition = engine.run_steps(step..step + 1, limit, Order::Position, &mut self.state);
+            let condition = self.run_some(step..step + 1, limit, Order::Position);
             let is_flat = |group: usize| self.state.measures[group].abs() < LARGE;
             flat.extend(of.choice().filter(|&group| is_flat(group)).map(|_| step));
             if condition == Condition::NoAssembly {
@@ -255,11 +273,13 @@ impl Walker<'_> {
     pub(super) fn stretching(&mut self, step: usize, at: f64) -> Option<Stretching> {
         self.aim_at(at);
         let engine = self.engine;
-        if self.run_inputs(step, at) == Condition::NoAssembly {
+        if self.run_some(0..step, at, Order::Acceleration) == Condition::NoAssembly {
             return None;
         }
         let (q, _) = engine.coordinate(at);
         engine.place_dyad(&engine.program.steps[step], at, &mut self.state.state);
-        engine.program.steps[step].dyad()?.stretching(q, &self.state)
+        engine.program.steps[step]
+            .dyad()?
+            .stretching(q, &self.state)
     }
 }

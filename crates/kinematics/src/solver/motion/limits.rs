@@ -1,8 +1,8 @@
 //! Limits between the samples of a walk: extremes of a dyad's reach, and the zeros of other groups' measures.
 
-use super::change::Extreme;
+use super::change::ReachExtreme;
 use super::junction::Standing;
-use super::walk::{SAMPLES, Sample, Walker};
+use super::walk::{SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
 use crate::Double;
 use crate::numeric::root;
@@ -13,8 +13,8 @@ use crate::solver::state::Condition;
 
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;
-/// A measure below this part of its largest, some u, touches zero, where nothing tells more.
-const TOUCH: f64 = 1e-14;
+/// A measure below this part of its largest, the square of a rounding, touches zero.
+const TOUCH: f64 = 1e-28;
 /// A dyad that comes closer than this to its limit is looked at in twice the digits: doubles tell its
 /// measure that well, unless what it stands on is itself as near to a limit.
 const UNSURE: f64 = 1e-6;
@@ -54,7 +54,7 @@ impl Walker<'_> {
         let limits = dips
             .into_iter()
             .filter_map(|(group, samples)| self.limit_of(group, samples));
-        let limits: Vec<f64> = limits.chain(first.map(|extreme| extreme.limit)).collect();
+        let limits: Vec<f64> = limits.chain(first).collect();
         self.state = saved;
         let first = limits
             .into_iter()
@@ -94,7 +94,8 @@ impl Walker<'_> {
     }
 
     /// The first extreme of a reach that is a limit; those that are close to one are noted.
-    fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<Extreme> {
+    fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
+        self.ahead = None;
         let mut found: Vec<(Stretch, f64)> = Vec::new();
         for stretch in stretches {
             let extremes = self.extremes(&stretch);
@@ -105,11 +106,9 @@ impl Walker<'_> {
             self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
         });
         found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
-        let first = found
+        found
             .into_iter()
-            .find_map(|(stretch, at)| self.limit_at(&stretch, at));
-        self.ahead = first;
-        first
+            .find_map(|(stretch, at)| self.limit_at(&stretch, at))
     }
 
     /// Where the reach of a dyad is extreme between two samples. Where what moves it turns back, so does its
@@ -148,34 +147,32 @@ impl Walker<'_> {
         is_still.then_some((back, there))
     }
 
-    /// The limit that an extreme of a dyad's reach is.
-    fn limit_at(&mut self, stretch: &Stretch, at: f64) -> Option<Extreme> {
+    /// The limit that an extreme of a dyad's reach is, or that comes just before it.
+    fn limit_at(&mut self, stretch: &Stretch, at: f64) -> Option<f64> {
         let &Stretch { step, group, .. } = stretch;
         let measure = self.measure(group, at);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
-        let plain = |limit: f64| Extreme {
-            step,
-            at: Double::exactly(limit),
-            limit,
-        };
         if measure.abs() < UNSURE {
             match self.exact_extreme(step, at) {
                 Some((at, Standing::Singular { .. })) => {
-                    let limit = at.hi;
-                    return Some(Extreme { step, at, limit });
+                    self.ahead = Some(ReachExtreme { step, at });
+                    return Some(at.hi);
                 }
-                Some((_, Standing::Regular)) => return None,
-                Some((at, Standing::Missing { sine })) => {
-                    self.note_miss(group, sine, at.hi);
+                Some((at, Standing::Regular)) => {
+                    self.note_miss(group, measure.max(0.0).sqrt(), at.hi);
                     return None;
                 }
-                None if !is_open && self.is_stretched(step, group, at) => return Some(plain(at)),
+                Some((at, Standing::Missing { sine })) => {
+                    let seen = if measure > 0.0 { measure.sqrt() } else { sine };
+                    self.note_miss(group, seen, at.hi);
+                    return None;
+                }
+                None if !is_open && self.is_stretched(step, group, at) => return Some(at),
                 None => {}
             }
         }
         if is_open {
-            let edge = self.edge(group, stretch.from.0, at);
-            return Some(plain(edge));
+            return Some(self.edge(group, stretch.from.0, at));
         }
         if measure < NEAR * self.peaks[group] {
             self.note_miss(group, measure.sqrt(), at);
@@ -208,7 +205,7 @@ impl Walker<'_> {
                 s.is_some() && self.engine.program.steps[step].choice() == Some(group)
             })
         };
-        let value = |sample: &Sample, group: usize| sample.measures[group];
+        let value = |sample: &WalkSample, group: usize| sample.measures[group];
         let dips = (0..first.measures.len()).filter(|&g| {
             let lowest = value(middle, g);
             let is_lowest = lowest < value(first, g) && lowest <= value(last, g);

@@ -94,6 +94,15 @@ pub struct NearMiss {
     pub at: f64,
 }
 
+/// An end of the range at which the two assemblies of a group meet, and a passage is not proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinedUp {
+    /// The group.
+    pub group: GroupId,
+    /// The driver's coordinate, in degrees or the scene's length unit.
+    pub at: f64,
+}
+
 /// The whole motion of a mechanism, found once.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -111,6 +120,8 @@ pub struct Motion {
     pub change_points: Vec<f64>,
     /// Where the motion comes close to a change point or a dead point, and passes by.
     pub near_misses: Vec<NearMiss>,
+    /// The ends of the range at which assemblies meet, and a passage is not proved.
+    pub lined_up: Vec<LinedUp>,
     /// By how much lengths may differ that count as equal, where a ground point has coordinates of 15
     /// digits or more: what these have been rounded by, in the scene's length unit. 0 where all are
     /// shorter: lengths are equal, then, or they are not.
@@ -231,6 +242,8 @@ pub(super) fn explore<'e>(
         sense: 1.0,
         passages: Passages::default(),
         ahead: None,
+        unproved: Vec::new(),
+        lined_up: Vec::new(),
         samples: Vec::new(),
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
@@ -260,6 +273,7 @@ pub(super) fn explore<'e>(
     let dead_points = dead_points(range, engine, start);
     Ok(Motion {
         near_misses: near_misses(walker.misses, range, engine),
+        lined_up: walker.lined_up,
         tolerance: exact.map_or(0.0, |exact| exact.rounding) * engine.frame.scale,
         samples: walker.samples,
         misfits: walker.misfits,

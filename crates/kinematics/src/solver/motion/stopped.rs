@@ -37,6 +37,7 @@ impl Motion {
         }
         self.stops = [down, up].into_iter().flatten().collect();
         self.dead_points.retain(|&at| at == low || at == high);
+        self.lined_up.retain(|end| end.at == low || end.at == high);
         // At a stop the mechanism is as solvable as before it.
         let [from, to] = self.clear;
         self.clear = [from.max(low.next_down()), to.min(high.next_up())];

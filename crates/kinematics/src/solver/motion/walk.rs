@@ -1,18 +1,20 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
-use super::change::Extreme;
+use super::change::ReachExtreme;
 use super::proved_ends::BoundedEnd;
-use super::{Folded, NearMiss, Stretched};
+use super::{Folded, LinedUp, NearMiss, Stretched};
 use crate::Double;
 use crate::solver::change_point::Passages;
 use crate::solver::elements::Stretching;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::fault::Fault;
+use crate::solver::plan::GroupId;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
+use std::ops::Range;
 
 /// No link turns more than this (as the length of the change of its unit vector) in one step.
 const TURN_STEP: f64 = 0.2;
@@ -42,7 +44,7 @@ pub(super) const SAMPLES: usize = 3;
 const CLOSED: f64 = 1e-7;
 
 /// A state of the walk.
-pub(super) struct Sample {
+pub(super) struct WalkSample {
     /// The driver's coordinate.
     pub(super) at: f64,
     pub(super) measures: Vec<f64>,
@@ -78,14 +80,18 @@ pub(super) struct Walker<'e> {
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
     /// The last few states.
-    pub(super) seen: Vec<Sample>,
+    pub(super) seen: Vec<WalkSample>,
     /// The largest value of every measure so far, at most 1: what is small is small against this.
     pub(super) peaks: Vec<f64>,
     pub(super) start: f64,
     pub(super) sense: f64,
     pub(super) passages: Passages,
     /// The extreme that was found last, at the limit that it is.
-    pub(super) ahead: Option<Extreme>,
+    pub(super) ahead: Option<ReachExtreme>,
+    /// The groups whose assemblies meet at the limit ahead, as far as that is known.
+    pub(super) unproved: Vec<GroupId>,
+    /// The ends at which groups are lined up.
+    pub(super) lined_up: Vec<LinedUp>,
     /// The coordinates that have been reached.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
@@ -121,7 +127,10 @@ impl Walker<'_> {
             (PUSH_REACH / PUSH_STEP) as usize
         };
         let first_z = self.state.scratch.numbers.clone();
-        let _ = self.run(start, Order::Acceleration);
+        let opened = self.state.clone();
+        if self.run(start, Order::Acceleration) != Condition::Ok {
+            self.state = opened;
+        }
         self.look_behind(step);
         let (mut from, mut closed, mut k) = (start, None, 1);
         while k <= most {
@@ -142,7 +151,11 @@ impl Walker<'_> {
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
-                    return Ok(WalkEnd::Limit(self.refined(limit, &last)));
+                    let limit = self.refined(limit, &last);
+                    let groups = std::mem::take(&mut self.unproved).into_iter();
+                    self.lined_up
+                        .extend(groups.map(|group| LinedUp { group, at: limit }));
+                    return Ok(WalkEnd::Limit(limit));
                 };
                 // The steps between have been taken on the wrong side.
                 (from, closed) = (beyond, None);
@@ -166,9 +179,7 @@ impl Walker<'_> {
     /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.
     pub(super) fn run(&mut self, at: f64, order: Order) -> Condition {
         let condition = if self.passages.is_near(self.engine, at) {
-            let steps = 0..self.engine.program.steps.len();
-            let (passages, state) = (&self.passages, &mut self.state);
-            self.engine.run_near(steps, at, order, passages, state)
+            self.run_some(0..self.engine.program.steps.len(), at, order)
         } else {
             self.engine.run(at, order, &mut self.state)
         };
@@ -185,13 +196,13 @@ impl Walker<'_> {
         }
     }
 
-    /// Runs the steps before one, with both derivatives.
-    pub(super) fn run_inputs(&mut self, step: usize, at: f64) -> Condition {
-        let (engine, order) = (self.engine, Order::Acceleration);
+    /// Runs some steps, in doubles.
+    pub(super) fn run_some(&mut self, steps: Range<usize>, at: f64, order: Order) -> Condition {
+        let engine = self.engine;
         if self.passages.is_near(engine, at) {
-            engine.run_near(0..step, at, order, &self.passages, &mut self.state)
+            engine.run_near(steps, at, order, &self.passages, &mut self.state)
         } else {
-            engine.run_steps(0..step, at, order, &mut self.state)
+            engine.run_steps(steps, at, order, &mut self.state)
         }
     }
 
@@ -238,7 +249,7 @@ impl Walker<'_> {
             self.seen.rotate_left(1);
             self.seen.pop();
         }
-        let sample = Sample {
+        let sample = WalkSample {
             at,
             measures: self.state.measures.clone(),
             stretchings: self.stretchings(at),

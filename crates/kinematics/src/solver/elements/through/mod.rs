@@ -89,13 +89,21 @@ pub(super) fn size(u: Vec2<Series>) -> Series {
     let falls = largest(middle) / largest(known.saturating_sub(2));
     // Within this radius the coefficients grow no further, but none is wider than the unit.
     let power = 1.0 / known.saturating_sub(2 + middle).max(1) as f64;
-    let radius = if 0.0 < falls && falls < 1.0 { falls.powf(power) } else { 1.0 };
+    let radius = if 0.0 < falls && falls < 1.0 {
+        falls.powf(power)
+    } else {
+        1.0
+    };
     let moved = |n: usize| norm(n) * radius.powi(n as i32);
     let moves = (1..known).map(moved).fold(0.0, f64::max);
     let mut size = Series::default();
     size.known = known;
     for n in 0..known {
-        let floor = if n == 0 { 0.0 } else { moves / radius.powi(n as i32) };
+        let floor = if n == 0 {
+            0.0
+        } else {
+            moves / radius.powi(n as i32)
+        };
         size.c[n] = Double::exactly(norm(n).max(floor));
     }
     size

@@ -26,12 +26,8 @@ impl Walker<'_> {
         let engine = self.engine;
         let passages = junction.folds.iter().map(|fold| {
             let of = (fold.group, fold.turns());
-            let mut passage = Passage::new(
-                junction.at.hi,
-                of,
-                engine.outputs(fold.step),
-                &junction.series,
-            )?;
+            let mut passage =
+                Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
             // A series tells nothing of what lies behind a knot.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
             if passage.zone == 0.0 {

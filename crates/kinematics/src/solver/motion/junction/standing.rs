@@ -11,6 +11,9 @@ use crate::{Double, Number, Vec2};
 const ROUGH: f64 = 1e-9;
 /// Where nothing was rounded but in twice the digits, it is this part.
 const FINE: f64 = 1e-18;
+/// What is left of a square by lengths that are rounded, by their rounding at the most: pivots are turned by
+/// short links.
+const WORN: f64 = 1e4;
 /// Change points of several groups that are this close to each other are one, in radians or scaled
 /// lengths: a mechanism drawn with lengths from one formula has them a few roundings apart,
 const TOGETHER: f64 = 1e-12;
@@ -43,10 +46,11 @@ impl Walker<'_> {
         let height = dyad.height(q, Snap::default(), state);
         let extremes = [FINE, ROUGH].map(|part| extreme(dyad, part, state));
         let apart = extremes.into_iter().flatten().map(|by| by.abs().hi);
-        let apart = apart.reduce(f64::min).ok_or(Refusal::Terms)?;
+        let apart = apart.reduce(f64::min);
         // At the extreme itself only what was given can have been rounded.
-        let part = if apart <= PLACED {
-            (slack * 1e4).clamp(FINE, ROUGH)
+        let is_extreme = apart.is_some_and(|apart| apart <= PLACED);
+        let part = if is_extreme {
+            (slack * WORN).clamp(FINE, ROUGH)
         } else {
             ROUGH
         };
@@ -57,6 +61,11 @@ impl Walker<'_> {
         } else {
             match height.square.valuation(&height.size, part) {
                 None => return Err(Refusal::Terms),
+                Some(0)
+                    if is_extreme && height.square.valuation(&height.size, ROUGH) != Some(0) =>
+                {
+                    return missing(dyad, q, &height, state);
+                }
                 Some(0) => return beside(&height),
                 Some(order) => {
                     let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
@@ -64,19 +73,13 @@ impl Walker<'_> {
                 }
             }
         };
+        let apart = apart.ok_or(Refusal::Terms)?;
         let is_here = apart <= TOGETHER || snap.by.norm().hi <= LEVER * slack;
         if !is_here {
             return beside(&height);
         }
         if across(dyad, snap, state) > slack {
-            let square = height.square.nearest();
-            let sine = (square / dyad.right_angle(q, state)).sqrt();
-            let exists = square > 0.0;
-            return if exists {
-                Ok(Standing::Missing { sine })
-            } else {
-                Err(Refusal::End)
-            };
+            return missing(dyad, q, &height, state);
         }
         let height = dyad.height(q, snap, state);
         let exact = height.square.valuation(&height.size, ZERO);
@@ -134,6 +137,22 @@ fn extreme(dyad: Dyad<'_>, part: f64, state: &State<Series>) -> Option<Double> {
     let moving = |n: &usize| reach.c[*n].hi.abs() > part * size.c[*n].hi;
     let order = (2..reach.known).find(moving)?;
     Some(-(reach.c[order - 1] / (reach.c[order] * Double::exactly(order as f64))))
+}
+
+/// A dyad whose reach is extreme here, and whose arms miss each other.
+fn missing(
+    dyad: Dyad<'_>,
+    q: Series,
+    height: &Height,
+    state: &State<Series>,
+) -> Result<Standing, Refusal> {
+    let square = height.square.nearest();
+    let sine = (square / dyad.right_angle(q, state)).sqrt();
+    if square > 0.0 {
+        Ok(Standing::Missing { sine })
+    } else {
+        Err(Refusal::End)
+    }
 }
 
 /// A dyad that is not singular here.
