@@ -734,7 +734,7 @@ const PLAIN: Style = Style {
 };
 
 /// How far bounds may be above the error in the median, by [`KINDS`].
-const MEDIANS: [f64; 6] = [1.5, 4.0, 2.0, 2.0, 2.0, 2.0];
+const MEDIANS: [f64; 6] = [1.5, 4.0, 3.0, 3.0, 3.0, 3.0];
 
 fn assert_near(name: &str, medians: [f64; 6]) {
     let is_near = medians.iter().zip(MEDIANS).all(|(m, most)| *m <= most);
