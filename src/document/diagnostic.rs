@@ -47,7 +47,7 @@ impl Diagnostic {
     }
 
     /// Makes it a warning: the file can be used all the same.
-    pub(crate) fn as_warning(mut self) -> Self {
+    pub(crate) fn into_warning(mut self) -> Self {
         self.is_warning = true;
         self
     }

@@ -290,7 +290,7 @@ impl Evaluator<'_> {
                 let value = found.value.size();
                 return Ok(MeasuredNumber { value, ..found });
             }
-            MathFunction::Min => return self.fold(given, |a, b| least(a, b)),
+            MathFunction::Min => return self.fold(given, least),
             MathFunction::Max => {
                 return self.fold(given, |a, b| least(a.negative(), b.negative()).negative());
             }

@@ -24,7 +24,7 @@ pub(crate) struct GrowingFile {
 enum RowTarget {
     /// Beside an older file, until the first rows lie on the disk.
     First {
-        output: Output,
+        output: Box<Output>,
         records: Option<PathBuf>,
         length: u64,
     },
@@ -62,7 +62,7 @@ impl GrowingFile {
         Ok(GrowingFile {
             name: name.to_owned(),
             rows: RowTarget::First {
-                output,
+                output: Box::new(output),
                 records,
                 length: length_of(head),
             },

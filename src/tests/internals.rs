@@ -23,7 +23,7 @@ fn solver(wanted: &str) -> Solver {
 #[test]
 fn lanes_give_the_same_bits_as_single_states() {
     for (name, solver) in solvers() {
-        println!("{name}");
+        eprintln!("{name}");
         let mut groups = solver.plan().groups.iter();
         let coupled = groups.any(|group| matches!(group.kind, GroupKind::Coupled { .. }));
         for order in [Order::Position, Order::Velocity, Order::Acceleration] {
@@ -41,7 +41,7 @@ fn lanes_give_the_same_bits_as_single_states() {
 fn bounds_without_vector_instructions_have_the_same_bits() {
     let compared: u32 = solvers()
         .map(|(name, solver)| {
-            println!("{name}");
+            eprintln!("{name}");
             compare_bounds_without_vectors(&solver)
         })
         .sum();
@@ -51,7 +51,7 @@ fn bounds_without_vector_instructions_have_the_same_bits() {
 #[test]
 fn bounds_of_a_disturbed_state_contain_the_truth() {
     for (name, solver) in solvers() {
-        println!("{name}");
+        eprintln!("{name}");
         check_bounds_of_a_disturbed_state(&solver);
     }
 }
@@ -60,7 +60,7 @@ fn bounds_of_a_disturbed_state_contain_the_truth() {
 fn shared_sums_find_the_same_extreme_transmission_angles() {
     let compared: u32 = solvers()
         .map(|(name, solver)| {
-            println!("{name}");
+            eprintln!("{name}");
             compare_extremes(&solver)
         })
         .sum();

@@ -461,7 +461,9 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
 fn fault_on_demand() {
     let fault = std::env::var_os("KRANK_FAULT").unwrap_or_default();
     assert!(fault != "panic", "KRANK_FAULT=panic asks for this");
-    while fault == "busy" {
-        std::hint::spin_loop();
+    if fault == "busy" {
+        loop {
+            std::hint::spin_loop();
+        }
     }
 }

@@ -226,7 +226,7 @@ fn compare_all(scenes: impl Iterator<Item = (String, String)>, what: &str) {
 /// All commands tell the same of a preset whose lines stand in another order.
 #[test]
 fn results_do_not_depend_on_the_order_of_lines() {
-    let scenes = presets::all().into_iter().map(|preset| {
+    let scenes = presets::all().iter().map(|preset| {
         // What is off belongs to the scene, so that tolerances are told of all.
         let text = format!("tolerance = 0.0002\nclearance = 0.0001\n{}", preset.text);
         (preset.name.to_owned(), text)

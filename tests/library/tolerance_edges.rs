@@ -354,10 +354,13 @@ impl Counts {
     }
 }
 
+/// Draws a machine near an edge, if the draw assembles.
+type Draw = fn(&mut Random) -> Option<NearEdge>;
+
 /// Of random machines near an edge of assembly, none goes further than the worst case.
 #[test]
 fn no_machine_near_an_edge_exceeds_the_worst_case() {
-    let kinds: [(fn(&mut Random) -> Option<NearEdge>, usize); 5] = [
+    let kinds: [(Draw, usize); 5] = [
         (four_bar, 16),
         (slider_crank, 12),
         (toggle, 6),
@@ -378,7 +381,7 @@ fn no_machine_near_an_edge_exceeds_the_worst_case() {
             }
         }
     }
-    println!("{} values, {} unbounded", counts.values, counts.unbounded);
+    eprintln!("{} values, {} unbounded", counts.values, counts.unbounded);
     let exceeded = &counts.exceeded;
     assert!(exceeded.is_empty(), "{} {exceeded:#?}", exceeded.len());
     assert!(

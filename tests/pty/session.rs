@@ -320,7 +320,7 @@ impl Session {
     }
 
     /// From now on a slow terminal takes whatever comes at once.
-    fn hurry(&self) {
+    pub(crate) fn hurry(&self) {
         self.switches.hurry.store(true, Ordering::SeqCst);
     }
 

@@ -171,7 +171,7 @@ impl AnswerFile {
             self.sheet = told();
         } else if is(STUDENT) {
             self.student = told();
-        } else if !is(HEADS[0]) && !(name.is_empty() && answer.is_empty()) {
+        } else if !(is(HEADS[0]) || name.is_empty() && answer.is_empty()) {
             self.answers.push(AnsweredRow {
                 line,
                 figure: name.to_owned(),

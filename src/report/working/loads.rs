@@ -186,7 +186,9 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     for (name, ((power, of_terms), part)) in names.into_iter().zip(shares) {
         let figure = f.beside(power, size * speed.abs());
         if figure == "0" {
-            draft.page.equation([name.to_owned(), format!("0 {UNIT}{unit}")]);
+            draft
+                .page
+                .equation([name.to_owned(), format!("0 {UNIT}{unit}")]);
             continue;
         }
         let share = Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);

@@ -151,7 +151,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 0 => edge.machine.clone(),
                 _ => self.lower(edge, &from, level),
             };
-            let Some(machine) = self.to_level(edge.group, [&inside, &from], level, &lower) else {
+            let Some(machine) = self.cross_level(edge.group, [&inside, &from], level, &lower)
+            else {
                 break;
             };
             let Some(value) = self.figure(&machine, figure) else {
@@ -199,7 +200,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 let trial = between(&machine, &aim, part);
                 let trial = match surface {
                     Some((edge, level)) => {
-                        self.to_level(edge.group, [&inside, &trial], level, &edge.machine)
+                        self.cross_level(edge.group, [&inside, &trial], level, &edge.machine)
                     }
                     None => Some(trial),
                 };
@@ -322,7 +323,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// The machine on a surface between two machines; where both lie above it, between the second and one below it.
-    fn to_level(
+    fn cross_level(
         &mut self,
         group: usize,
         [inside, outside]: [&[f64]; 2],

@@ -82,7 +82,7 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
             Diagnostic::new(words().unknown_action(&quoted(name)))
                 .at(place, words().unknown_action_here())
                 .help(near.unwrap_or_else(listed))
-                .as_warning(),
+                .into_warning(),
         );
         return None;
     };
@@ -137,7 +137,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
             fault(words().no_key_called(&quoted(text)), words().unknown_key())
                 .maybe_help(near)
                 .help(words().how_keys_are_called())
-                .as_warning(),
+                .into_warning(),
         );
         return None;
     };

@@ -40,7 +40,7 @@ impl Mechanism {
 /// The place of each of so many in the order of their keys.
 fn ranks<K: Ord>(count: usize, key: impl Fn(usize) -> K) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&a, &b| key(a).cmp(&key(b)));
+    order.sort_by_key(|&i| key(i));
     let mut ranks = vec![0; count];
     for (rank, &i) in order.iter().enumerate() {
         ranks[i] = rank;

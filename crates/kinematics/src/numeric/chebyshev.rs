@@ -30,6 +30,12 @@ pub struct Basis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChebyshevSum(pub [f64; TERMS]);
 
+impl Default for Basis {
+    fn default() -> Basis {
+        Basis::new()
+    }
+}
+
 impl Basis {
     pub fn new() -> Basis {
         let half = 2.0 * TERMS as f64;

@@ -153,8 +153,10 @@ impl Walker<'_> {
                 let Some(beyond) = self.pass(limit) else {
                     let limit = self.refined(limit, &last);
                     let groups = std::mem::take(&mut self.unproved).into_iter();
-                    self.lined_up
-                        .extend(groups.map(|group| LinedUp { group, at: limit }));
+                    self.lined_up.extend(groups.map(|group| LinedUp {
+                        group,
+                        at: limit.at,
+                    }));
                     return Ok(WalkEnd::Limit(limit));
                 };
                 // The steps between have been taken on the wrong side.

@@ -114,7 +114,7 @@ pub(super) fn reopened(
         let ordering = order::ordering(network, &set_aside);
         tried.push(set_aside);
         let Ok(ordering) = ordering else { continue };
-        match opened(&ordering, at, near, &verdict, &open) {
+        match opened(&ordering, at, near, &verdict, open) {
             Ok(solver) => return Ok(solver),
             Err(again) => fault = better(fault, again),
         }

@@ -96,8 +96,10 @@ pub(super) fn size(u: Vec2<Series>) -> Series {
     };
     let moved = |n: usize| norm(n) * radius.powi(n as i32);
     let moves = (1..known).map(moved).fold(0.0, f64::max);
-    let mut size = Series::default();
-    size.known = known;
+    let mut size = Series {
+        known,
+        ..Series::default()
+    };
     for n in 0..known {
         let floor = if n == 0 {
             0.0

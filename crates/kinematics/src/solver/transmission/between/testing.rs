@@ -16,12 +16,16 @@ pub fn compare_extremes(solver: &Solver) -> u32 {
             let sought = [Sought { joint, bracket }];
             let sums = solver.sums(&basis, &sought, &seen, &mut work).pop();
             let Some(sums) = sums.flatten() else { continue };
-            let told = solver.extreme(&bracket, |at| Some(sums.look(at))).unwrap();
+            let told = solver
+                .extreme(&bracket, |at| Some(sums.look(at)))
+                .expect("the bracket has one");
             let exact = |at: f64| {
                 let condition = solver.solve(at, Order::Velocity, &mut work);
                 seen[joint].joint.look(condition, &work)
             };
-            let found = solver.extreme(&bracket, exact).unwrap();
+            let found = solver
+                .extreme(&bracket, exact)
+                .expect("the bracket has one");
             let off = (told.sine * found.cosine - told.cosine * found.sine).abs();
             assert!(off < 1e-13, "{off:e}");
             let off = (told.at - found.at).abs();
