@@ -87,13 +87,13 @@ pub use workspace::Workspace;
 #[cfg(any(test, feature = "testing"))]
 #[doc(hidden)]
 pub mod testing {
-    pub use super::bounds::testing::{
+    pub use crate::solver::bounds::testing::{
         check_bounds_of_a_disturbed_state, compare_bounds_without_vectors,
     };
-    pub use super::conditioning::testing::check_conditioning;
-    pub use super::forces::testing::{check_equilibrium, falsified};
-    pub use super::lanes::testing::part_in_lanes;
-    pub use super::transmission::compare_extremes;
+    pub use crate::solver::conditioning::testing::check_conditioning;
+    pub use crate::solver::forces::testing::{check_equilibrium, falsified};
+    pub use crate::solver::lanes::testing::part_in_lanes;
+    pub use crate::solver::transmission::compare_extremes;
 }
 
 use crate::{ElementId, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
