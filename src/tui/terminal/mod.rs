@@ -7,6 +7,7 @@
 mod about;
 mod base64;
 pub(crate) mod clipboard;
+mod console;
 mod intake;
 mod keyboard;
 mod line;
@@ -14,16 +15,21 @@ mod painter;
 mod rate_limit;
 mod sgr;
 mod signals;
+#[cfg(test)]
+mod slow_line;
 pub(crate) mod still;
 mod tty;
 #[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
 mod watch;
 
 pub use about::Terminal;
+pub(crate) use console::Console;
 #[cfg(test)]
 pub(crate) use keyboard::{Keyboard, TerminalInput};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
+#[cfg(test)]
+pub(crate) use slow_line::SlowLine;
 pub(crate) use tty::{Tty, Wake};
 
 use crossterm::QueueableCommand as _;
