@@ -34,7 +34,6 @@ mod solve;
 mod source;
 mod study;
 mod study_chart;
-mod study_rows;
 mod sweep;
 mod synthesize;
 mod tolerance;
@@ -95,10 +94,7 @@ fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
     }
     match output::write_text(None, &screen.shown(&text)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            failure.tell(screen);
-            failure.code()
-        }
+        Err(failure) => failure.code(),
     }
 }
 

@@ -10,7 +10,6 @@ use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
-use std::cmp::Reverse;
 use std::collections::HashMap;
 
 /// The sections `[tolerances]` and `[clearances]` as they are written.
@@ -365,7 +364,7 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// How loose every pin is, in each link with play.
+    /// How loose every pin is: one that joins several links has a clearance for each but the first.
     fn clearances(&mut self) -> Vec<(LinkId, PointId, f64)> {
         let mut own: HashMap<PointId, &DraftClearance> = HashMap::new();
         for (name, size) in &self.draft.tolerances.pins {
@@ -444,25 +443,15 @@ fn placed(length: Length) -> Option<PointId> {
     }
 }
 
-/// The links with play at a pin. A pin that is fixed to the ground or moves in a slot has play in each of its links. Any
-/// other pin is fixed in one link: in a sliding link whose origin it is, since that point is where the slide is measured;
-/// otherwise in the one of the lowest rank.
+/// The links that are loose on a pin: all that it joins but the first, and all where it is fixed to the ground or
+/// moves in a slot.
 fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
-    let mut links = mechanism.point(point).links.clone();
-    links.sort_by_key(|&link| mechanism.link_rank(link));
-    let sliders = || mechanism.slides().iter().map(|slide| slide.slider);
+    let has = |id: &LinkId| mechanism.link(*id).member(point).is_some();
+    let links = mechanism.link_ids().filter(has);
     let in_slot = |slider: Slider| matches!(slider, Slider::Pin(pin) if pin == point);
-    if mechanism.point(point).ground.is_some() || sliders().any(in_slot) {
-        return links;
-    }
-    let is_origin = |of: LinkId| {
-        let is_its = |slider| matches!(slider, Slider::Link { link, origin, .. } if (link, origin) == (of, point));
-        sliders().any(is_its)
-    };
-    let rank = |&link: &LinkId| (Reverse(is_origin(link)), mechanism.link_rank(link));
-    let holder = links.iter().copied().min_by_key(rank);
-    links.retain(|&link| Some(link) != holder);
-    links
+    let is_held = mechanism.point(point).ground.is_some()
+        || mechanism.slides().iter().any(|slide| in_slot(slide.slider));
+    links.skip(usize::from(!is_held)).collect()
 }
 
 #[cfg(test)]

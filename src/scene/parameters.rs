@@ -2,8 +2,9 @@
 
 use super::figures::FormulaPlace;
 use super::reader::{Name, Reader, number_of};
+use crate::arithmetic::Decimal;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
-use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
+use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber};
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -73,10 +74,10 @@ pub(super) fn read<'v>(
 /// The parameters with what they are worth.
 pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
     let told = draft.into_iter().filter_map(|parameter| {
-        let worth = named.worth.get(parameter.name.text)?.as_ref()?;
+        let worth = (*named.worth.get(parameter.name.text)?)?;
         Some(Parameter {
             name: parameter.name.text.to_owned(),
-            number: worth.nearest(),
+            number: worth.value.hi + 0.0,
             formula: parameter.formula.map(str::to_owned),
             dimension: worth.dimension,
         })
@@ -94,13 +95,10 @@ fn number(
     value: &Lenient<f64>,
 ) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
-    let digits = reader.text().get(value.span.clone()).unwrap_or("");
-    // Whole numbers to another base are doubles.
-    let typed = Wide::decimal(&digits.replace('_', ""));
-    let typed = typed.filter(|typed| typed.nearest() == number);
-    Some(MeasuredNumber::plain(
-        typed.unwrap_or_else(|| Wide::exactly(number)),
-    ))
+    Some(MeasuredNumber {
+        value: Decimal::of(number).value,
+        dimension: None,
+    })
 }
 
 fn parsed<'v>(

@@ -19,5 +19,4 @@ mod invariance;
 mod mobility;
 mod passages;
 mod plant;
-mod planted;
 mod transmission;

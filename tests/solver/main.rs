@@ -21,5 +21,3 @@ mod reference;
 mod sensitivity;
 mod states;
 mod stops;
-mod thin;
-mod typed_lengths;

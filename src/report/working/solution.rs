@@ -8,7 +8,6 @@ use super::place::single;
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideShape, Turns};
 use super::stages::{ProblemForm, Stage};
-use crate::page::UNIT;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
@@ -108,7 +107,7 @@ impl<'a> Solution<'a> {
                 name.clone(),
                 format!("-({symbols})"),
                 format!("-({figures})"),
-                format!("{found} {UNIT}{}", f.unit),
+                format!("{found} {}", f.unit),
             ]);
             Expression::known(name, found, value)
         })
@@ -266,7 +265,7 @@ impl DyadArm<'_> {
 }
 
 fn length(figures: Figures, value: f64) -> String {
-    format!("{} {UNIT}{}", figures.number(value), figures.unit)
+    format!("{} {}", figures.number(value), figures.unit)
 }
 
 pub(super) fn degrees(figures: Figures, value: f64) -> String {

@@ -26,13 +26,8 @@ pub(super) struct Polished {
     pub(super) is_stationary: bool,
 }
 
-/// Goes on from a design to where no small step along the constraints betters it, if it comes there before `watch`
-/// answers false.
-pub(super) fn polished(
-    judge: &mut Judge,
-    design: JudgedDesign,
-    watch: &mut dyn FnMut() -> bool,
-) -> Polished {
+/// Goes on from a design to where no small step along the constraints betters it, if it comes there.
+pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
     let mut here = judge.onto(design, Some(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
@@ -44,12 +39,6 @@ pub(super) fn polished(
     };
     let mut is_stationary = false;
     for _ in 0..STEPS {
-        if !watch() {
-            return Polished {
-                design: here,
-                is_stationary: false,
-            };
-        }
         let hold = DesignHold::of(judge, &here, &slopes);
         is_stationary = here.worth.0 == 0.0 && hold.is_stationary(&here, &slopes);
         if is_stationary {
@@ -78,7 +67,7 @@ pub(super) fn polished(
         (here, slopes) = (better, after);
     }
     if !is_stationary && here.worth.0 == 0.0 {
-        return at_kink(judge, here, watch);
+        return at_kink(judge, here);
     }
     Polished {
         design: here,
@@ -87,15 +76,12 @@ pub(super) fn polished(
 }
 
 /// The same from a design at which slopes are not one: by those from all sides, nearer and nearer to it.
-fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() -> bool) -> Polished {
+fn at_kink(judge: &mut Judge, mut here: JudgedDesign) -> Polished {
     let mut is_stationary = false;
     for beside in BESIDE {
         for _ in 0..KINKS {
             let look = KinkLook::at(judge, &here, beside);
             is_stationary = matches!(look, KinkLook::Lowest);
-            if !watch() {
-                break;
-            }
             let KinkLook::Down(way) = look else {
                 break;
             };

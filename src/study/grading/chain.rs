@@ -230,12 +230,7 @@ impl SolutionChain {
         Some(())
     }
 
-    pub(super) fn value(
-        &self,
-        subject: Subject,
-        aspect: Aspect,
-        values: &[[f64; 3]],
-    ) -> Option<f64> {
+    fn value(&self, subject: Subject, aspect: Aspect, values: &[[f64; 3]]) -> Option<f64> {
         let order = match aspect.order() {
             Order::Position => 0,
             Order::Velocity => 1,

@@ -11,7 +11,6 @@ mod band;
 mod box_grid;
 mod contributions;
 mod corners;
-mod edge;
 mod machines;
 mod place;
 mod samples;

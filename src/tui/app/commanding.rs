@@ -29,11 +29,9 @@ impl App {
             Key::PageDown => palette.move_by(page),
             Key::Home => palette.move_by(isize::MIN),
             Key::End => palette.move_by(isize::MAX),
-            _ => match palette.line().change(key) {
-                Some(true) => palette.narrow(),
-                None if matches!(key, Key::Ctrl(_)) => return None,
-                Some(false) | None => {}
-            },
+            _ if palette.line().edit(key) => palette.narrow(),
+            Key::Ctrl(_) => return None,
+            _ => {}
         }
         self.shell.message = None;
         Some(Effect::Show)

@@ -41,11 +41,9 @@ impl App {
                 self.go_back(from);
             }
             Key::Enter => self.accept_search(),
-            _ => match search.name.change(key) {
-                Some(true) => self.find(),
-                None if matches!(key, Key::Ctrl(_)) => return None,
-                Some(false) | None => {}
-            },
+            _ if search.name.edit(key) => self.find(),
+            Key::Ctrl(_) => return None,
+            _ => {}
         }
         Some(Effect::Show)
     }

@@ -3,7 +3,6 @@
 mod candidates;
 mod monkey;
 mod mouse;
-mod slow_line;
 mod tolerances;
 
 use super::app::{App, View};

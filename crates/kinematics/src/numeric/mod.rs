@@ -25,5 +25,5 @@ mod turns;
 pub use chance::SeededChance;
 pub use lowest::{Unsettled, lowest};
 pub use polynomial::polynomial_roots;
-pub use root::{few_decimals, root, roots};
+pub use root::{NoRoot, few_decimals, root, roots};
 pub use turns::turns;

@@ -32,8 +32,7 @@ impl Solver {
             && {
                 self.choose_in_lanes(at, state);
                 self.engine.run_lanes(Lanes(at), order, state)
-            }
-            && !state.is_thin();
+            };
         if solved {
             state.condition = Condition::Ok;
         }

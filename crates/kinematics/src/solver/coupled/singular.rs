@@ -23,7 +23,6 @@
 
 use super::series::Null;
 use super::{Coupled, Room, Scratch};
-use crate::Number;
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 use std::ops::Range;
@@ -31,8 +30,8 @@ use std::ops::Range;
 /// What Newton's method for a fold carries from step to step besides z: the null vector, and the
 /// vector that normalises it.
 pub(in crate::solver) struct Fold {
-    pub(super) v: Vec<f64>,
-    pub(super) c: Vec<f64>,
+    v: Vec<f64>,
+    c: Vec<f64>,
 }
 
 /// What Newton's method for a crossing carries: the null vector v, the particular tangent p, and by
@@ -145,39 +144,25 @@ impl Coupled {
     ) -> Option<Correction> {
         let n = self.unknowns();
         let mut room = self.open(scratch);
-        let system = self.fold_system(&fold.v, &fold.c, q, state, &mut room);
-        let (size, change) = system.solved()?;
-        self.shift(room.z, &change[..n]);
-        add(&mut fold.v, &change[n + 1..]);
-        Some(Correction {
-            size,
-            dq: change[n],
-        })
-    }
-
-    /// The equations of a fold at the z of the room, and their derivatives by z, q and v.
-    pub(super) fn fold_system<T: Number>(
-        &self,
-        v: &[T],
-        c: &[T],
-        q: T,
-        state: &State<T>,
-        room: &mut Room<'_, T>,
-    ) -> System<T> {
-        let n = self.unknowns();
-        let local = Local::new(self, q, state, room);
-        let (z, by_q, by_v) = (0, n, n + 1);
+        let local = Local::new(self, q, state, &mut room);
+        let (z, by_q, v) = (0, n, n + 1);
         let mut system = System::new(2 * n + 1);
         system.right[..n].copy_from_slice(&local.misfit);
         system.block(0, z, &local.matrix, n);
         system.column(0, by_q, &local.by_q);
-        system.add_right(n, &local.times_matrix(v));
-        system.block(n, z, &local.bent(self, v, q, state, room), n);
-        system.column(n, by_q, &local.times_mixed(v));
-        system.block(n, by_v, &local.matrix, n);
-        system.row(2 * n, by_v, c);
-        system.right[2 * n] = dot(c, v) - T::exactly(1.0);
-        system
+        system.add_right(n, &local.times_matrix(&fold.v));
+        system.block(n, z, &local.bent(self, &fold.v, q, state, &mut room), n);
+        system.column(n, by_q, &local.times_mixed(&fold.v));
+        system.block(n, v, &local.matrix, n);
+        system.row(2 * n, v, &fold.c);
+        system.right[2 * n] = dot(&fold.c, &fold.v) - 1.0;
+        let (size, change) = system.solved()?;
+        self.shift(room.z, &change[z..z + n]);
+        add(&mut fold.v, &change[v..]);
+        Some(Correction {
+            size,
+            dq: change[by_q],
+        })
     }
 
     /// A start for [`Coupled::approach_crossing`], from a state close to one.
@@ -276,13 +261,7 @@ impl Coupled {
     }
 
     /// The second rates of the equations with z' = `first` and z'' = 0.
-    fn second_rates<T: Number>(
-        &self,
-        first: &[T],
-        q: T,
-        state: &State<T>,
-        room: &mut Room<'_, T>,
-    ) -> Vec<T> {
+    fn second_rates(&self, first: &[f64], q: f64, state: &State, room: &mut Room<'_>) -> Vec<f64> {
         room.first.copy_from_slice(first);
         self.rates(q, state, room, 2);
         room.right.to_vec()
@@ -290,43 +269,43 @@ impl Coupled {
 }
 
 /// The equations of a group at one place with their derivatives, matrices by rows.
-pub(super) struct Local<T = f64> {
+pub(super) struct Local {
     n: usize,
     /// F.
-    misfit: Vec<T>,
+    misfit: Vec<f64>,
     /// J, the derivative by z, and that by q.
-    matrix: Vec<T>,
-    by_q: Vec<T>,
+    matrix: Vec<f64>,
+    by_q: Vec<f64>,
     /// r = R(0), the second derivative by q.
-    still: Vec<T>,
+    still: Vec<f64>,
     /// L, the second derivative by z and q.
-    mixed: Vec<T>,
+    mixed: Vec<f64>,
     /// R(e) of the unit vectors, one after another.
-    units: Vec<Vec<T>>,
+    units: Vec<Vec<f64>>,
 }
 
-impl<T: Number> Local<T> {
-    pub(super) fn new(group: &Coupled, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Local<T> {
+impl Local {
+    pub(super) fn new(group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> Local {
         let n = group.unknowns();
         group.residuals(q, state, room);
         let misfit = room.right.to_vec();
-        room.first.fill(T::default());
-        room.second.fill(T::default());
+        room.first.fill(0.0);
+        room.second.fill(0.0);
         group.rates(q, state, room, 1);
         let by_q = room.right.to_vec();
         group.jacobian(q, state, room);
         let matrix = room.matrix.to_vec();
-        let mut unit = vec![T::default(); n];
+        let mut unit = vec![0.0; n];
         let still = group.second_rates(&unit, q, state, room);
-        let (mut units, mut mixed) = (Vec::new(), vec![T::default(); n * n]);
+        let (mut units, mut mixed) = (Vec::new(), vec![0.0; n * n]);
         for j in 0..n {
-            unit[j] = T::exactly(-1.0);
+            unit[j] = -1.0;
             let back = group.second_rates(&unit, q, state, room);
-            unit[j] = T::exactly(1.0);
+            unit[j] = 1.0;
             let forth = group.second_rates(&unit, q, state, room);
-            unit[j] = T::default();
+            unit[j] = 0.0;
             for i in 0..n {
-                mixed[i * n + j] = (forth[i] - back[i]).scaled(0.25);
+                mixed[i * n + j] = 0.25 * (forth[i] - back[i]);
             }
             units.push(forth);
         }
@@ -341,11 +320,11 @@ impl<T: Number> Local<T> {
         }
     }
 
-    fn times_matrix(&self, v: &[T]) -> Vec<T> {
+    fn times_matrix(&self, v: &[f64]) -> Vec<f64> {
         self.matrix.chunks(self.n).map(|row| dot(row, v)).collect()
     }
 
-    fn times_mixed(&self, v: &[T]) -> Vec<T> {
+    fn times_mixed(&self, v: &[f64]) -> Vec<f64> {
         self.mixed.chunks(self.n).map(|row| dot(row, v)).collect()
     }
 
@@ -353,22 +332,21 @@ impl<T: Number> Local<T> {
     fn bent(
         &self,
         group: &Coupled,
-        v: &[T],
-        q: T,
-        state: &State<T>,
-        room: &mut Room<'_, T>,
-    ) -> Vec<T> {
+        v: &[f64],
+        q: f64,
+        state: &State,
+        room: &mut Room<'_>,
+    ) -> Vec<f64> {
         let n = self.n;
         let alone = group.second_rates(v, q, state, room);
-        let mut bent = vec![T::default(); n * n];
+        let mut bent = vec![0.0; n * n];
         let mut sum = v.to_vec();
         for j in 0..n {
-            sum[j] += T::exactly(1.0);
+            sum[j] += 1.0;
             let both = group.second_rates(&sum, q, state, room);
             sum[j] = v[j];
             for i in 0..n {
-                let both = both[i] - alone[i] - self.units[j][i] + self.still[i];
-                bent[i * n + j] = both.scaled(0.5);
+                bent[i * n + j] = 0.5 * (both[i] - alone[i] - self.units[j][i] + self.still[i]);
             }
         }
         bent
@@ -376,42 +354,40 @@ impl<T: Number> Local<T> {
 }
 
 /// A linear system that is put together from blocks: all of them are added.
-pub(super) struct System<T = f64> {
+pub(super) struct System {
     pub(super) n: usize,
-    pub(super) matrix: Vec<T>,
-    pub(super) right: Vec<T>,
+    pub(super) matrix: Vec<f64>,
+    right: Vec<f64>,
 }
 
-impl<T: Number> System<T> {
-    fn new(n: usize) -> System<T> {
+impl System {
+    fn new(n: usize) -> System {
         System {
             n,
-            matrix: vec![T::default(); n * n],
-            right: vec![T::default(); n],
+            matrix: vec![0.0; n * n],
+            right: vec![0.0; n],
         }
     }
 
-    fn block(&mut self, row: usize, column: usize, block: &[T], width: usize) {
+    fn block(&mut self, row: usize, column: usize, block: &[f64], width: usize) {
         for (i, values) in block.chunks(width).enumerate() {
             let from = (row + i) * self.n + column;
             add(&mut self.matrix[from..from + width], values);
         }
     }
 
-    fn row(&mut self, row: usize, column: usize, values: &[T]) {
+    fn row(&mut self, row: usize, column: usize, values: &[f64]) {
         self.block(row, column, values, values.len());
     }
 
-    fn column(&mut self, row: usize, column: usize, values: &[T]) {
+    fn column(&mut self, row: usize, column: usize, values: &[f64]) {
         self.block(row, column, values, 1);
     }
 
-    fn add_right(&mut self, row: usize, values: &[T]) {
+    fn add_right(&mut self, row: usize, values: &[f64]) {
         add(&mut self.right[row..row + values.len()], values);
     }
-}
 
-impl System {
     /// The correction that takes `right` away, with its largest component.
     fn solved(mut self) -> Option<(f64, Vec<f64>)> {
         let mut pivots = vec![0; self.n];
@@ -423,8 +399,8 @@ impl System {
     }
 }
 
-fn add<T: Number>(to: &mut [T], values: &[T]) {
-    for (to, &value) in to.iter_mut().zip(values) {
+fn add(to: &mut [f64], values: &[f64]) {
+    for (to, value) in to.iter_mut().zip(values) {
         *to += value;
     }
 }

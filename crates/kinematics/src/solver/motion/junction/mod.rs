@@ -15,7 +15,7 @@ use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, Snap, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
-pub(super) use standing::Standing;
+use standing::Standing;
 
 /// Terms that are begun with, and how many more are tried where too few are left.
 pub(super) const FIRST: usize = 16;
