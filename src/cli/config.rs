@@ -1,9 +1,9 @@
 //! The configuration: found, read, and printed as it is built in.
 
-use super::failure::Failure;
+use super::failure::{Failure, say};
 use super::output::write_text;
 use super::screen::TextScreen;
-use crate::files::{from_home, read_file};
+use crate::files::{from_home, places, read_file};
 use crate::scene::LARGEST_FILE;
 use crate::tui::{self, Config};
 use crate::wording::{Language, words};
@@ -31,7 +31,7 @@ fn is_absent(error: &io::Error) -> bool {
 
 /// Where the configuration is, if anywhere.
 fn place(named: Option<&Path>) -> Option<PathBuf> {
-    let env = |name: &str| std::env::var_os(name).map(PathBuf::from);
+    let env = places::environment;
     // What a shell leaves of `--config=~/krank.toml`.
     let meant = |path: &Path| {
         path.to_str()
@@ -48,7 +48,14 @@ pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     };
     let shown = path.display().to_string();
     match read_file(&path, LARGEST_FILE) {
-        Ok(bytes) => Config::read(&bytes, &shown).map_err(Failure::Scene),
+        Ok(bytes) => {
+            let config = Config::read(&bytes, &shown).map_err(Failure::Scene)?;
+            if let Some(warnings) = &config.warnings {
+                let screen = TextScreen::detect();
+                say(&warnings.render(screen.ascii, screen.colour));
+            }
+            Ok(config)
+        }
         Err(e) if named.is_none() && is_absent(&e) => Ok(Config::default()),
         Err(e) => Err(Failure::Usage(
             words().cannot_read(&format!("`{shown}`"), &e),

@@ -8,6 +8,7 @@ use super::screen::judgement;
 use super::workbench::options;
 use crate::capability::{Colours, Detected, Judgement, PictureChoice};
 use crate::drawing::{Blocks, Glyphs};
+use crate::files::places;
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
 use crate::wording::{Language, words};
@@ -145,8 +146,8 @@ fn place(variable: &str, below_home: &str, file: &str) -> String {
     let set = env::var_os(variable).map(PathBuf::from);
     // The specification has relative paths ignored.
     let folder = set.filter(|path| path.is_absolute()).or_else(|| {
-        let home = env::var_os("HOME").filter(|home| !home.is_empty())?;
-        Some(PathBuf::from(home).join(below_home))
+        let home = places::environment("HOME").filter(|home| home.is_absolute())?;
+        Some(home.join(below_home))
     });
     let Some(folder) = folder else {
         return words().nowhere_to_be(variable);

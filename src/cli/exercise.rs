@@ -6,11 +6,11 @@ use super::output::write_text;
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use crate::files::read_any;
+use crate::files::read_ready;
 use crate::report::{CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
-use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles};
+use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles, SheetScene};
 use crate::wording::words;
 use crate::{Ball, report};
 use std::io::ErrorKind;
@@ -121,6 +121,15 @@ impl AskedState {
         Ok(AskedState { state, enclosure })
     }
 
+    /// The scene at this place, of which the given values can be misread.
+    pub(super) fn opened<'a>(&self, scene: &'a Scene, solver: &'a Solver) -> SheetScene<'a> {
+        SheetScene {
+            scene,
+            solver,
+            at: self.state().at(),
+        }
+    }
+
     pub(super) fn state(&self) -> &State {
         self.state.state()
     }
@@ -209,7 +218,7 @@ impl MadeExercise {
     ) -> Result<(), Failure> {
         for (ending, text) in self.files(format, dialect, screen)? {
             let path = folder.join(format!("{}{ending}", self.name));
-            let is_lost = match read_any(&path, LARGEST_REPORT) {
+            let is_lost = match read_ready(&path, LARGEST_REPORT) {
                 Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
                 Ok(bytes) => bytes != text.as_bytes(),
                 Err(error) => error.kind() != ErrorKind::NotFound,

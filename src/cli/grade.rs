@@ -7,7 +7,7 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
 use super::source::{SolvableScene, find, keep_apart, keep_file_apart, load};
-use crate::files::read_any;
+use crate::files::read_ready;
 use crate::page::TextStyle;
 use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
 use crate::scene::LARGEST_FILE;
@@ -130,9 +130,11 @@ impl Grader<'_> {
             );
         }
         let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
+        let opened = asked.opened(&scene.scene, &scene.solver);
+        let file = file.of_scene(&scene.scene);
         let key = asked.key(&scene.scene, &scene.solver, &file.names());
-        let graded = GradedAnswers::new(&key, &file, path, &name);
-        match graded.strangers.len() < file.answers.len() {
+        let graded = GradedAnswers::new(&key, &file, path, (&name, opened));
+        match graded.remarks.strangers.len() < file.answers.len() {
             true => Ok(graded),
             false => Err(Failure::Usage(words().names_no_figure(&shown, &name))),
         }
@@ -141,7 +143,7 @@ impl Grader<'_> {
 
 /// The answers in a file.
 fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
-    let bytes = read_any(path, LARGEST_FILE)
+    let bytes = read_ready(path, LARGEST_FILE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
     if bytes.len() > LARGEST_FILE {
         return Err(Failure::Usage(words().too_many_answers(shown)));

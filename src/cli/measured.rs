@@ -18,9 +18,10 @@ pub(super) fn measured(
     output: Option<&Path>,
     catalogue: &Catalogue,
     of: Option<&[Quantity]>,
+    screen: TextScreen,
 ) -> Result<Measured, Failure> {
     keep_file_apart(file, output)?;
-    let found = foreign(file)?.measured(catalogue, of);
+    let found = foreign(file, screen)?.measured(catalogue, of);
     let shown = file.display().to_string();
     found.ok_or_else(|| Failure::Usage(words().no_measurements(&shown)))
 }
@@ -40,7 +41,7 @@ pub(super) fn beside(
         true => None,
         false => Some(figures(&mut catalogue, &args.columns)?),
     };
-    let found = measured(file, output, &catalogue, of.as_deref())?;
+    let found = measured(file, output, &catalogue, of.as_deref(), screen)?;
     let is_told = matches!(format, RowFormat::Text { .. });
     if !(is_told || found.strangers().is_empty()) {
         note(&words().not_compared(&found.strangers().join(", ")), screen);

@@ -34,6 +34,7 @@ mod solve;
 mod source;
 mod study;
 mod study_chart;
+mod study_rows;
 mod sweep;
 mod synthesize;
 mod tolerance;
@@ -94,7 +95,10 @@ fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
     }
     match output::write_text(None, &screen.shown(&text)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.code(),
+        Err(failure) => {
+            failure.tell(screen);
+            failure.code()
+        }
     }
 }
 

@@ -51,7 +51,7 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
             return Err(Failure::Usage(words().measured_over_driver().into()));
         }
         let output = args.output.output.as_deref();
-        let found = measured(file, output, &catalogue, Some(&figures))?;
+        let found = measured(file, output, &catalogue, Some(&figures), screen)?;
         if let Some(left_out) = found.left_out() {
             note(&left_out, screen);
         }

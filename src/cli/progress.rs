@@ -11,10 +11,13 @@ use crate::wording::words;
 use rustix::process::getpgrp;
 use rustix::termios::{tcgetpgrp, tcgetwinsize};
 use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
+use signal_hook::flag;
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
+use std::fs;
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -44,6 +47,8 @@ pub(super) struct Progress {
     begin: Instant,
     /// When the line is looked at again.
     next: Duration,
+    /// The best result so far, as it is shown; empty where there is none.
+    best: String,
     /// Set by the first Ctrl-C, of a command that then tells what it has; others end.
     stop: Option<Arc<AtomicBool>>,
 }
@@ -68,17 +73,22 @@ impl Progress {
             line: seen.then(Arc::default),
             begin: Instant::now(),
             next: DELAY,
+            best: String::new(),
             stop: None,
         }
     }
 
-    /// The same for a command that tells what it has found when Ctrl-C is typed while its line stands there; a second one
-    /// ends it.
+    /// Makes the first Ctrl-C stop the search, so that the command can tell what it has found; a second one ends it.
     pub(super) fn stoppable(self) -> Progress {
         Progress {
-            stop: Some(Arc::default()),
+            stop: stop_flag().ok().flatten(),
             ..self
         }
+    }
+
+    /// Shows the best result so far behind what is done.
+    pub(super) fn show_best(&mut self, best: String) {
+        self.best = best;
     }
 
     /// Whether it is to come to its end now.
@@ -110,14 +120,18 @@ impl Progress {
             total: self.total,
             unit: self.unit,
             elapsed,
+            best: &self.best,
         };
         let text = counted.line(width(), self.screen.ascii);
         hold(line).show(self.screen.shown(&text));
     }
 
-    /// It is done, one way or the other: clears the line.
+    /// Clears the line: it is done, one way or the other. From now on Ctrl-C ends the program again.
     pub(super) fn end(self) {
         self.clear();
+        if let Some(stop) = &self.stop {
+            stop.store(true, Ordering::Relaxed);
+        }
     }
 
     /// Clears the line until there is more to tell.
@@ -148,27 +162,57 @@ fn hold(line: &Mutex<ProgressLine>) -> MutexGuard<'_, ProgressLine> {
     line.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Returns a flag that the first Ctrl-C sets; the second one ends the program. `None` where Ctrl-C is ignored, as it is
+/// in a job that a script has put into the background.
+fn stop_flag() -> io::Result<Option<Arc<AtomicBool>>> {
+    if is_ignored(SIGINT) {
+        return Ok(None);
+    }
+    let stop = Arc::new(AtomicBool::new(false));
+    // In this order: the signal that sets the flag does not end the program.
+    flag::register_conditional_default(SIGINT, Arc::clone(&stop))?;
+    flag::register(SIGINT, Arc::clone(&stop))?;
+    Ok(Some(stop))
+}
+
+/// Returns `true` if whoever started the program has made it ignore a signal; false where the system does not tell.
+fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
+
 /// From now on the line is cleared before a signal ends the program, even where it waits for somebody
-/// to take its results; what can be stopped is only told so by the first Ctrl-C.
+/// to take its results; what can be stopped goes on after the first Ctrl-C.
 fn watch_for_signals(
     line: Arc<Mutex<ProgressLine>>,
     stop: Option<Arc<AtomicBool>>,
 ) -> io::Result<()> {
-    let mut signals = Signals::new([SIGINT, SIGTERM, SIGQUIT])?;
+    let caught: Vec<i32> = [SIGINT, SIGTERM, SIGQUIT]
+        .into_iter()
+        .filter(|&signal| !is_ignored(signal))
+        .collect();
+    // Within the thread: where none can be created, signals keep their effect.
+    let (ready, is_ready) = channel();
     let wait = move || {
-        for signal in signals.forever() {
+        let mut signals = Signals::new(caught).ok();
+        let _ = ready.send(signals.is_some());
+        for signal in signals.iter_mut().flat_map(|signals| signals.forever()) {
             // Held to the end, so that nothing is drawn in between.
             let mut line = hold(&line);
             line.clear();
-            let stop = stop.as_ref().filter(|_| signal == SIGINT);
-            if stop.is_some_and(|stop| !stop.swap(true, Ordering::Relaxed)) {
-                continue;
+            if signal != SIGINT || stop.is_none() {
+                // Without it the program goes on; there is nobody to tell.
+                let _ = emulate_default_handler(signal);
             }
-            // Without it the program goes on; there is nobody to tell.
-            let _ = emulate_default_handler(signal);
         }
     };
-    thread::Builder::new().spawn(wait).map(drop)
+    thread::Builder::new().spawn(wait)?;
+    match is_ready.recv() {
+        Ok(true) => Ok(()),
+        Ok(false) | Err(_) => Err(io::ErrorKind::Other.into()),
+    }
 }
 
 /// Whether the terminal is ours to draw on, and not with a shell that has put us aside.
@@ -182,14 +226,15 @@ fn width() -> usize {
 }
 
 /// What the line tells.
-struct Counted {
+struct Counted<'a> {
     done: u64,
     total: u64,
     unit: &'static str,
     elapsed: Duration,
+    best: &'a str,
 }
 
-impl Counted {
+impl Counted<'_> {
     /// The line on a terminal of so many columns; what does not fit is left out, the most telling last.
     fn line(&self, width: usize, ascii: bool) -> String {
         let percent = self.done.saturating_mul(100) / self.total.max(1);
@@ -198,14 +243,20 @@ impl Counted {
         let (done, total) = (in_groups(self.done), in_groups(self.total));
         let count = format!("  {}", words().done_of(&done, &total, self.unit));
         let room = width.saturating_sub(FREE);
-        let all = format!("{percent}{count}{left}");
-        let tails = [all, percent.clone() + &left, percent];
+        let mut tails = Vec::new();
+        if !self.best.is_empty() {
+            let best = format!("  {}", words().best_so_far(self.best));
+            tails.push(format!("{percent}{count}{left}{best}"));
+            tails.extend([format!("{percent}{left}{best}"), percent.clone() + &best]);
+        }
+        tails.push(format!("{percent}{count}{left}"));
+        tails.extend([percent.clone() + &left, percent.clone()]);
         // A bar is worth its place from ten characters on.
         let length = |tail: &String| tail.chars().count();
         let fits = |tail: &&String| length(tail) + 12 <= room;
         match tails.iter().find(fits) {
             Some(tail) => self.bar(room - length(tail) - 1, ascii) + " " + tail,
-            None => tails[2].chars().take(room).collect(),
+            None => percent.chars().take(room).collect(),
         }
     }
 
@@ -254,13 +305,28 @@ fn in_groups(count: u64) -> String {
 mod tests {
     use super::*;
 
-    fn counted(done: u64, seconds: f64) -> Counted {
+    fn counted(done: u64, seconds: f64) -> Counted<'static> {
         Counted {
             done,
             total: 1_000_000,
             unit: "rows",
             elapsed: Duration::from_secs_f64(seconds),
+            best: "",
         }
+    }
+
+    #[test]
+    fn best_result_is_kept_longer_than_the_count() {
+        let half = Counted {
+            best: "12.5 mm",
+            ..counted(500_000, 3.0)
+        };
+        let tail = |width| half.line(width, true).split("] ").nth(1).map(str::to_owned);
+        let whole = " 50 %  500,000 of 1,000,000 rows  3 s left  best 12.5 mm";
+        assert_eq!(tail(80).as_deref(), Some(whole));
+        assert_eq!(tail(60).as_deref(), Some(" 50 %  3 s left  best 12.5 mm"));
+        assert_eq!(tail(36).as_deref(), Some(" 50 %  best 12.5 mm"));
+        assert_eq!(tail(24).as_deref(), Some(" 50 %"));
     }
 
     #[test]

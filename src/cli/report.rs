@@ -2,12 +2,12 @@
 
 use super::args::ReportArgs;
 use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
-use super::failure::Failure;
+use super::failure::{Failure, note};
 use super::output::{file, write_text};
 use super::screen::TextScreen;
 use super::source::{SolvableScene, keep_file_apart};
-use crate::files::read_any;
-use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat};
+use crate::files::read_ready;
+use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat, TextEncoding};
 use crate::scene::LARGEST_FILE;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
@@ -31,7 +31,11 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     let digits = usize::from(args.digits);
     let mut report = Report::in_notation(&scene, &solver, &state, digits, args.notation);
     if let Some(file) = &args.against {
-        report.add_beside(&foreign(file)?, (&scene, &solver, state.state()), digits);
+        report.add_beside(
+            &foreign(file, screen)?,
+            (&scene, &solver, state.state()),
+            digits,
+        );
     }
     write_text(path, &report.written(format, screen.ascii))?;
     if condition == Condition::NoAssembly {
@@ -56,17 +60,23 @@ fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportForm
 }
 
 /// The figures in a file that somebody else wrote.
-pub(super) fn foreign(path: &Path) -> Result<ForeignFigures, Failure> {
+pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
     let shown = path.display().to_string();
-    let bytes = read_any(path, LARGEST_FOREIGN)
+    let bytes = read_ready(path, LARGEST_FOREIGN)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
     let too_long = || Failure::Usage(words().too_many_figures(&shown));
     if bytes.len() > LARGEST_FOREIGN {
         return Err(too_long());
     }
     let name = path.file_name().unwrap_or(path.as_os_str());
-    ForeignFigures::read(&name.to_string_lossy(), &bytes).map_err(|why| match why {
+    let read = ForeignFigures::read(&name.to_string_lossy(), &bytes);
+    let figures = read.map_err(|why| match why {
         NoFigures::Nothing => Failure::Usage(words().holds_no_figures(&shown)),
         NoFigures::TooLong => too_long(),
-    })
+    })?;
+    if figures.encoding() == TextEncoding::Windows1254 {
+        let encoding = figures.encoding().name();
+        note(&words().file_decoded_as(&shown, encoding), screen);
+    }
+    Ok(figures)
 }

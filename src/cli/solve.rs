@@ -14,6 +14,9 @@ use crate::study::{
 };
 use crate::wording::words;
 
+/// Decimals of the best value in the progress line.
+const SHOWN_DECIMALS: usize = 4;
+
 pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
     let space = DesignSpace::of_axes(&scene, &solver, &args.vary)
@@ -57,12 +60,13 @@ fn meet(
     let given = figures.of(&space.given()).ok();
     let search = GoalSearch::new(figures, goals.clone(), &args.vary);
     let count = u64::from(args.starts) + 1;
-    let mut progress = Progress::new(count, words().starts_counted(), screen, false);
+    let progress = Progress::new(count, words().starts_counted(), screen, false);
+    let mut progress = progress.stoppable();
     let outcome = search.run(args.starts, args.seed, parallel::cores(), &mut |part| {
         progress.tell((part * count as f64).round() as u64);
-        true
+        !progress.is_stopped()
     });
-    progress.end();
+    end(progress, screen);
     let report = GoalReport {
         space,
         goals: &goals,
@@ -106,17 +110,18 @@ fn optimise(
         seed: args.seed,
         threads: parallel::cores(),
     };
-    let mut progress = Progress::new(
-        u64::from(args.generations),
-        words().generations_counted(),
-        screen,
-        false,
-    );
-    let best = BestDesign::find(&figures, kept, &args.vary, order, &mut |made| {
-        progress.tell(u64::from(made));
-        true
+    let generations = u64::from(args.generations);
+    let progress = Progress::new(generations, words().generations_counted(), screen, false);
+    let mut progress = progress.stoppable();
+    let best = BestDesign::find(&figures, kept, &args.vary, order, &mut |state| {
+        if let Some(best) = state.best {
+            let best = format!("{best:.SHOWN_DECIMALS$} {}", figure.unit());
+            progress.show_best(best.trim_end().to_owned());
+        }
+        progress.tell(u64::from(state.generations));
+        !progress.is_stopped()
     });
-    progress.end();
+    end(progress, screen);
     let given = figures.of(&space.given()).ok();
     let best =
         best.ok_or_else(|| Failure::Cannot(no_best(space, figures.figures(), given.as_deref())))?;
@@ -140,6 +145,15 @@ fn optimise(
         return Err(Failure::Cannot(words().keeps_nothing().into()));
     }
     save(args, space, &design, screen)
+}
+
+/// Ends the progress line, and says so where the search was stopped.
+fn end(progress: Progress, screen: TextScreen) {
+    let is_stopped = progress.is_stopped();
+    progress.end();
+    if is_stopped {
+        note(words().search_was_stopped(), screen);
+    }
 }
 
 fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(), Failure> {

@@ -4,6 +4,7 @@ use super::args::{Cli, OutputArgs, SceneArgs};
 use super::failure::Failure;
 use super::output;
 use crate::assembly::Wish;
+use crate::document::foreign;
 use crate::files::{is_same_file, limited, read_any};
 use crate::nearest::nearest;
 use crate::quantity::check_figures;
@@ -143,6 +144,10 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Fa
     };
     if text == "-" {
         return Ok(SceneSource::Stdin);
+    }
+    if let Some(message) = foreign(text) {
+        let help = words().krank_reads_toml();
+        return Err(Failure::Usage(format!("{message}; {help}")));
     }
     if text.contains(is_separator) || text.ends_with(".toml") {
         return file();

@@ -6,7 +6,8 @@ use super::output::{self, goes_to_terminal, write_to};
 use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
-use crate::files::{GrowingFile, GrownFile};
+use super::study_rows;
+use crate::files::{GrowingFile, GrownFile, Output, Trouble};
 use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{DesignFormat, DesignSummary, DesignTable, MOST_ROWS};
@@ -160,7 +161,7 @@ impl<'a> StudyRows<'a> {
 
 /// Whether rows stay in a file as they come: those of CSV in what is a file, or becomes one.
 fn grows(args: &StudyArgs, path: &Path) -> bool {
-    args.format == StudyFormat::Csv && path.metadata().map_or(true, |found| found.is_file())
+    args.format == StudyFormat::Csv && !Output::is_stream(path)
 }
 
 /// Writes rows into a file, which keeps them whatever ends the command.
@@ -172,12 +173,21 @@ fn grow<'a>(
     path: &Path,
     screen: TextScreen,
 ) -> Result<StudyRows<'a>, Failure> {
-    let failed = |e: io::Error| Failure::Output(Some(path.to_owned()), e);
-    let head = table.head().map_err(failed)?;
+    let failed = |why: Trouble| Failure::Output(Some(path.to_owned()), why.into());
+    let head = table.head().map_err(|e| failed(e.into()))?;
     let (mut file, done) = match args.resume {
         true => resumed(ready, table, designs.clone(), path, screen)?,
-        false => (GrowingFile::begin(path, &head).map_err(failed)?, 0),
+        false => (
+            GrowingFile::begin(path, &head, output::records()).map_err(failed)?,
+            0,
+        ),
     };
+    if !file.is_locked() {
+        note(
+            &words().disk_without_locks(&path.display().to_string()),
+            screen,
+        );
+    }
     let rest = designs.start + done..designs.end;
     let mut rows = StudyRows::new(table, rest.end - rest.start, Some(path), screen);
     let outcome = ready
@@ -197,10 +207,10 @@ fn resumed(
     path: &Path,
     screen: TextScreen,
 ) -> Result<(GrowingFile, u64), Failure> {
-    let failed = |e: io::Error| Failure::Output(Some(path.to_owned()), e);
+    let failed = |why: Trouble| Failure::Output(Some(path.to_owned()), why.into());
     let shown = path.display().to_string();
     let other = |line: u64| Failure::Usage(words().file_of_other_study(&shown, line));
-    let head = table.head().map_err(failed)?;
+    let head = table.head().map_err(|e| failed(e.into()))?;
     let grown = GrownFile::open(path, &head).map_err(failed)?;
     let grown = grown.ok_or_else(|| other(1))?;
     let all = designs.end - designs.start;
@@ -211,10 +221,11 @@ fn resumed(
     for (number, line) in &grown.samples {
         let numbers = ready.plan.numbers(designs.start + number);
         let row = DesignRow::of(numbers, &mut figures);
-        if table.line(&row, false).map_err(failed)? != *line {
+        if table.line(&row, false).map_err(|e| failed(e.into()))? != *line {
             return Err(other(number + 2));
         }
     }
+    study_rows::verify(ready, table, designs.start, path, grown.lines)?;
     let done = grown.lines;
     note(&words().file_goes_on(&shown, done, all), screen);
     Ok((grown.go_on().map_err(failed)?, done))

@@ -8,7 +8,7 @@ use super::screen::TextScreen;
 use super::source::{contents, standard_input};
 #[cfg(feature = "tui")]
 use super::workbench;
-use crate::files::read_any;
+use crate::files::read_ready;
 use crate::nearest::nearest;
 use crate::parallel;
 use crate::report::SynthesisReport;
@@ -139,7 +139,7 @@ fn save(
         return Ok(());
     }
     for (path, text) in &files {
-        let is_lost = match read_any(path, LARGEST_FILE) {
+        let is_lost = match read_ready(path, LARGEST_FILE) {
             Ok(bytes) => bytes != text.as_bytes(),
             // That the folder is none is told where it is made.
             Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),

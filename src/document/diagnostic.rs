@@ -23,6 +23,8 @@ pub struct Label {
 /// One fault.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Diagnostic {
+    /// Whether the file can be used all the same.
+    pub is_warning: bool,
     /// The element, the value and the rule, in one line.
     pub message: String,
     /// Where; `None` for a fault of the file as a whole.
@@ -42,6 +44,12 @@ impl Diagnostic {
             message: message.into(),
             ..Diagnostic::default()
         }
+    }
+
+    /// Makes it a warning: the file can be used all the same.
+    pub(crate) fn into_warning(mut self) -> Self {
+        self.is_warning = true;
+        self
     }
 
     /// Says where, and what about it.
@@ -189,9 +197,11 @@ impl ShownText {
     }
 
     fn group<'a>(&'a self, item: &'a Diagnostic, origin: &'a str, ascii: bool) -> Group<'a> {
-        let title = Level::ERROR
-            .with_name(words().level_error())
-            .primary_title(escaped(&item.message, ascii));
+        let level = match item.is_warning {
+            true => Level::WARNING.with_name(escaped(words().level_warning(), ascii)),
+            false => Level::ERROR.with_name(words().level_error()),
+        };
+        let title = level.primary_title(escaped(&item.message, ascii));
         let mut group = match &item.primary {
             None => title.element(Origin::path(origin)),
             Some(primary) => {

@@ -18,4 +18,4 @@ pub(crate) use reader::{ByteSpan, Name, NamedNumbers, Reader, meant, quoted};
 pub(crate) use sanitize::ascii_letter;
 pub(crate) use sanitize::with_ascii_letters;
 pub use sanitize::{is_harmful, sanitized};
-pub(crate) use syntax::{has_key, parse};
+pub(crate) use syntax::{foreign, has_decimal_comma, has_key, parse};

@@ -66,6 +66,8 @@ pub(crate) struct Reader<'t> {
     pub(crate) named: NamedNumbers,
     /// What formulas came to, by where they begin.
     pub(crate) worked: HashMap<usize, f64>,
+    /// Whether a number was rounded to a double that reads as a decimal of up to 14 digits.
+    pub(crate) has_rounded: bool,
 }
 
 impl<'t> Reader<'t> {
@@ -75,6 +77,7 @@ impl<'t> Reader<'t> {
             found: Vec::new(),
             named: NamedNumbers::default(),
             worked: HashMap::new(),
+            has_rounded: false,
         }
     }
 
@@ -106,6 +109,11 @@ impl<'t> Reader<'t> {
 
     pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
         self.found.push(diagnostic);
+    }
+
+    /// Returns `true` if something was reported that makes the document unusable.
+    pub(crate) fn has_errors(&self) -> bool {
+        self.found.iter().any(|found| !found.is_warning)
     }
 
     /// Adds a mend to the last report.
@@ -202,9 +210,28 @@ impl<'t> Reader<'t> {
             let fault = Diagnostic::new(words().unknown_key_in(of, &quoted(text)))
                 .at(key.span(), words().unknown_key_here());
             let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
+            if let Some(what) = not_modelled(text) {
+                self.report(fault.help(what));
+                continue;
+            }
             let listed = || words().known_keys(&format!("`{}`", known.join("`, `")));
             self.report(fault.help(near.flatten().unwrap_or_else(listed)));
         }
+    }
+}
+
+/// What a key asks for that krank has no model of.
+fn not_modelled(key: &str) -> Option<&'static str> {
+    match key.to_ascii_lowercase().as_str() {
+        "gear" | "gears" | "geartrain" | "rack" | "racks" | "teeth" => Some(words().no_gears_yet()),
+        "cam" | "cams" | "follower" | "followers" => Some(words().no_cams_yet()),
+        "belt" | "belts" | "pulley" | "pulleys" | "chain" | "chains" => {
+            Some(words().no_belts_yet())
+        }
+        "friction" | "mu" => Some(words().no_friction_yet()),
+        "torque" | "force" => Some(words().motion_is_given()),
+        "contact" | "contacts" => Some(words().no_contacts_yet()),
+        _ => None,
     }
 }
 

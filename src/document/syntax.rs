@@ -15,6 +15,10 @@ pub(crate) fn parse<'t, T: Deserialize<'t>>(
     reader: &mut Reader<'t>,
     mend: Mend,
 ) -> Option<Lenient<T>> {
+    if let Some(message) = foreign(reader.text()) {
+        reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
+        return None;
+    }
     let (root, errors) = DeTable::parse_recoverable(reader.text());
     if !is_whole(reader, mend, root.get_ref(), &errors) {
         return None;
@@ -64,11 +68,65 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
 }
 
 fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
+    if let Some(fault) = decimal_comma(text, span.start) {
+        return fault;
+    }
     let message = error.message();
     let help = mend(text, message, &span);
     Diagnostic::new(words().not_valid_toml(message))
         .at(span, "")
         .maybe_help(help)
+}
+
+/// Names a text that is not TOML but an address or JSON, such as people paste.
+pub(crate) fn foreign(text: &str) -> Option<&'static str> {
+    let text = text.trim_start();
+    let is_of_pmks = || text.to_ascii_lowercase().contains("pmks");
+    if text.starts_with("http://") || text.starts_with("https://") {
+        return Some(match is_of_pmks() {
+            true => words().is_a_pmks_address(),
+            false => words().is_an_address(),
+        });
+    }
+    let is_json = text.starts_with('{') || text.starts_with("[{");
+    is_json.then(|| match is_of_pmks() {
+        true => words().is_json_of_pmks(),
+        false => words().is_json(),
+    })
+}
+
+/// The fault of a line that is not TOML because of a decimal comma: `length = 86,6`.
+fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text.get(begin..)?.lines().next()?;
+    let mut marks = line.match_indices('=').map(|(mark, _)| mark + 1);
+    let typed = marks.find_map(|behind| {
+        let rest = line[behind..].trim_start();
+        let from = line.len() - rest.len();
+        let is_quoted = line[..behind].matches('"').count() % 2 == 1;
+        let typed = number_with_comma(rest).filter(|_| !is_quoted)?;
+        Some(from..from + typed.len())
+    })?;
+    let (whole, fraction) = line[typed.clone()].rsplit_once(',')?;
+    let point = format!("{}.{fraction}", whole.replace(['.', ','], ""));
+    let message = words().has_decimal_comma(&line[typed.clone()]);
+    let fault = Diagnostic::new(message).at(begin + typed.start..begin + typed.end, "");
+    Some(fault.help(words().decimals_have_a_point(&point)))
+}
+
+/// The number with a comma between digits that a text begins with.
+fn number_with_comma(text: &str) -> Option<&str> {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',');
+    let end = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
+    let typed = text[..end].trim_end_matches([',', '.']);
+    has_decimal_comma(typed).then_some(typed)
+}
+
+/// Returns `true` if a comma stands between two digits, without a blank.
+pub(crate) fn has_decimal_comma(text: &str) -> bool {
+    text.as_bytes()
+        .windows(3)
+        .any(|bytes| matches!(bytes, [a, b',', c] if a.is_ascii_digit() && c.is_ascii_digit()))
 }
 
 /// A key that stands twice in its table.

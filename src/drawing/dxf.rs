@@ -32,14 +32,21 @@ impl DxfDocument {
                 '_'
             }
         };
-        let mut name: String = wish.chars().map(allowed).take(LONGEST_NAME).collect();
-        while self
-            .layers
-            .iter()
-            .any(|other| other.eq_ignore_ascii_case(&name))
-        {
-            name.truncate(LONGEST_NAME - 1);
-            name.push('_');
+        let wish: String = wish.chars().map(allowed).take(LONGEST_NAME).collect();
+        let is_taken = |name: &String| {
+            let mut others = self.layers.iter();
+            others.any(|other| other.eq_ignore_ascii_case(name))
+        };
+        let mut name = wish.clone();
+        let mut same = 1;
+        while is_taken(&name) {
+            let end = match same {
+                1 => "_".to_owned(),
+                same => format!("_{same}"),
+            };
+            let kept = wish.chars().take(LONGEST_NAME - end.len());
+            name = kept.collect::<String>() + &end;
+            same += 1;
         }
         self.layers.push(name);
         DxfLayer(self.layers.len() - 1)

@@ -175,7 +175,7 @@ struct Compiler<'c> {
 impl Compiler<'_> {
     fn part(&mut self, tree: &ExpressionTree) -> Result<Part, Malformed> {
         match &tree.node {
-            Node::Number(value, unit) => self.number(*value, unit.as_ref(), &tree.span),
+            Node::Number(number, unit) => self.number(number.value, unit.as_ref(), &tree.span),
             Node::Name(name) => self.named(name, &tree.span),
             Node::Negative(of) => {
                 let part = self.part(of)?.number();

@@ -1,6 +1,6 @@
 //! A number in one unit, told in another of the same measure.
 
-use super::{Evaluated, LengthScale, evaluate, glued, parse};
+use super::{LengthScale, MeasuredNumber, evaluate, glued, parse};
 
 /// A number with a unit, `5 in` or `12cm`, in another `unit`; `None` for what is no such number, and where the units measure
 /// different things.
@@ -9,10 +9,10 @@ pub(crate) fn converted(text: &str, unit: &str, length: LengthScale) -> Option<f
     let typed = measured(spaced.as_deref().unwrap_or(text), length)?;
     let one = measured(&format!("1 {unit}"), length)?;
     let is_alike = typed.dimension?.adds_to(one.dimension?);
-    is_alike.then(|| typed.over(one).settled().value.hi)
+    is_alike.then(|| typed.value.over(&one.value).nearest())
 }
 
-fn measured(text: &str, length: LengthScale) -> Option<Evaluated> {
+fn measured(text: &str, length: LengthScale) -> Option<MeasuredNumber> {
     let tree = parse(text).ok().filter(|tree| tree.is_number())?;
     evaluate(text, &tree, length, &|_| Err(None)).ok()
 }

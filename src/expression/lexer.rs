@@ -59,6 +59,10 @@ impl<'t> Lexer<'t> {
         if is_beyond {
             return Err(Malformed::new(span, words().number_too_large(word)));
         }
+        let is_lost = number(word) == Some(0.0) && has_digits(word);
+        if is_lost {
+            return Err(Malformed::new(span, words().number_too_small(word)));
+        }
         Ok((number(word).map_or(Lexeme::Name, Lexeme::Number), span))
     }
 
@@ -90,6 +94,12 @@ impl<'t> Lexer<'t> {
 pub(super) fn number(word: &str) -> Option<f64> {
     let value: f64 = word.parse().ok()?;
     (is_digital(word) && value.is_finite()).then_some(value)
+}
+
+/// Returns `true` if a number has a digit other than 0 in front of its power of ten.
+fn has_digits(number: &str) -> bool {
+    let digits = number.split(['e', 'E']).next().unwrap_or(number);
+    digits.contains(|c: char| matches!(c, '1'..='9'))
 }
 
 /// Whether a word begins as a number does: `inf` and `nan` are names.

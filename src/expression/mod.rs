@@ -1,5 +1,7 @@
 //! Formulas that a person writes: `armL.angle - armR.angle`, `hypot(C.vx, C.vy) / (100 mm)`.
 //!
+//! Formulas of plain numbers are evaluated once, in numbers of so many digits that none are lost (`Wide`).
+//!
 //! A text is parsed into a tree that remembers where each part stands, the tree is checked and made into
 //! [`Code`], and that is run over any [`Number`](crate::Number): in doubles it gives figures, in balls their
 //! bounds, in duals what a length does to them. Rates are exact, by Taylor's coefficients (`jet`). Nothing
@@ -11,8 +13,8 @@ mod compile;
 mod conversion;
 mod cuts;
 mod dimension;
+mod elementary;
 mod evaluate;
-mod evaluated;
 mod jet;
 mod kink;
 mod lexer;
@@ -20,18 +22,21 @@ mod parser;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod unit_words;
+mod wide;
 
 pub(crate) use code::{Code, Op};
 pub(crate) use compile::{Kind, Part, Revolution, compile};
 pub(crate) use conversion::converted;
 pub(crate) use cuts::DirectionCut;
 pub(crate) use dimension::{Dimension, LengthScale};
-pub(crate) use evaluate::evaluate;
-pub(crate) use evaluated::{Evaluated, MeasuredNumber};
-pub(crate) use parser::{UNITS, glued, is_unit, parse};
+pub(crate) use evaluate::{MeasuredNumber, evaluate};
+pub(crate) use parser::{glued, parse};
 #[cfg(test)]
 pub(crate) use tree::functions;
 pub(crate) use tree::{ExpressionTree, is_function};
+pub(crate) use unit_words::{UNITS, is_unit, plain_unit};
+pub(crate) use wide::Wide;
 
 use std::ops::Range;
 

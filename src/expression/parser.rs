@@ -10,7 +10,8 @@
 
 use super::dimension::{LARGEST_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
-use super::tree::{MathFunction, Node, Operation, WrittenUnit};
+use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
+use super::unit_words::{is_of_unit, is_unit, unit_named};
 use super::{Dimension, ExpressionTree, LONGEST, Malformed, is_of_name};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -146,9 +147,12 @@ impl Parser<'_> {
             sign = -1;
             (lexeme, span) = self.lexer.next(true)?;
         }
-        let span = base.span.start..span.end;
+        let (at, span) = (span.clone(), base.span.start..span.end);
         let node = match lexeme {
-            Lexeme::Number(exponent) => power_of(base, sign, exponent),
+            Lexeme::Number(value) => {
+                let digits = self.lexer.text[at].to_owned();
+                power_of(base, sign, WrittenNumber { digits, value })
+            }
             _ => None,
         };
         let Some(node) = node else {
@@ -162,9 +166,10 @@ impl Parser<'_> {
         let (lexeme, span) = self.lexer.next(true)?;
         match lexeme {
             Lexeme::Number(value) => {
+                let digits = self.lexer.text[span.clone()].to_owned();
                 let unit = self.unit()?;
                 let end = self.lexer.at();
-                let node = Node::Number(value, unit);
+                let node = Node::Number(WrittenNumber { digits, value }, unit);
                 let span = span.start..end;
                 Ok(ExpressionTree { span, node })
             }
@@ -253,15 +258,16 @@ impl Parser<'_> {
 
 /// A power: of a whole exponent as it is, of a half of one as a power of the root, which exists at 0, too; of any other by
 /// exponential and logarithm. `None` where the exponent is none that is taken.
-fn power_of(base: ExpressionTree, sign: i8, exponent: f64) -> Option<Node> {
+fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<Node> {
     let whole = |exponent: f64, most: u8| {
         let mut all = 1..=most as i8;
         all.find(|&whole| f64::from(whole) == exponent)
     };
-    if let Some(whole) = whole(exponent, LARGEST_EXPONENT) {
+    let size = exponent.value;
+    if let Some(whole) = whole(size, LARGEST_EXPONENT) {
         return Some(Node::Power(Box::new(base), sign * whole));
     }
-    if !(exponent > 0.0 && exponent < f64::from(LARGEST_EXPONENT)) {
+    if !(size > 0.0 && size < f64::from(LARGEST_EXPONENT)) {
         return None;
     }
     let span = base.span.clone();
@@ -269,11 +275,15 @@ fn power_of(base: ExpressionTree, sign: i8, exponent: f64) -> Option<Node> {
         span: span.clone(),
         node,
     };
-    if let Some(halves) = whole(2.0 * exponent, 2 * LARGEST_EXPONENT) {
+    if let Some(halves) = whole(2.0 * size, 2 * LARGEST_EXPONENT) {
         let root = node(Node::Call(MathFunction::Sqrt, vec![base]));
         return Some(Node::Power(Box::new(root), sign * halves));
     }
-    let exponent = node(Node::Number(f64::from(sign) * exponent, None));
+    let exponent = node(Node::Number(exponent, None));
+    let exponent = match sign < 0 {
+        true => node(Node::Negative(Box::new(exponent))),
+        false => exponent,
+    };
     let logarithm = node(Node::Call(MathFunction::Ln, vec![base]));
     let product = Node::Pair(Operation::Multiply, Box::new([exponent, logarithm]));
     Some(Node::Call(MathFunction::Exp, vec![node(product)]))
@@ -289,7 +299,8 @@ fn pair(operation: Operation, left: ExpressionTree, right: ExpressionTree) -> Ex
 /// A unit with its power at a place of a text, and where it ends; `None` where the word there is none.
 fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> {
     let rest = &text[from..];
-    let word = &rest[..rest.find(|c| !is_of_name(c)).unwrap_or(rest.len())];
+    let is_of_word = |c| is_of_name(c) || is_of_unit(c);
+    let word = &rest[..rest.find(|c| !is_of_word(c)).unwrap_or(rest.len())];
     let (dimension, tenths, degrees) = unit_of(word)?;
     let mut end = from + word.len();
     let mut power = 1;
@@ -312,9 +323,6 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     Some((unit, end))
 }
 
-/// The words that are read as units behind a number.
-pub(crate) const UNITS: [&str; 9] = ["mm", "cm", "m", "in", "deg", "rad", "s", "kg", "N"];
-
 /// A number and a unit without a blank between them, which are read as a name.
 pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
     let at = name.find(|c: char| !c.is_ascii_digit() && c != '.')?;
@@ -322,15 +330,10 @@ pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
     (number.parse::<f64>().is_ok() && is_unit(unit)).then_some((number, unit))
 }
 
-/// Whether a word is read as a unit where it stands behind a number.
-pub(crate) fn is_unit(word: &str) -> bool {
-    unit_of(word).is_some()
-}
-
 /// What a unit measures; of a length its size in tenths of a millimetre, and whether it is in degrees.
 fn unit_of(word: &str) -> Option<(Dimension, Option<f64>, i8)> {
     let length = |tenths| Some((Dimension::LENGTH, Some(tenths), 0));
-    match word {
+    match unit_named(word)? {
         "mm" => length(10.0),
         "cm" => length(100.0),
         "m" => length(METRE),

@@ -13,7 +13,7 @@ pub(crate) struct ExpressionTree {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Node {
     /// A number, and what stands behind it as its unit.
-    Number(f64, Option<WrittenUnit>),
+    Number(WrittenNumber, Option<WrittenUnit>),
     Name(String),
     Negative(Box<ExpressionTree>),
     Pair(Operation, Box<[ExpressionTree; 2]>),
@@ -27,6 +27,14 @@ pub(super) enum Operation {
     Subtract,
     Multiply,
     Divide,
+}
+
+/// A number as it is written: no double holds `0.1`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct WrittenNumber {
+    pub(super) digits: String,
+    /// The nearest double.
+    pub(super) value: f64,
 }
 
 /// A unit behind a number: what it measures with every length in the formula's own unit, and the number of

@@ -1,15 +1,17 @@
 //! A file that is written beside the one whose place it takes.
 //!
-//! Its lock tells that somebody is at work on it: one without is what a killed process has left, and is taken
-//! away by the next who writes in this folder.
+//! Where the system supports it (`O_TMPFILE`), a draft has no name until it takes its place: a process that is killed
+//! leaves nothing. Elsewhere it has a name from the start, and a lock that marks it as in use. A draft without a lock
+//! was left by a killed process, and the next one that writes in this folder removes it.
 
 use super::lock::{self, LockOutcome};
 use super::rights;
-use rustix::fs::{CWD, Mode, OFlags, RenameFlags, open, renameat_with};
+use rustix::fs::{AtFlags, CWD, Mode, OFlags, RenameFlags, linkat, open, renameat_with};
 use rustix::io::Errno;
 use rustix::process::geteuid;
 use std::fs::{self, DirEntry, File, Metadata};
-use std::io;
+use std::io::{self, Seek};
+use std::os::fd::AsRawFd;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -31,6 +33,8 @@ const MOST_ENTRIES: usize = 10_000;
 pub(crate) struct DraftFile {
     /// To be written and read.
     pub(crate) file: File,
+    folder: PathBuf,
+    /// `None` while it has no name, and once it has taken its place.
     path: Option<PathBuf>,
 }
 
@@ -53,13 +57,22 @@ impl DraftFile {
     }
 
     fn make(folder: &Path, mode: Mode) -> io::Result<DraftFile> {
-        static NUMBER: AtomicU32 = AtomicU32::new(0);
         sweep(folder);
+        match unnamed(folder, mode) {
+            Some(file) => Ok(DraftFile {
+                file,
+                folder: folder.to_owned(),
+                path: None,
+            }),
+            None => DraftFile::make_named(folder, mode),
+        }
+    }
+
+    /// A draft that has a name from the start.
+    fn make_named(folder: &Path, mode: Mode) -> io::Result<DraftFile> {
         let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
         for _ in 0..MOST_NAMES {
-            let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-            let name = format!("{BEGINS}{}-{number}{ENDS}", std::process::id());
-            let path = folder.join(name);
+            let path = folder.join(next_name());
             let file = match open(&path, flags | OFlags::NOFOLLOW, mode) {
                 Ok(file) => File::from(file),
                 // Somebody else's: it stays.
@@ -68,45 +81,77 @@ impl DraftFile {
             };
             // Who sweeps here may have come before the lock; then this one is gone, or soon.
             if lock::take(&file) != LockOutcome::Others && file.metadata()?.nlink() > 0 {
-                let path = Some(path);
-                return Ok(DraftFile { file, path });
+                return Ok(DraftFile {
+                    file,
+                    folder: folder.to_owned(),
+                    path: Some(path),
+                });
             }
         }
         Err(Errno::EXIST.into())
     }
 
-    /// A name that no other draft of now has.
-    pub(super) fn number(&self) -> String {
-        let name = self.path.as_deref().and_then(Path::file_stem);
-        let name = name.map(|name| name.to_string_lossy().into_owned());
-        name.unwrap_or_default().trim_start_matches('.').to_owned()
+    /// Gives the draft a name, if it has none. Returns the name.
+    fn name(&mut self) -> io::Result<PathBuf> {
+        if self.path.is_none() {
+            match self.link_to_free_name() {
+                Ok(path) => self.path = Some(path),
+                Err(_) => self.copy_to_named()?,
+            }
+        }
+        self.path.clone().ok_or_else(|| Errno::NOENT.into())
+    }
+
+    fn link_to_free_name(&self) -> io::Result<PathBuf> {
+        for _ in 0..MOST_NAMES {
+            let path = self.folder.join(next_name());
+            match link(&self.file, &path) {
+                Err(Errno::EXIST) => {}
+                done => return done.map(|()| path).map_err(io::Error::from),
+            }
+        }
+        Err(Errno::EXIST.into())
+    }
+
+    /// Continues with a named draft of the same content and rights: some systems open files without a name but refuse
+    /// to name them later.
+    fn copy_to_named(&mut self) -> io::Result<()> {
+        let mut named = DraftFile::make_named(&self.folder, PRIVATE)?;
+        rights::carry_over(&self.file, &self.file.metadata()?, &named.file)?;
+        self.file.rewind()?;
+        io::copy(&mut self.file, &mut named.file)?;
+        named.file.sync_all()?;
+        *self = named;
+        Ok(())
     }
 
     /// Takes the place of an old file. The file that it is now stays open, and locked.
     pub(crate) fn replace(mut self, target: &Path) -> io::Result<File> {
-        let Some(path) = &self.path else {
-            return Err(Errno::NOENT.into());
-        };
-        fs::rename(path, target)?;
+        fs::rename(self.name()?, target)?;
         self.path = None;
         self.file.try_clone()
     }
 
-    /// Takes its place where there is no file yet.
-    pub(super) fn appear(mut self, target: &Path) -> io::Result<()> {
-        let Some(path) = &self.path else {
-            return Err(Errno::NOENT.into());
-        };
-        match renameat_with(CWD, path, CWD, target, RenameFlags::NOREPLACE) {
+    /// Takes its place where there is no file yet. The file stays open, and locked.
+    pub(super) fn appear(mut self, target: &Path) -> io::Result<File> {
+        if self.path.is_none() {
+            match link(&self.file, target) {
+                Ok(()) => return self.file.try_clone(),
+                Err(Errno::EXIST) => return Err(Errno::EXIST.into()),
+                Err(_) => {}
+            }
+        }
+        let path = self.name()?;
+        match renameat_with(CWD, &path, CWD, target, RenameFlags::NOREPLACE) {
             // Some disks do not know how: under two names for a moment, it does not replace either.
             Err(Errno::INVAL | Errno::NOSYS) => {
-                fs::hard_link(path, target)?;
-                fs::remove_file(path)?;
+                fs::hard_link(&path, target)?;
+                fs::remove_file(&path)?;
             }
             done => done?,
         }
         self.path = None;
-        Ok(())
+        self.file.try_clone()
     }
 }
 
@@ -117,6 +162,41 @@ impl Drop for DraftFile {
             let _ = fs::remove_file(path);
         }
     }
+}
+
+/// Returns two numbers, of this process and of a file, that no other file of ours has now.
+pub(super) fn next_numbers() -> String {
+    static NUMBER: AtomicU32 = AtomicU32::new(0);
+    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+    format!("{}-{number}", std::process::id())
+}
+
+fn next_name() -> String {
+    format!("{BEGINS}{}{ENDS}", next_numbers())
+}
+
+/// Opens a file without a name; `None` where the system has no such files, or could not name them later.
+#[cfg(any(target_os = "linux", target_os = "android"))]
+fn unnamed(folder: &Path, mode: Mode) -> Option<File> {
+    let flags = OFlags::RDWR | OFlags::TMPFILE | OFlags::CLOEXEC;
+    let file = File::from(open(folder, flags, mode).ok()?);
+    let is_linkable = fs::metadata(descriptor(&file)).is_ok();
+    (is_linkable && lock::take(&file) != LockOutcome::Others).then_some(file)
+}
+
+#[cfg(not(any(target_os = "linux", target_os = "android")))]
+fn unnamed(_: &Path, _: Mode) -> Option<File> {
+    None
+}
+
+/// The name that an open file has in `/proc`.
+fn descriptor(file: &File) -> String {
+    format!("/proc/self/fd/{}", file.as_raw_fd())
+}
+
+/// Gives a file without a name its first one. An existing file is not replaced.
+fn link(file: &File, path: &Path) -> Result<(), Errno> {
+    linkat(CWD, descriptor(file), CWD, path, AtFlags::SYMLINK_FOLLOW)
 }
 
 /// Takes away the drafts of processes that are no more.

@@ -35,17 +35,27 @@ impl Output {
         })
     }
 
-    /// Everything was written: it becomes what the file holds.
+    /// Returns `true` if a name leads to something that no file replaces.
+    pub(crate) fn is_stream(name: &Path) -> bool {
+        fs::metadata(name).is_ok_and(|found| !found.is_file())
+    }
+
+    /// Returns `true` if no other process writes the file meanwhile.
+    pub(crate) fn is_locked(&self) -> bool {
+        false
+    }
+
+    /// Everything was written: it becomes what the file holds. Returns the file.
     ///
     /// # Errors
     /// What the system says; then nothing has changed.
-    pub(crate) fn commit(mut self, _records: Option<&Path>) -> Result<(), Trouble> {
+    pub(crate) fn commit(mut self, _records: Option<&Path>) -> Result<File, Trouble> {
         if let Some(draft) = &self.draft {
             draft.sync_all()?;
             fs::rename(&self.beside, &self.target)?;
             self.draft = None;
         }
-        Ok(())
+        Ok(File::options().append(true).open(&self.target)?)
     }
 }
 

@@ -1,19 +1,43 @@
-//! A file that grows line by line: what is written stays, whatever ends the program, and the next run goes on with it.
+//! Writes a table row by row: what is written stays, whatever ends the program, and the next run resumes it.
+//!
+//! The file is locked while it grows. Before each write the program checks that its name still leads to it and that
+//! nobody has changed its length: rows are never lost in silence.
 
+use super::lock::{self, LockOutcome, is_at};
+use super::{Output, Trouble};
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
-use std::path::Path;
+use std::io::{self, BufRead, BufReader, Read, Seek, Write};
+use std::path::{Path, PathBuf};
 
 /// Lines at the beginning that are kept to be compared; the last one is, too.
 const FIRST_LINES: u64 = 3;
 
 /// A file that grows.
 #[derive(Debug)]
-pub(crate) struct GrowingFile(File);
+pub(crate) struct GrowingFile {
+    name: PathBuf,
+    rows: RowTarget,
+}
+
+/// Where rows go.
+#[derive(Debug)]
+enum RowTarget {
+    /// Beside an older file, until the first rows lie on the disk.
+    First {
+        output: Box<Output>,
+        records: Option<PathBuf>,
+        length: u64,
+    },
+    /// Into the file, whose length is known.
+    More { file: File, length: u64 },
+    /// Nowhere: the first rows could not take their place.
+    Failed,
+}
 
 /// What a file has that is to be gone on with.
 #[derive(Debug)]
 pub(crate) struct GrownFile {
+    name: PathBuf,
     file: File,
     /// Where its last whole line ends.
     end: u64,
@@ -24,31 +48,116 @@ pub(crate) struct GrownFile {
 }
 
 impl GrowingFile {
-    /// A file that begins with `head`; what it held is gone.
+    /// Creates a file that begins with `head`. An older one keeps its place until the first rows are written.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn begin(path: &Path, head: &str) -> io::Result<GrowingFile> {
-        let mut file = GrowingFile(File::create(path)?);
-        file.write(head)?;
-        Ok(file)
+    /// Another process is writing the file, or what the system says.
+    pub(crate) fn begin(
+        name: &Path,
+        head: &str,
+        records: Option<PathBuf>,
+    ) -> Result<GrowingFile, Trouble> {
+        let mut output = Output::to(name, records.as_deref())?;
+        output.write_all(head.as_bytes())?;
+        Ok(GrowingFile {
+            name: name.to_owned(),
+            rows: RowTarget::First {
+                output: Box::new(output),
+                records,
+                length: length_of(head),
+            },
+        })
     }
 
-    /// Some whole lines more.
+    /// Appends whole lines.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn write(&mut self, lines: &str) -> io::Result<()> {
-        self.0.write_all(lines.as_bytes())
+    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
+        self.check()?;
+        match &mut self.rows {
+            RowTarget::First { output, length, .. } => {
+                output.write_all(lines.as_bytes())?;
+                *length += length_of(lines);
+                self.take_place()
+            }
+            RowTarget::More { file, length } => {
+                file.write_all(lines.as_bytes())?;
+                *length += length_of(lines);
+                Ok(())
+            }
+            RowTarget::Failed => Err(Trouble::Disturbed),
+        }
     }
 
-    /// What is written lies on the disk.
+    /// Ensures that all rows lie on the disk, under the name of the file.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn finish(self) -> io::Result<()> {
-        self.0.sync_all()
+    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    pub(crate) fn finish(mut self) -> Result<(), Trouble> {
+        if let RowTarget::First { .. } = self.rows {
+            self.take_place()?;
+        }
+        if let RowTarget::More { file, .. } = &self.rows {
+            file.sync_all()?;
+        }
+        self.check()
     }
+
+    /// Returns `true` if no other process can add rows meanwhile; some network disks have no locks.
+    pub(crate) fn is_locked(&self) -> bool {
+        match &self.rows {
+            RowTarget::First { output, .. } => output.is_locked(),
+            RowTarget::More { file, .. } => lock::take(file) == LockOutcome::Ours,
+            RowTarget::Failed => false,
+        }
+    }
+
+    /// The first rows take the place of an older file.
+    fn take_place(&mut self) -> Result<(), Trouble> {
+        let first = std::mem::replace(&mut self.rows, RowTarget::Failed);
+        if let RowTarget::First {
+            output,
+            records,
+            length,
+        } = first
+        {
+            let file = output.commit(records.as_deref())?;
+            self.rows = RowTarget::More {
+                file: appending(file)?,
+                length,
+            };
+        }
+        Ok(())
+    }
+
+    fn check(&self) -> Result<(), Trouble> {
+        match &self.rows {
+            RowTarget::More { file, length }
+                if !is_at(file, &self.name) || file.metadata()?.len() != *length =>
+            {
+                Err(Trouble::Disturbed)
+            }
+            RowTarget::First { .. } | RowTarget::More { .. } | RowTarget::Failed => Ok(()),
+        }
+    }
+}
+
+fn length_of(lines: &str) -> u64 {
+    u64::try_from(lines.len()).unwrap_or(u64::MAX)
+}
+
+/// Makes every write go to the end of a file: a truncated one never gets a hole.
+#[cfg(unix)]
+fn appending(file: File) -> io::Result<File> {
+    rustix::fs::fcntl_setfl(&file, rustix::fs::OFlags::APPEND)?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn appending(mut file: File) -> io::Result<File> {
+    file.seek(io::SeekFrom::End(0))?;
+    Ok(file)
 }
 
 impl GrownFile {
@@ -56,11 +165,15 @@ impl GrownFile {
     /// cut off within its head, has no lines.
     ///
     /// # Errors
-    /// What the system says.
-    pub(crate) fn open(path: &Path, head: &str) -> io::Result<Option<GrownFile>> {
+    /// Another process is writing the file, or what the system says.
+    pub(crate) fn open(path: &Path, head: &str) -> Result<Option<GrownFile>, Trouble> {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
-        let mut reader = BufReader::new(options.open(path)?);
+        let file = options.open(path)?;
+        if lock::take(&file) == LockOutcome::Others || !is_at(&file, path) {
+            return Err(Trouble::Busy);
+        }
+        let mut reader = BufReader::new(file);
         let mut begin = Vec::new();
         let most = u64::try_from(head.len()).unwrap_or(u64::MAX);
         reader.by_ref().take(most).read_to_end(&mut begin)?;
@@ -68,6 +181,7 @@ impl GrownFile {
             return Ok(None);
         }
         let mut grown = GrownFile {
+            name: path.to_owned(),
             file: reader.get_ref().try_clone()?,
             end: most,
             lines: 0,
@@ -110,10 +224,15 @@ impl GrownFile {
     ///
     /// # Errors
     /// What the system says.
-    pub(crate) fn go_on(mut self) -> io::Result<GrowingFile> {
+    pub(crate) fn go_on(self) -> Result<GrowingFile, Trouble> {
         self.file.set_len(self.end)?;
-        self.file.seek(SeekFrom::Start(self.end))?;
-        Ok(GrowingFile(self.file))
+        Ok(GrowingFile {
+            name: self.name,
+            rows: RowTarget::More {
+                file: appending(self.file)?,
+                length: self.end,
+            },
+        })
     }
 }
 
@@ -122,10 +241,96 @@ mod tests {
     use super::*;
     use std::fs;
 
+    fn place(name: &str) -> PathBuf {
+        let name = format!("krank-growing-{name}-{}.csv", std::process::id());
+        std::env::temp_dir().join(name)
+    }
+
+    #[test]
+    fn old_file_stays_until_first_rows_are_written() {
+        let path = place("old");
+        for is_linked in [false, true] {
+            let records = place("records");
+            let second = place("second");
+            fs::write(&path, "old").unwrap();
+            if is_linked {
+                fs::hard_link(&path, &second).unwrap();
+            }
+            let begin = || GrowingFile::begin(&path, "head\n", Some(records.clone())).unwrap();
+            drop(begin());
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            let mut file = begin();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            file.write("0\n").unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n");
+            file.write("1\n").unwrap();
+            assert!(file.is_locked());
+            file.finish().unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n1\n");
+            if is_linked {
+                assert_eq!(fs::read_to_string(&second).unwrap(), "head\n0\n1\n");
+                fs::remove_file(&second).unwrap();
+                fs::remove_dir_all(&records).unwrap();
+            }
+        }
+        begin_without_rows(&path);
+        fs::remove_file(&path).unwrap();
+    }
+
+    /// A study of no designs has a head.
+    fn begin_without_rows(path: &Path) {
+        let file = GrowingFile::begin(path, "head\n", None).unwrap();
+        file.finish().unwrap();
+        assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
+    }
+
+    /// Rows used to go into a file that nobody had any more, and into the hole of one that was cut.
+    #[test]
+    fn disturbed_file_gets_no_more_rows() {
+        type Deed = fn(&Path);
+        let deeds: [(Deed, Option<&str>); 4] = [
+            (|path| fs::write(path, "").unwrap(), Some("")),
+            (|path| fs::remove_file(path).unwrap(), None),
+            (
+                |path| {
+                    fs::remove_file(path).unwrap();
+                    fs::write(path, "head\n0\n").unwrap();
+                },
+                Some("head\n0\n"),
+            ),
+            (
+                |path| {
+                    let mut file = OpenOptions::new().append(true).open(path).unwrap();
+                    file.write_all(b"foreign\n").unwrap();
+                },
+                Some("head\n0\nforeign\n"),
+            ),
+        ];
+        for (number, (deed, left)) in deeds.into_iter().enumerate() {
+            for is_resumed in [false, true] {
+                let path = place(&format!("disturbed-{number}-{is_resumed}"));
+                let mut file = GrowingFile::begin(&path, "head\n", None).unwrap();
+                file.write("0\n").unwrap();
+                if is_resumed {
+                    file.finish().unwrap();
+                    let grown = GrownFile::open(&path, "head\n").unwrap().unwrap();
+                    assert_eq!(grown.lines, 1);
+                    file = grown.go_on().unwrap();
+                }
+                deed(&path);
+                let refused = file.write("1\n");
+                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                let refused = file.finish();
+                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                assert_eq!(fs::read_to_string(&path).ok().as_deref(), left);
+                let _ = fs::remove_file(&path);
+            }
+        }
+    }
+
     #[test]
     fn what_was_cut_off_is_written_again() {
-        let name = format!("krank-growing-{}.csv", std::process::id());
-        let path = std::env::temp_dir().join(name);
+        let path = place("cut");
         let whole = "head\n0\n1\n2\n3\n4\n";
         for cut in 0..=whole.len() {
             fs::write(&path, &whole[..cut]).unwrap();

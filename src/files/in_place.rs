@@ -10,7 +10,7 @@
 //! old text, then new text
 //! ```
 
-use super::draft::DraftFile;
+use super::draft::{DraftFile, next_numbers};
 use super::guard::open_file;
 use super::lock::{self, LockOutcome};
 use crate::wording::words;
@@ -117,8 +117,7 @@ impl RewriteRecord {
             }
         }
         draft.file.sync_all()?;
-        let number = draft.number();
-        let path = folder.join(number).with_extension(ENDS);
+        let path = folder.join(format!("krank-{}.{ENDS}", next_numbers()));
         let file = draft.replace(&path)?;
         File::open(folder)?.sync_all()?;
         Ok((RewriteRecord::read(file)?, path))

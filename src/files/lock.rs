@@ -1,12 +1,15 @@
 //! Locks of the system (flock), which end with the process that holds them, however it ends.
 
-use rustix::fs::{FlockOperation, flock};
+use super::Trouble;
+use super::guard::open_file;
+use rustix::fs::{FlockOperation, OFlags, flock};
 use rustix::io::Errno;
 use std::fs::File;
+use std::os::unix::fs::MetadataExt;
+use std::path::Path;
 #[cfg(feature = "tui")]
 use {
-    rustix::fs::{Mode, OFlags, open},
-    std::path::Path,
+    rustix::fs::{Mode, open},
     std::thread::sleep,
     std::time::{Duration, Instant},
 };
@@ -41,10 +44,38 @@ pub(crate) fn take(file: &File) -> LockOutcome {
     }
 }
 
+/// How often the name of a file may lead to another one while its lock is taken.
+const MOST_TRIES: u32 = 100;
+
+/// Opens an existing file, for writing where that is permitted, and takes its lock.
+///
+/// # Errors
+/// Another process holds the lock, or what the system says.
+pub(super) fn hold(path: &Path) -> Result<File, Trouble> {
+    for _ in 0..MOST_TRIES {
+        let file = open_file(path, OFlags::RDWR).or_else(|_| open_file(path, OFlags::RDONLY))?;
+        if take(&file) == LockOutcome::Others {
+            return Err(Trouble::Busy);
+        }
+        // Whoever held the lock before may have put another file there.
+        if is_at(&file, path) {
+            return Ok(file);
+        }
+    }
+    Err(Trouble::Changed)
+}
+
+/// Returns `true` if a name leads to an open file.
+pub(super) fn is_at(file: &File, path: &Path) -> bool {
+    let named = path.metadata().ok();
+    let both = file.metadata().ok().zip(named);
+    both.is_some_and(|(file, named)| (file.dev(), file.ino()) == (named.dev(), named.ino()))
+}
+
 /// Takes the lock of a folder, under which files of it are compared and replaced; `None` where it has none
 /// to give, and an error where somebody else keeps it.
 #[cfg(feature = "tui")]
-pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, super::Trouble> {
+pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
     let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::CLOEXEC;
     let Ok(folder) = open(folder, flags, Mode::empty()) else {
         return Ok(None);
@@ -55,7 +86,7 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, super::Trouble> {
         match take(&folder) {
             LockOutcome::Ours => return Ok(Some(folder)),
             LockOutcome::Unknown => return Ok(None),
-            LockOutcome::Others if Instant::now() >= end => return Err(super::Trouble::Busy),
+            LockOutcome::Others if Instant::now() >= end => return Err(Trouble::Busy),
             LockOutcome::Others => sleep(PAUSE),
         }
     }

@@ -12,7 +12,7 @@
 //! | `lock` | comparing and replacing without somebody else in between |
 //! | `output` | all of these together: a file that is whole, or what it was |
 //! | `elsewhere` | the little of it that there is where there is no Unix |
-//! | `growing` | a table that is written row by row, and gone on with |
+//! | `growing` | a table that is written row by row, and resumed |
 //! | `places` | folders that belong to krank |
 
 #[cfg(unix)]
@@ -24,7 +24,7 @@ mod growing;
 mod guard;
 #[cfg(unix)]
 mod in_place;
-#[cfg(unix)]
+#[cfg_attr(not(unix), path = "no_lock.rs")]
 mod lock;
 #[cfg(unix)]
 mod output;
@@ -33,7 +33,7 @@ mod reading;
 #[cfg(unix)]
 mod rights;
 mod same;
-#[cfg(feature = "tui")]
+#[cfg(unix)]
 mod stamp;
 #[cfg(unix)]
 mod target;
@@ -43,7 +43,7 @@ pub(crate) use elsewhere::{Output, mend};
 pub(crate) use growing::{GrowingFile, GrownFile};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
-pub(crate) use reading::{limited, read_any};
+pub(crate) use reading::{limited, read_any, read_ready};
 pub(crate) use same::is_same_file;
 #[cfg(feature = "tui")]
 pub(crate) use stamp::Stamp;
@@ -63,12 +63,13 @@ use thiserror::Error;
 pub(crate) enum Trouble {
     /// There is a file, and nobody has said that it may go.
     #[error("{}", words().exists_already())]
-    #[cfg(feature = "tui")]
     Exists,
-    /// It no longer holds what was read from it.
+    /// It no longer holds what it held when work on it began.
     #[error("{}", words().changed_on_disk())]
-    #[cfg(feature = "tui")]
     Changed,
+    /// Rows were being added to it, and it was deleted, replaced or changed meanwhile.
+    #[error("{}", words().changed_while_it_grew())]
+    Disturbed,
     /// It is not to be written to, and nobody has said that it is meant nevertheless.
     #[error("{}", words().is_read_only())]
     ReadOnly,
@@ -76,9 +77,8 @@ pub(crate) enum Trouble {
     #[error("{0}")]
     #[cfg(feature = "tui")]
     NoFile(&'static str),
-    /// Somebody else is at it and does not come to an end.
+    /// Another process is writing it.
     #[error("{}", words().another_is_writing())]
-    #[cfg(feature = "tui")]
     Busy,
     /// A rename would lose what the file is, and there is no folder to keep its old text in meanwhile.
     #[cfg(unix)]

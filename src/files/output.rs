@@ -2,11 +2,13 @@
 
 use super::Trouble;
 use super::draft::DraftFile;
+#[cfg(feature = "tui")]
+use super::guard;
 use super::guard::open_file;
 use super::in_place::{make_private, write_into};
+use super::lock::{self, LockOutcome};
+use super::stamp::Stamp;
 use super::target::Target;
-#[cfg(feature = "tui")]
-use super::{Stamp, guard, lock};
 use rustix::fs::OFlags;
 use std::fs::{File, Metadata};
 use std::io::{self, ErrorKind, Write};
@@ -15,7 +17,19 @@ use std::path::{Path, PathBuf};
 
 /// A file that is being written. Dropped before it is committed, it leaves everything as it was.
 #[derive(Debug)]
-pub(crate) struct Output(OutputWay);
+pub(crate) struct Output {
+    way: OutputWay,
+    old: Option<OldFile>,
+}
+
+/// An existing file that is to be replaced. It is locked, so that a process that adds rows to it is not disturbed, and
+/// a second one that would replace it is refused.
+#[derive(Debug)]
+struct OldFile {
+    file: File,
+    path: PathBuf,
+    stamp: Option<Stamp>,
+}
 
 #[derive(Debug)]
 enum OutputWay {
@@ -48,7 +62,106 @@ impl Output {
     }
 
     fn of(target: Target, records: Option<&Path>) -> Result<Output, Trouble> {
-        Ok(Output(match target {
+        let old = match &target {
+            Target::File(path, _) => Some(OldFile {
+                file: lock::hold(path)?,
+                path: path.clone(),
+                stamp: Stamp::of(path),
+            }),
+            Target::New(_) | Target::Stream(_) => None,
+        };
+        let way = OutputWay::to(target, records)?;
+        Ok(Output { way, old })
+    }
+
+    /// Returns `true` if a name leads to a pipe, a device or an open descriptor, which no file replaces.
+    pub(crate) fn is_stream(name: &Path) -> bool {
+        matches!(Target::find(name), Ok(Target::Stream(_)))
+    }
+
+    /// Returns `true` if no other process of krank writes the file meanwhile; some network disks have no locks.
+    pub(crate) fn is_locked(&self) -> bool {
+        let file = match (&self.old, &self.way) {
+            (Some(old), _) => &old.file,
+            (None, OutputWay::New { draft, .. }) => &draft.file,
+            (None, OutputWay::Stream(_) | OutputWay::Over { .. } | OutputWay::Into { .. }) => {
+                return false;
+            }
+        };
+        lock::take(file) == LockOutcome::Ours
+    }
+
+    /// Everything was written: it becomes what the file holds. Returns the file, which stays locked while it is open.
+    ///
+    /// # Errors
+    /// What the system says, or that the file has changed meanwhile; then nothing has changed.
+    pub(crate) fn commit(self, records: Option<&Path>) -> Result<File, Trouble> {
+        self.sync()?;
+        if let Some(OldFile { path, stamp, .. }) = &self.old
+            && let (Some(then), Some(now)) = (stamp, Stamp::of(path))
+            && !now.has_text_of(then)
+        {
+            return Err(Trouble::Changed);
+        }
+        self.take_place(records)
+    }
+
+    /// A draft that is to take the place of a file lies on the disk.
+    fn sync(&self) -> io::Result<()> {
+        match &self.way {
+            // What is written into a file lies on the disk in its record.
+            OutputWay::Stream(_) | OutputWay::Into { .. } => Ok(()),
+            OutputWay::New { draft, .. } | OutputWay::Over { draft, .. } => draft.file.sync_all(),
+        }
+    }
+
+    fn take_place(self, records: Option<&Path>) -> Result<File, Trouble> {
+        let Output { way, old } = self;
+        let kept = || old.map(|old| old.file).ok_or(Trouble::Changed);
+        match way {
+            OutputWay::Stream(mut file) => {
+                file.flush()?;
+                Ok(file)
+            }
+            OutputWay::New { draft, target } => {
+                let file = draft.appear(&target).map_err(|e| match e.kind() {
+                    ErrorKind::AlreadyExists => Trouble::Exists,
+                    _ => e.into(),
+                })?;
+                sync_folder_of(&target);
+                Ok(file)
+            }
+            OutputWay::Over { draft, target } => {
+                let mut text = draft.file.try_clone()?;
+                match draft.replace(&target) {
+                    Ok(file) => {
+                        sync_folder_of(&target);
+                        Ok(file)
+                    }
+                    // Somebody else's in a sticky folder; a file that is itself a mount.
+                    Err(e) if is_denied(&e) => {
+                        let records = records.ok_or(Trouble::NoJournal)?;
+                        write_into(&target, &mut text, records)?;
+                        kept()
+                    }
+                    Err(e) => Err(e.into()),
+                }
+            }
+            OutputWay::Into {
+                mut draft,
+                target,
+                folder,
+            } => {
+                write_into(&target, &mut draft.file, &folder)?;
+                kept()
+            }
+        }
+    }
+}
+
+impl OutputWay {
+    fn to(target: Target, records: Option<&Path>) -> Result<OutputWay, Trouble> {
+        Ok(match target {
             Target::Stream(path) => {
                 // Where the shell has opened a file for us, what it holds so far stays.
                 OutputWay::Stream(File::options().append(true).open(path)?)
@@ -70,59 +183,13 @@ impl Output {
                     }
                 }
             },
-        }))
-    }
-
-    /// Everything was written: it becomes what the file holds.
-    ///
-    /// # Errors
-    /// What the system says; then nothing has changed.
-    pub(crate) fn commit(self, records: Option<&Path>) -> Result<(), Trouble> {
-        self.sync()?;
-        self.take_place(records)
-    }
-
-    /// A draft that is to take the place of a file lies on the disk.
-    fn sync(&self) -> io::Result<()> {
-        match &self.0 {
-            // What is written into a file lies on the disk in its record.
-            OutputWay::Stream(_) | OutputWay::Into { .. } => Ok(()),
-            OutputWay::New { draft, .. } | OutputWay::Over { draft, .. } => draft.file.sync_all(),
-        }
-    }
-
-    fn take_place(self, records: Option<&Path>) -> Result<(), Trouble> {
-        match self.0 {
-            OutputWay::Stream(mut file) => file.flush()?,
-            OutputWay::New { draft, target } => {
-                draft.appear(&target)?;
-                sync_folder_of(&target);
-            }
-            OutputWay::Over { draft, target } => {
-                let mut kept = draft.file.try_clone()?;
-                match draft.replace(&target) {
-                    Ok(_) => sync_folder_of(&target),
-                    // Somebody else's in a sticky folder; a file that is itself a mount.
-                    Err(e) if is_denied(&e) => {
-                        let records = records.ok_or(Trouble::NoJournal)?;
-                        write_into(&target, &mut kept, records)?;
-                    }
-                    Err(e) => return Err(e.into()),
-                }
-            }
-            OutputWay::Into {
-                mut draft,
-                target,
-                folder,
-            } => write_into(&target, &mut draft.file, &folder)?,
-        }
-        Ok(())
+        })
     }
 }
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match &mut self.0 {
+        match &mut self.way {
             OutputWay::Stream(file) => file.write(bytes),
             OutputWay::New { draft, .. }
             | OutputWay::Over { draft, .. }
@@ -212,5 +279,5 @@ pub(crate) fn save(
     if Stamp::of(&path) != before {
         return Err(Trouble::Changed);
     }
-    output.take_place(saving.records)
+    output.take_place(saving.records).map(drop)
 }

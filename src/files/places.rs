@@ -19,7 +19,11 @@ pub(crate) fn records(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> 
     Some(folder_of("XDG_STATE_HOME", ".local/state", env)?.join("recovery/writing"))
 }
 
-/// What the environment of this process holds.
+/// What the environment of this process holds. Where it has no `HOME`, the home is that of the password database.
 pub(crate) fn environment(name: &str) -> Option<PathBuf> {
-    std::env::var_os(name).map(PathBuf::from)
+    let set = std::env::var_os(name).map(PathBuf::from);
+    match name {
+        "HOME" => set.or_else(std::env::home_dir),
+        _ => set,
+    }
 }

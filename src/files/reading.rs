@@ -13,6 +13,38 @@ pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
     limited(File::open(path)?, most)
 }
 
+/// Reads a file up to one byte more than `most`. A pipe to which nobody writes is an error: nothing waits for a writer.
+///
+/// # Errors
+/// What the system says, or that nobody writes to the pipe.
+#[cfg(unix)]
+pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
+    use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl, open};
+    use std::os::unix::fs::FileTypeExt;
+    let flags = OFlags::RDONLY | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC;
+    let mut file = File::from(open(path, flags, Mode::empty())?);
+    let mut first = [0; 1];
+    let mut begun = 0;
+    if file.metadata()?.file_type().is_fifo() {
+        begun = match file.read(&mut first) {
+            Ok(0) => {
+                return Err(io::Error::other(
+                    crate::wording::words().pipe_without_writer(),
+                ));
+            }
+            Ok(read) => read,
+            // Somebody has it open, and may write.
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => 0,
+            Err(error) => return Err(error),
+        };
+    }
+    fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
+    limited(first[..begun].chain(file), most)
+}
+
+#[cfg(not(unix))]
+pub(crate) use read_any as read_ready;
+
 /// Everything up to one byte more than `most`, so that endless input ends.
 ///
 /// # Errors

@@ -16,7 +16,7 @@ fn folder(name: &str) -> PathBuf {
 fn write(to: &Path, bytes: &[u8], records: Option<&Path>) -> Result<(), Trouble> {
     let mut output = Output::to(to, records)?;
     output.write_all(bytes)?;
-    output.commit(records)
+    output.commit(records).map(drop)
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -26,6 +26,18 @@ fn names(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+/// What this process has opened in a folder, with a name or without.
+fn opened_in(folder: &Path) -> Vec<fs::Metadata> {
+    let all = fs::read_dir("/proc/self/fd")
+        .into_iter()
+        .flatten()
+        .flatten();
+    let inside = all.filter(|fd| fs::read_link(fd.path()).is_ok_and(|to| to.starts_with(folder)));
+    inside
+        .filter_map(|fd| fs::metadata(fd.path()).ok().filter(fs::Metadata::is_file))
+        .collect()
 }
 
 #[test]
@@ -177,16 +189,19 @@ fn what_was_left_is_swept_and_what_is_in_use_or_foreign_stays() {
     fs::write(folder.join(".krank-1-1.part"), "left by a kill").unwrap();
     fs::write(folder.join(".scene.toml.1"), "foreign").unwrap();
     symlink("/nowhere", folder.join(".krank-2-2.part")).unwrap();
-    let in_use = Output::to(&folder.join("other.csv"), None).unwrap();
+    let in_use = fs::File::create(folder.join(".krank-3-3.part")).unwrap();
+    in_use.lock().unwrap();
     write(&file, b"text", None).unwrap();
-    let left = names(&folder);
-    assert_eq!(left.len(), 4, "{left:?}");
-    assert!(!left.contains(&".krank-1-1.part".to_owned()));
+    let left = [
+        ".krank-2-2.part",
+        ".krank-3-3.part",
+        ".scene.toml.1",
+        "scene.toml",
+    ];
+    assert_eq!(names(&folder), left);
     drop(in_use);
-    assert_eq!(
-        names(&folder),
-        [".krank-2-2.part", ".scene.toml.1", "scene.toml"]
-    );
+    write(&file, b"more", None).unwrap();
+    assert_eq!(names(&folder), [left[0], left[2], left[3]]);
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -232,9 +247,9 @@ fn a_draft_has_its_last_rights_before_its_first_byte() {
         fs::write(&file, "old").unwrap();
         fs::set_permissions(&file, fs::Permissions::from_mode(mode)).unwrap();
         let output = Output::to(&file, None).unwrap();
-        let draft = names(&folder).into_iter().find(|name| name != "scene.toml");
-        let draft = fs::metadata(folder.join(draft.unwrap())).unwrap();
-        assert_eq!(draft.mode() & 0o777, mode);
+        let modes: Vec<u32> = opened_in(&folder).iter().map(MetadataExt::mode).collect();
+        assert!(!modes.is_empty());
+        assert!(modes.iter().all(|of| of & 0o777 == mode), "{modes:?}");
         drop(output);
     }
     fs::remove_dir_all(folder).unwrap();
@@ -344,6 +359,61 @@ fn what_somebody_else_writes_meanwhile_stays() {
     assert_eq!(names(&folder), ["scene.toml"]);
     save(saving, |_| Ok(b"new".to_vec())).unwrap();
     assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// What a kill leaves: a draft without a name goes with its process.
+#[cfg(target_os = "linux")]
+#[test]
+fn draft_has_no_name_before_it_is_whole() {
+    let folder = folder("unnamed");
+    let file = folder.join("out.csv");
+    for old in [None, Some("old")] {
+        if let Some(old) = old {
+            fs::write(&file, old).unwrap();
+        }
+        let mut output = Output::to(&file, None).unwrap();
+        output.write_all(b"rows").unwrap();
+        if opened_in(&folder).iter().any(|found| found.nlink() == 0) {
+            assert_eq!(names(&folder).len(), usize::from(old.is_some()));
+        } else {
+            eprintln!("skipped: this disk has no files without a name");
+        }
+        output.commit(None).unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "rows");
+        fs::remove_file(&file).unwrap();
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// Two commands used to write one file, and the later one won without a word.
+#[test]
+fn file_that_another_writes_is_left_alone() {
+    let folder = folder("locked");
+    let (file, link) = (folder.join("out.csv"), folder.join("link.csv"));
+    fs::write(&file, "old").unwrap();
+    symlink("out.csv", &link).unwrap();
+    let held = Output::to(&file, None).unwrap();
+    for name in [&file, &link] {
+        assert!(matches!(Output::to(name, None), Err(Trouble::Busy)));
+        let growing = GrowingFile::begin(name, "head\n", None);
+        assert!(matches!(growing, Err(Trouble::Busy)));
+        assert!(matches!(GrownFile::open(name, "ol"), Err(Trouble::Busy)));
+    }
+    drop(held);
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+    // A new file that somebody else has made meanwhile stays.
+    let mut late = Output::to(&folder.join("new.csv"), None).unwrap();
+    late.write_all(b"late").unwrap();
+    write(&folder.join("new.csv"), b"early", None).unwrap();
+    assert!(matches!(late.commit(None), Err(Trouble::Exists)));
+    // And so does one that somebody else has written who knows no lock.
+    let mut late = Output::to(&file, None).unwrap();
+    late.write_all(b"late").unwrap();
+    fs::write(&file, "foreign").unwrap();
+    assert!(matches!(late.commit(None), Err(Trouble::Changed)));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "foreign");
+    assert_eq!(fs::read_to_string(folder.join("new.csv")).unwrap(), "early");
     fs::remove_dir_all(folder).unwrap();
 }
 

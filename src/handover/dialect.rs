@@ -22,6 +22,8 @@ const PYTHON: &str = include_str!("python.txt");
 const MATLAB: &str = include_str!("matlab.txt");
 
 impl ScriptLanguage {
+    pub(super) const ALL: [ScriptLanguage; 2] = [ScriptLanguage::Python, ScriptLanguage::Matlab];
+
     /// The element of a list, counted from 0.
     pub(super) fn element(self, list: &str, index: usize) -> String {
         match self {
@@ -44,7 +46,7 @@ impl ScriptLanguage {
         }
     }
 
-    fn frame(self) -> &'static str {
+    pub(super) fn frame(self) -> &'static str {
         match self {
             ScriptLanguage::Python => PYTHON,
             ScriptLanguage::Matlab => MATLAB,

@@ -4,7 +4,7 @@ mod meetings;
 
 use super::closure::Closure;
 use super::dialect::ScriptLanguage;
-use super::identifiers::Identifiers;
+use super::identifiers::{ALONG, Identifiers, TABLE, THROUGH};
 use super::terms::{ScriptTerm, complex, number};
 use crate::scene::Scene;
 use crate::solver::Solver;
@@ -125,7 +125,7 @@ impl<'a> ScriptPlacement<'a> {
         let name = self.names.link(link);
         match self.mechanism().link(link).ends {
             Some((_, to)) if to == point => name.to_owned(),
-            _ => format!("{name}_{}", self.names.point(point)),
+            _ => self.names.part(name, self.names.point(point)),
         }
     }
 
@@ -133,14 +133,12 @@ impl<'a> ScriptPlacement<'a> {
         let slide = self.mechanism().slide(id);
         let name = self.names.slide(id).to_owned();
         if slide.named.is_none() && slide.through != Vec2::ZERO {
-            self.constant(
-                format!("{name}_through"),
-                complex(slide.through.x, slide.through.y),
-            );
+            let through = complex(slide.through.x, slide.through.y);
+            self.constant(self.names.part(&name, THROUGH), through);
         }
         if slide.angle != 0.0 {
             let direction = format!("turn({})", number(slide.angle));
-            self.constant(format!("{name}_along"), direction);
+            self.constant(self.names.part(&name, ALONG), direction);
         }
     }
 
@@ -178,7 +176,7 @@ impl<'a> ScriptPlacement<'a> {
             (Some(point), Body::Ground) => self.point(point),
             (Some(point), Body::Link(link)) => self.local(link, point),
             (None, _) if slide.through == Vec2::ZERO => ScriptTerm::zero(),
-            (None, _) => ScriptTerm::of(format!("{}_through", self.names.slide(id))),
+            (None, _) => ScriptTerm::of(self.names.part(self.names.slide(id), THROUGH)),
         }
     }
 
@@ -186,7 +184,7 @@ impl<'a> ScriptPlacement<'a> {
     pub(super) fn along(&self, id: SlideId) -> ScriptTerm {
         match self.mechanism().slide(id).angle == 0.0 {
             true => ScriptTerm::one(),
-            false => ScriptTerm::of(format!("{}_along", self.names.slide(id))),
+            false => ScriptTerm::of(self.names.part(self.names.slide(id), ALONG)),
         }
     }
 
@@ -309,7 +307,7 @@ impl<'a> ScriptPlacement<'a> {
             Input::Turn(link) => self.names.link(link),
             Input::Push(slide) => self.names.slide(slide),
         };
-        ["places", "values", "bends"].map(|part| format!("{name}_{part}"))
+        TABLE.map(|part| self.names.part(name, part))
     }
 
     fn list_table(&mut self, input: Input, table: &InputTable) {

@@ -98,7 +98,7 @@ pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
 
 /// Without the marks of what is to be bold, and of a bar within a table; those of code stay, for a terminal has no
 /// other.
-pub(super) fn plain(text: &str) -> String {
+pub(crate) fn plain(text: &str) -> String {
     text.replace("**", "").replace(r"\|", "|")
 }
 

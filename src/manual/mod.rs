@@ -15,7 +15,7 @@ use crate::wording::{Language, Wording, Words, words};
 pub(crate) use fold::{folded, joined};
 #[cfg(feature = "tui")]
 pub(crate) use layout::ManualLine;
-pub(crate) use layout::{LineKind, lines};
+pub(crate) use layout::{LineKind, lines, plain};
 
 /// Something to read.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! A page as one HTML file that needs no other: tables as tables, formulas with their indices, pictures as
 //! SVG inside. No script; on a screen light or dark as the reader prefers, on paper light, A4.
 
-use super::math::{MathPiece, pieces};
-use super::prose::{ProsePiece, is_spelled};
+use super::math::{MathPiece, UNIT, pieces};
+use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
 use super::svg::marked_up;
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
@@ -48,7 +48,7 @@ impl Page {
         let mut body = String::new();
         let mut sheets = Vec::new();
         for block in &self.blocks {
-            let content = block.content.shown(false);
+            let content = block.content.harmless();
             if let Content::Title(text) = &content {
                 title.clone_from(text);
             }
@@ -57,7 +57,7 @@ impl Page {
             {
                 sheets.push(picture.artwork.style);
             }
-            body.push_str(&content.html(&sheets));
+            body.push_str(&content.html(&sheets, &self.symbols));
         }
         let mut rules = SHEET.to_owned();
         let mut when_dark = DARK.to_owned();
@@ -82,30 +82,30 @@ fn class(number: usize) -> String {
 }
 
 impl Content {
-    fn html(&self, sheets: &[super::style::StyleSheet]) -> String {
+    fn html(&self, sheets: &[super::style::StyleSheet], symbols: &[String]) -> String {
         match self {
             Content::Title(text) => format!("<h1>{}</h1>\n", marked_up(text)),
             Content::Heading(level, text) => {
                 let level = (level + 1).min(6);
                 format!("<h{level}>{}</h{level}>\n", marked_up(text))
             }
-            Content::Text(text) => format!("<p>{}</p>\n", prose(text.trim())),
-            Content::Facts(list) => facts(list),
+            Content::Text(text) => format!("<p>{}</p>\n", prose(text.trim(), symbols)),
+            Content::Facts(list) => facts(list, symbols),
             Content::Equations(equations) => equations.iter().map(equation).collect(),
-            Content::Table(table) => columns(table),
+            Content::Table(table) => columns(table, symbols),
             Content::Characters(lines) => format!("<pre>{}</pre>\n", marked_up(&lines.join("\n"))),
             Content::Picture(picture) => {
                 let sheet = &picture.artwork.style;
                 let number = sheets.iter().position(|known| known == sheet);
-                figure(picture, &class(number.unwrap_or(0)))
+                figure(picture, &class(number.unwrap_or(0)), symbols)
             }
         }
     }
 }
 
-fn figure(picture: &Illustration, class: &str) -> String {
+fn figure(picture: &Illustration, class: &str, symbols: &[String]) -> String {
     let drawn = picture.artwork.svg_inside(&format!("art {class}"));
-    let caption = marked_up(&picture.caption);
+    let caption = prose(&picture.caption, symbols);
     format!("<figure>\n{drawn}<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
@@ -114,10 +114,10 @@ fn equation(equation: &Equation) -> String {
     format!("<div class=\"eq\">{}</div>\n", sides.join(" = "))
 }
 
-fn facts(facts: &Facts) -> String {
+fn facts(facts: &Facts, symbols: &[String]) -> String {
     let mut list = String::from("<dl>\n");
     for (name, told) in &facts.list {
-        let told: Vec<String> = told.iter().map(|told| marked_up(told)).collect();
+        let told: Vec<String> = told.iter().map(|told| prose(told, symbols)).collect();
         let _ = writeln!(
             list,
             "<dt>{}</dt><dd>{}</dd>",
@@ -128,8 +128,11 @@ fn facts(facts: &Facts) -> String {
     list + "</dl>\n"
 }
 
-fn columns(table: &Table) -> String {
-    let heads = table.heads.iter().map(|head| name_of(&head.whole()));
+fn columns(table: &Table, symbols: &[String]) -> String {
+    let heads = table
+        .heads
+        .iter()
+        .map(|head| name_of(&head.whole(), symbols));
     let heads: String = heads.map(|head| format!("<th>{head}</th>")).collect();
     let title = marked_up(&table.title);
     let mut text = format!(
@@ -138,13 +141,13 @@ fn columns(table: &Table) -> String {
     let count = table.heads.len();
     for row in &table.rows {
         let (mark, name) = row.label(true);
-        let name = name_of(format!("{mark} {}", name.trim()).trim());
+        let name = name_of(format!("{mark} {}", name.trim()).trim(), symbols);
         let cells = match row {
             Row::Part(_) => "<td></td>".repeat(count),
             Row::Told { words, .. } => {
                 format!(
                     "<td class=\"told\" colspan=\"{count}\">{}</td>",
-                    marked_up(words)
+                    prose(words, symbols)
                 )
             }
             Row::Figures { cells, .. } => {
@@ -159,20 +162,21 @@ fn columns(table: &Table) -> String {
 }
 
 /// The name of a row or of a column; a rate is spelled as in the formulas.
-fn name_of(text: &str) -> String {
-    match is_spelled(text) {
-        true => formula(text),
+fn name_of(text: &str, symbols: &[String]) -> String {
+    match is_spelled(text) || is_symbol(text, symbols) {
+        true => formula(&with_marked_unit(text)),
         false => marked_up(text),
     }
 }
 
 /// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
-fn prose(text: &str) -> String {
+fn prose(text: &str, symbols: &[String]) -> String {
     let mut out = String::new();
-    for piece in super::prose::pieces(text) {
+    for piece in super::prose::pieces(text, symbols) {
         let _ = match piece {
             ProsePiece::Typed(typed) => write!(out, "<code>{}</code>", marked_up(typed)),
             ProsePiece::Formula(word) => write!(out, "{}", formula(word)),
+            ProsePiece::Unit(unit) => write!(out, "{}", formula(&format!("{UNIT}{unit}"))),
             ProsePiece::Words(words) => write!(out, "{}", marked_up(words)),
         };
     }
@@ -234,19 +238,22 @@ mod tests {
         );
         assert_eq!(formula("5.7e-14 mm"), "5.7·10<sup>\u{2212}14</sup> mm");
         assert_eq!(
-            name_of("dr/dt [mm/s]"),
+            name_of("dr/dt [mm/s]", &[]),
             "<i>r\u{307}</i> [mm/s]",
             "as in the formulas"
         );
         assert_eq!(formula("dr4/dt"), "<i>r\u{307}</i><sub>4</sub>");
         assert_eq!(formula("drod/dt"), "r\u{307}od", "over the first letter");
         assert_eq!(
-            name_of("α [rad/s^2]"),
+            name_of("α [rad/s^2]", &[]),
             "<i>α</i> [rad/s<sup>2</sup>]",
             "as below it"
         );
         assert_eq!(
-            prose("Write `a < b`, which removes dr6/dt: 2 mm/s^2."),
+            prose(
+                "Write `a < b`, which removes dr6/dt: 2 \u{e000}mm/s^2.",
+                &[]
+            ),
             "Write <code>a &lt; b</code>, which removes <i>r\u{307}</i><sub>6</sub>: \
              2 mm/s<sup>2</sup>."
         );

@@ -1,7 +1,7 @@
 //! A page as LaTeX that a plain TeX Live sets: the class `article`, amsmath, and TikZ for pictures.
 
-use super::math::{MathPiece, closing, pieces};
-use super::prose::{ProsePiece, is_spelled};
+use super::math::{MathPiece, UNIT, closing, pieces};
+use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
@@ -33,25 +33,25 @@ impl Page {
     pub fn to_latex(&self) -> String {
         let mut text = HEAD.to_owned();
         for block in &self.blocks {
-            text.push_str(&block.content.shown(false).latex());
+            text.push_str(&block.content.harmless().latex(&self.symbols));
         }
         text + "\\end{document}\n"
     }
 }
 
 impl Content {
-    fn latex(&self) -> String {
+    fn latex(&self, symbols: &[String]) -> String {
         match self {
             Content::Title(text) => format!("{{\\LARGE\\bfseries {}\\par}}\n", escaped(text)),
             // Headings come with their numbers.
             Content::Heading(1, text) => format!("\n\\section*{{{}}}\n", escaped(text)),
             Content::Heading(_, text) => format!("\n\\subsection*{{{}}}\n", escaped(text)),
-            Content::Text(text) => format!("\n{}\n", prose(text.trim())),
-            Content::Facts(list) => facts(list),
+            Content::Text(text) => format!("\n{}\n", prose(text.trim(), symbols)),
+            Content::Facts(list) => facts(list, symbols),
             Content::Equations(equations) => equations.iter().map(equation).collect(),
-            Content::Table(table) => columns(table),
+            Content::Table(table) => columns(table, symbols),
             Content::Characters(lines) => in_characters(lines),
-            Content::Picture(picture) => figure(picture),
+            Content::Picture(picture) => figure(picture, symbols),
         }
     }
 }
@@ -67,11 +67,11 @@ fn in_characters(lines: &[String]) -> String {
 }
 
 /// A picture where it stands, its caption below.
-fn figure(picture: &Illustration) -> String {
+fn figure(picture: &Illustration, symbols: &[String]) -> String {
     format!(
         "\n\\begin{{center}}\n{}\n\\smallskip\n\n{{\\small {}\\par}}\n\\end{{center}}\n",
         picture.artwork.tikz(),
-        escaped(&picture.caption)
+        prose(&picture.caption, symbols)
     )
 }
 
@@ -80,20 +80,20 @@ fn equation(equation: &Equation) -> String {
     format!("\\eqline{{{}}}\n", sides.join(" = "))
 }
 
-fn facts(facts: &Facts) -> String {
+fn facts(facts: &Facts, symbols: &[String]) -> String {
     if facts.list.is_empty() {
         return String::new();
     }
     let mut list = String::from("\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\n");
     for (name, told) in &facts.list {
-        let told: Vec<String> = told.iter().map(|told| escaped(told)).collect();
+        let told: Vec<String> = told.iter().map(|told| prose(told, symbols)).collect();
         let name = escaped(name.trim());
         let _ = writeln!(list, "\\item[{{{name}}}] {}", told.join(" \\\\ "));
     }
     list + "\\end{description}\n"
 }
 
-fn columns(table: &Table) -> String {
+fn columns(table: &Table, symbols: &[String]) -> String {
     let count = table.heads.len();
     let mut widths = vec![0; count + 1];
     let mut rows = Vec::new();
@@ -124,7 +124,7 @@ fn columns(table: &Table) -> String {
     }
     let is_wide = widths.iter().sum::<usize>() > LINE;
     let line = |row: &Vec<String>| {
-        let cells: Vec<String> = row.iter().map(|text| cell(text)).collect();
+        let cells: Vec<String> = row.iter().map(|text| cell(text, symbols)).collect();
         cells.join(" & ")
     };
     let Some((head, body)) = rows.split_first() else {
@@ -152,13 +152,13 @@ fn columns(table: &Table) -> String {
 const ROWS: usize = 40;
 
 /// A cell; one with a symbol of its own is a formula, and what was found or is sought.
-fn cell(text: &str) -> String {
+fn cell(text: &str, symbols: &[String]) -> String {
     let negative = text
         .strip_prefix('-')
         .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
     // A rate is spelled as in the formulas.
-    if is_spelled(text) && !text.contains(" = ") {
-        return format!("\\({}\\)", formula(text));
+    if (is_spelled(text) || is_symbol(text, symbols)) && !text.contains(" = ") {
+        return format!("\\({}\\)", formula(&with_marked_unit(text)));
     }
     match (text.contains(" = "), negative) {
         (true, _) => format!("\\boldmath\\({}\\)", formula(text)),
@@ -244,12 +244,15 @@ fn dotted(dots: &str, letter: &str) -> String {
 }
 
 /// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
-fn prose(text: &str) -> String {
+fn prose(text: &str, symbols: &[String]) -> String {
     let mut out = String::new();
-    for piece in super::prose::pieces(text) {
+    for piece in super::prose::pieces(text, symbols) {
         let _ = match piece {
             ProsePiece::Typed(typed) => write!(out, "\\texttt{{{}}}", escaped(typed)),
             ProsePiece::Formula(word) => write!(out, "\\({}\\)", formula(word)),
+            ProsePiece::Unit(unit) => {
+                write!(out, "\\({}\\)", formula(&format!("{UNIT}{unit}")))
+            }
             ProsePiece::Words(words) => write!(out, "{}", escaped(words)),
         };
     }
@@ -306,6 +309,7 @@ pub(super) fn escaped(text: &str) -> String {
                 out.push('\\');
                 out.push(c);
             }
+            UNIT => {}
             '^' => out.push_str("\\textasciicircum{}"),
             '~' => out.push_str("\\textasciitilde{}"),
             '<' => out.push_str("\\ensuremath{<}"),
@@ -349,7 +353,7 @@ mod tests {
         assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
         assert_eq!(formula("drod/dt"), "\\dot{\\text{r}}\\text{od}");
         assert_eq!(
-            prose("Type `a_b`, which removes dr6/dt."),
+            prose("Type `a_b`, which removes dr6/dt.", &[]),
             "Type \\texttt{a\\_b}, which removes \\(\\dot{r}_{\\text{6}}\\)."
         );
         assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");

@@ -7,7 +7,7 @@ pub(super) enum MathPiece {
     Symbol(String, String, usize),
     /// `cos`.
     Function(String),
-    /// A unit of one letter, which is no symbol: the `s` of `mm/s`.
+    /// A unit of one letter, which is no symbol: the `s` of `mm/s`, behind [`UNIT`].
     Unit(String),
     /// A number, and the power of ten behind it.
     Number(String, Option<String>),
@@ -18,6 +18,13 @@ pub(super) enum MathPiece {
     /// One blank or more.
     Blank,
 }
+
+/// Stands before a unit: `2 {UNIT}N m`. Nothing else tells the unit of seconds from a length named `s`. Plain texts are
+/// shown without it.
+pub(crate) const UNIT: char = '\u{e000}';
+
+/// Units that follow another one behind a blank, as in `N m`.
+const FACTORS: [&str; 7] = ["m", "mm", "cm", "in", "s", "rad", "kg"];
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
 /// Components, which have an index though no figure does.
@@ -31,7 +38,14 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
     let chars: Vec<char> = formula.chars().collect();
     let mut pieces = Vec::new();
     let mut i = 0;
+    let mut in_unit = false;
     while let Some(&c) = chars.get(i) {
+        if c == UNIT {
+            in_unit = true;
+            i += 1;
+            continue;
+        }
+        in_unit &= goes_on(&chars[i..]);
         let run = |is: fn(char) -> bool| -> String {
             chars[i..].iter().copied().take_while(|&c| is(c)).collect()
         };
@@ -60,7 +74,7 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
             };
             i += length(&name) + [0, 4, 6][order];
             let is_called = chars.get(i) == Some(&'(');
-            pieces.push(match is_unit(&name, &pieces, &chars[i..]) {
+            pieces.push(match in_unit && name.chars().count() == 1 {
                 true => MathPiece::Unit(name),
                 false if is_called && FUNCTIONS.contains(&name.as_str()) => {
                     MathPiece::Function(name)
@@ -86,18 +100,13 @@ fn name(chars: &[char]) -> String {
     chars[..length.count()].iter().collect()
 }
 
-/// Whether a letter stands where a unit does: `mm/s`, `m/s^2`, `5 N`, `5 N m`.
-fn is_unit(name: &str, before: &[MathPiece], rest: &[char]) -> bool {
-    let is_newton = |piece: &MathPiece| *piece == MathPiece::Unit("N".into());
-    match (name, before) {
-        ("s", [.., MathPiece::Sign('/')]) => true,
-        ("N" | "W", [.., MathPiece::Number(..), MathPiece::Blank]) => true,
-        ("m", _) if rest.starts_with(&['/', 's']) => true,
-        ("m", [.., MathPiece::Number(..), MathPiece::Blank]) => {
-            matches!(rest, [] | [','] | ['^', _])
-        }
-        ("m", [.., newton, MathPiece::Blank]) => is_newton(newton),
-        _ => false,
+/// Returns `true` if what follows a part of a unit is another part of it.
+fn goes_on(rest: &[char]) -> bool {
+    match rest.first() {
+        Some('/' | '^') => true,
+        Some(' ') => FACTORS.contains(&name(&rest[1..]).as_str()),
+        Some(c) => c.is_alphabetic(),
+        None => false,
     }
 }
 
@@ -243,10 +252,15 @@ mod tests {
         );
         let unit = |name: &str| MathPiece::Unit(name.into());
         assert_eq!(pieces("p +- q")[2], Sign('±'));
-        assert_eq!(pieces("mm/s")[2], unit("s"));
-        assert_eq!(pieces("2 N m")[2..], [unit("N"), Blank, unit("m")]);
-        assert_eq!(pieces("m/s^2")[0], unit("m"));
-        assert_eq!(pieces("2 m r3")[2], symbol("m", "", 0));
+        let marked = |text: &str| pieces(&text.replace('@', &UNIT.to_string()));
+        assert_eq!(marked("2 @mm/s")[4], unit("s"));
+        assert_eq!(marked("2 @N m")[2..], [unit("N"), Blank, unit("m")]);
+        assert_eq!(marked("2 @m/s^2 s")[2], unit("m"));
+        assert_eq!(marked("2 @m/s^2 + s")[9], symbol("s", "", 0));
+        // What is not marked is a symbol.
+        for (text, at, letter) in [("2 m r3", 2, "m"), ("r2/s", 2, "s"), ("2 N", 2, "N")] {
+            assert_eq!(pieces(text)[at], symbol(letter, "", 0), "{text}");
+        }
         assert_eq!(pieces("dist")[0], symbol("dist", "", 0));
     }
 }

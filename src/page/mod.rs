@@ -34,6 +34,7 @@ pub(crate) use artwork::TextAnchor;
 #[cfg(feature = "tui")]
 pub(crate) use columns::ColumnLayout;
 pub use line::{Line, Span, TextRole};
+pub(crate) use math::UNIT;
 pub use spelled::TextStyle;
 pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
@@ -52,6 +53,8 @@ pub struct Page {
     pub blocks: Vec<Block>,
     /// Whether the names in all its tables and facts take the same room, so that they stand in one column.
     pub is_aligned: bool,
+    /// Names that are set as in formulas where a sentence has them.
+    symbols: Vec<String>,
     /// The numbers of the last headings of level 1 and 2.
     numbers: [usize; 2],
 }
@@ -132,6 +135,11 @@ impl Page {
             is_aligned: true,
             ..Page::default()
         }
+    }
+
+    /// Sets these names as in formulas where a sentence has them.
+    pub(crate) fn set_symbols(&mut self, names: impl IntoIterator<Item = String>) {
+        self.symbols = names.into_iter().collect();
     }
 
     /// Adds a part, with a blank line before it where the part before does not lead to it.

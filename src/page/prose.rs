@@ -1,4 +1,6 @@
-//! Paragraphs taken apart, for writers that set what is typed, and rates and powers, as such.
+//! Paragraphs taken apart, for writers that set what is typed, and rates, powers and names, as such.
+
+use super::math::UNIT;
 
 /// A piece of a paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,8 +9,10 @@ pub(super) enum ProsePiece<'t> {
     Words(&'t str),
     /// What stood between backticks.
     Typed(&'t str),
-    /// A rate, or something with a power.
+    /// A rate, something with a power, or a name of formulas.
     Formula(&'t str),
+    /// A unit with a power.
+    Unit(&'t str),
 }
 
 /// Whether a text has what is spelled in another way where formulas are set.
@@ -16,16 +20,38 @@ pub(super) fn is_spelled(text: &str) -> bool {
     text.contains("/dt") || text.contains('^')
 }
 
-/// The pieces of a paragraph; a backtick without its other is one.
-pub(super) fn pieces(text: &str) -> Vec<ProsePiece<'_>> {
+/// Marks the unit in the brackets behind the name of a row or column.
+pub(super) fn with_marked_unit(text: &str) -> String {
+    match text.rsplit_once(" [") {
+        Some((name, unit)) if unit.ends_with(']') => format!("{name} [{UNIT}{unit}"),
+        _ => text.to_owned(),
+    }
+}
+
+/// What may stand behind a number of a sentence as its unit.
+const UNITS: [&str; 13] = [
+    "mm", "cm", "m", "in", "s", "rad", "deg", "N", "kg", "W", "J", "rpm", "min",
+];
+
+/// Words of both languages that are names, too: in a sentence they are words.
+const WORDS: [&str; 4] = ["a", "A", "I", "o"];
+
+/// Returns `true` if a word of a sentence is a symbol of formulas: one of these names, or what begins with a Greek letter.
+pub(super) fn is_symbol(word: &str, symbols: &[String]) -> bool {
+    let is_greek = word.starts_with(['θ', 'ω', 'α', 'β', 'γ', 'μ', 'ν']);
+    is_greek || symbols.iter().any(|name| name == word) && !WORDS.contains(&word)
+}
+
+/// The pieces of a paragraph, in which these names are symbols; a backtick without its other is one.
+pub(super) fn pieces<'t>(text: &'t str, symbols: &[String]) -> Vec<ProsePiece<'t>> {
     let mut pieces = Vec::new();
     let mut rest = text;
     while let Some((before, typed, behind)) = between_backticks(rest) {
-        push_words(before, &mut pieces);
+        push_words(before, symbols, &mut pieces);
         pieces.push(ProsePiece::Typed(typed));
         rest = behind;
     }
-    push_words(rest, &mut pieces);
+    push_words(rest, symbols, &mut pieces);
     pieces
 }
 
@@ -35,16 +61,49 @@ fn between_backticks(text: &str) -> Option<(&str, &str, &str)> {
     Some((before, typed, behind))
 }
 
-fn push_words<'t>(text: &'t str, pieces: &mut Vec<ProsePiece<'t>>) {
+fn is_number(word: &str) -> bool {
+    word.trim_start_matches(['-', '+'])
+        .starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// Returns `true` if a word is made of units alone: `mm`, `rad/s^2`.
+fn is_unit(word: &str) -> bool {
+    let mut parts = word
+        .split(['/', '^', '2', '3'])
+        .filter(|part| !part.is_empty());
+    parts.all(|part| UNITS.contains(&part))
+}
+
+fn push_words<'t>(text: &'t str, symbols: &[String], pieces: &mut Vec<ProsePiece<'t>>) {
+    let mut is_behind_number = false;
     for part in text.split_inclusive(' ') {
-        let word = part.trim_end_matches([' ', ',', ';', ':', '.']);
-        match is_spelled(word) {
-            true => {
-                pieces.push(ProsePiece::Formula(word));
-                pieces.push(ProsePiece::Words(&part[word.len()..]));
-            }
-            false => pieces.push(ProsePiece::Words(part)),
+        let opened = part.len() - part.trim_start_matches('(').len();
+        let word = part[opened..].trim_end_matches([' ', ',', ';', ':', '.']);
+        let word = match word.contains('(') {
+            true => word,
+            false => word.trim_end_matches(')'),
+        };
+        let is_measured = std::mem::replace(&mut is_behind_number, is_number(word));
+        let is_unit = word.starts_with(UNIT) || is_measured && is_unit(word);
+        // An ending of Turkish stands behind an apostrophe.
+        let stem = match word.rsplit_once('\'') {
+            Some((stem, end)) if !end.is_empty() && is_symbol(stem, symbols) => stem,
+            _ => word,
+        };
+        if !is_spelled(word) && (is_unit || !is_symbol(stem, symbols)) {
+            pieces.push(ProsePiece::Words(part));
+            continue;
         }
+        let word = if is_spelled(word) { word } else { stem };
+        let end = opened + word.len();
+        let around = [&part[..opened], &part[end..]].map(ProsePiece::Words);
+        let [before, behind] = around;
+        let set = match is_unit {
+            true => ProsePiece::Unit(word),
+            false => ProsePiece::Formula(word),
+        };
+        let told = [before, set, behind].into_iter();
+        pieces.extend(told.filter(|piece| *piece != ProsePiece::Words("")));
     }
 }
 
@@ -54,7 +113,7 @@ mod tests {
 
     #[test]
     fn rates_and_what_is_typed_stand_apart() {
-        let taken = pieces("a `b c` dr4/dt: d");
+        let taken = pieces("a `b c` dr4/dt: d", &[]);
         let expected = [
             ProsePiece::Words("a "),
             ProsePiece::Typed("b c"),
@@ -64,6 +123,25 @@ mod tests {
             ProsePiece::Words("d"),
         ];
         assert_eq!(taken, expected);
-        assert_eq!(pieces("a ` b").len(), 3);
+        assert_eq!(pieces("a ` b", &[]).len(), 3);
+    }
+
+    #[test]
+    fn names_are_symbols_and_articles_are_words() {
+        let names = ["s", "r2", "a"].map(str::to_owned);
+        let symbols = |text: &'static str| -> Vec<&str> {
+            let of = |piece| match piece {
+                ProsePiece::Formula(word) => Some(word),
+                ProsePiece::Words(_) | ProsePiece::Typed(_) | ProsePiece::Unit(_) => None,
+            };
+            pieces(text, &names).into_iter().filter_map(of).collect()
+        };
+        assert_eq!(
+            symbols("a loop: r2 + s (θ3, s), `s`, is μ(θ)."),
+            ["r2", "s", "θ3", "s", "μ(θ)"]
+        );
+        // Behind a number it is a second.
+        assert_eq!(symbols("after 2 s, 9.81 m/s^2, s is"), ["s"]);
+        assert_eq!(symbols("r2'nin boyu, s'dir"), ["r2", "s"]);
     }
 }

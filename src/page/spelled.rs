@@ -1,5 +1,6 @@
 //! Text as a terminal can show it.
 
+use super::math::UNIT;
 use super::{Block, Cell, Content, Equation, Facts, Head, Illustration, Page, Row, Table};
 use crate::document::sanitized;
 
@@ -29,6 +30,7 @@ impl Page {
         };
         Page {
             blocks: blocks.map(block).collect(),
+            symbols: Vec::new(),
             ..*self
         }
     }
@@ -37,7 +39,15 @@ impl Page {
 impl Content {
     /// The same with every text as it is shown.
     pub(super) fn shown(&self, ascii: bool) -> Content {
-        let shown = &|text: &str| shown(text, ascii);
+        self.with_texts(&|text| shown(&text.replace(UNIT, ""), ascii))
+    }
+
+    /// The same for writers that set formulas: units keep their marks.
+    pub(super) fn harmless(&self) -> Content {
+        self.with_texts(&|text| shown(text, false))
+    }
+
+    fn with_texts(&self, shown: &impl Fn(&str) -> String) -> Content {
         let all = |texts: &[String]| texts.iter().map(|text| shown(text)).collect();
         match self {
             Content::Title(text) => Content::Title(shown(text)),

@@ -4,6 +4,7 @@
 //! any ground. Text loses its control characters and is escaped: no scene can write markup.
 
 use super::artwork::{ArtElement, Artwork, TextAnchor};
+use super::math::UNIT;
 use super::style::{DARK, LIGHT, StyleSheet, rules};
 use crate::Vec2;
 use crate::document::sanitized;
@@ -144,6 +145,7 @@ pub(super) fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in sanitized(text, false).chars() {
         match c {
+            UNIT => {}
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),

@@ -1,5 +1,6 @@
 //! Units as people write them, and what one is in another.
 
+use crate::expression::plain_unit;
 use crate::scene::Unit;
 
 /// The units that a figure may have been written in instead of its own.
@@ -19,7 +20,7 @@ enum UnitMeasure {
 /// known. Without a unit it is taken for the other's.
 #[must_use]
 pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
-    let plain = plain(from);
+    let plain = plain_unit(from);
     if plain.is_empty() || plain == to {
         return Some(1.0);
     }
@@ -55,29 +56,11 @@ pub fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// The unit of this name, where it is one of those that are converted.
+/// Returns the unit that is written so, where it is one of those that are converted.
 #[must_use]
 pub fn known_unit(unit: &str) -> Option<&'static str> {
-    NAMES.into_iter().find(|name| *name == unit)
-}
-
-/// As krank writes it: seconds may be `sn`, radians `rd`, and powers small.
-fn plain(unit: &str) -> String {
-    let unit = unit.trim().replace('²', "^2").replace('°', "deg");
-    let (head, rate) = match unit.split_once('/') {
-        Some((head, rate)) => (head, Some(rate)),
-        None => (unit.as_str(), None),
-    };
-    let head = match head.trim() {
-        "rd" => "rad",
-        head => head,
-    };
-    match rate.map(str::trim) {
-        None => head.to_owned(),
-        Some("s2" | "sn2" | "sn^2") => format!("{head}/s^2"),
-        Some("sn") => format!("{head}/s"),
-        Some(rate) => format!("{head}/{rate}"),
-    }
+    let plain = plain_unit(unit);
+    NAMES.into_iter().find(|name| *name == plain)
 }
 
 /// What is measured, and by which times it is divided.
@@ -118,6 +101,12 @@ mod tests {
             ("rad", "deg", 1_f64.to_degrees()),
             ("°", "deg", 1.0),
             ("rpm", "deg/s", 6.0),
+            ("d/dk", "deg/s", 6.0),
+            ("dev/dk", "rpm", 1.0),
+            ("derece", "deg", 1.0),
+            ("der", "deg", 1.0),
+            ("radyan", "rad", 1.0),
+            ("mm/sn", "cm/s", 0.1),
             ("N", "N", 1.0),
         ] {
             assert_eq!(unit_factor(from, to), Some(factor), "{from} {to}");

@@ -51,13 +51,16 @@ pub fn bound(
 
 /// How far a figure can be from the truth, which a ball holds.
 pub(super) fn apart(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
-    // Directions just before and just after a full turn are close.
-    let turn = if is_direction && (value - ball.mid).abs() > angle::TURN / 2.0 {
-        angle::TURN.copysign(ball.mid - value)
+    // Directions just before and just after a full turn are close. The larger one is at least half a turn: less a turn
+    // it is exact.
+    let beyond = value - ball.mid;
+    if !is_direction || beyond.abs() <= angle::TURN / 2.0 {
+        ball.bound(value)
+    } else if beyond > 0.0 {
+        ball.bound(value - angle::TURN)
     } else {
-        0.0
-    };
-    ball.bound(value + turn)
+        Ball::new(ball.mid - angle::TURN, ball.radius).bound(value)
+    }
 }
 
 /// What a state is, in the word that the `state` column uses.

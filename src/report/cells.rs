@@ -1,6 +1,6 @@
 //! Tables of cells that a spreadsheet or another program has written.
 
-use std::borrow::Cow;
+use super::text_encoding::{TextEncoding, decoded};
 
 /// Rows of cells, and what stood between these.
 pub(super) struct ReadCells {
@@ -8,6 +8,7 @@ pub(super) struct ReadCells {
     /// On which line of the file each row begins, from 1.
     pub(super) lines: Vec<u64>,
     pub(super) separator: char,
+    pub(super) encoding: TextEncoding,
 }
 
 /// Cells are not longer than this on average: a row of a thousand.
@@ -17,7 +18,7 @@ impl ReadCells {
     /// Reads the rows of a table, cells between commas, semicolons or tabs, without the blanks around them; `None`
     /// where there are more rows than these. A row that is broken is left out, and UTF-16 is read where it says so.
     pub(super) fn read(bytes: &[u8], most_rows: usize) -> Option<ReadCells> {
-        let text = decoded(bytes);
+        let (text, encoding) = decoded(bytes);
         let text = text.trim_start_matches('\u{feff}');
         let separator = separator(text);
         let (rows, lines) = rows(text, separator, most_rows)?;
@@ -39,20 +40,9 @@ impl ReadCells {
             rows,
             lines,
             separator,
+            encoding,
         })
     }
-}
-
-/// The text of a file. Names of figures are ASCII in most scenes; a name of a student may be in any old encoding.
-fn decoded(bytes: &[u8]) -> Cow<'_, str> {
-    let unit: fn([u8; 2]) -> u16 = match bytes {
-        [0xff, 0xfe, ..] => u16::from_le_bytes,
-        [0xfe, 0xff, ..] => u16::from_be_bytes,
-        _ => return String::from_utf8_lossy(bytes),
-    };
-    let (pairs, _) = bytes.as_chunks();
-    let units: Vec<u16> = pairs.iter().map(|pair| unit(*pair)).collect();
-    String::from_utf16_lossy(&units).into()
 }
 
 /// Rows of cells, and on which line each begins.

@@ -7,7 +7,7 @@ use super::input_facts::InputFacts;
 use super::loop_facts::LoopFacts;
 use super::motion_facts::MotionFacts;
 use super::number::concise;
-use super::range_text::range_text;
+use super::range_text::{limit_text, range_text};
 use super::slide_facts::SlideFacts;
 use super::stop_facts::{StopFacts, UnmetLimit, stops, unmet_limits};
 use crate::quantity::Catalogue;
@@ -127,6 +127,16 @@ pub struct NearMissFacts {
     pub at: f64,
 }
 
+/// An end of the range at which two assemblies of a group meet.
+#[derive(Clone, Debug, Serialize)]
+pub struct LinedUpFacts {
+    /// The joint that names the group, or its first link.
+    pub group: String,
+    /// The driver's coordinate, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub at: f64,
+}
+
 /// A constraint that repeats others.
 #[derive(Clone, Debug, Serialize)]
 pub struct RedundancyFacts {
@@ -187,6 +197,8 @@ pub struct Check {
     pub choices: ChoiceList,
     /// The lower and the upper end of the driver's range, in deg or the scene's unit.
     pub range: [f64; 2],
+    /// The error of each of these ends at most, in the same unit; `None` where it is not proved.
+    pub range_bounds: [Option<f64>; 2],
     /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
     pub period: Option<f64>,
     /// Ends of the range at which the mechanism cannot go on, in deg or the scene's unit.
@@ -197,6 +209,8 @@ pub struct Check {
     pub unmet: Vec<UnmetLimit>,
     /// Where two assemblies meet and the motion passes, within one period.
     pub change_points: Vec<f64>,
+    /// Ends of the range at which two assemblies meet, and a passage is not proved.
+    pub lined_up: Vec<LinedUpFacts>,
     /// By how much lengths that count as equal may differ there, in the scene's unit.
     pub tolerance: f64,
     /// Where two assemblies all but meet, and the motion keeps its own.
@@ -360,6 +374,24 @@ pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
         .collect()
 }
 
+/// The ends of the range at which groups are lined up.
+fn lined_up(scene: &Scene, solver: &Solver) -> Vec<LinedUpFacts> {
+    let names = ElementNames { scene };
+    let ends = solver.motion().lined_up.iter();
+    let facts = ends.filter_map(|end| {
+        let group = names.group_name(solver.plan().group(end.group)?);
+        Some(LinedUpFacts { group, at: end.at })
+    });
+    facts.collect()
+}
+
+impl LinedUpFacts {
+    /// In words; `unit` is that of the driver's coordinate.
+    pub(super) fn text(&self, unit: &str) -> String {
+        words().ends_lined_up(&limit_text(self.at), unit, &self.group)
+    }
+}
+
 impl NearMissFacts {
     /// In words; `unit` is that of the driver's coordinate.
     #[must_use]
@@ -410,11 +442,13 @@ impl Check {
             groups: plan.groups.iter().map(|g| names.group(g)).collect(),
             choices: ChoiceList::new(scene, solver),
             range,
+            range_bounds: solver.motion().range_bounds,
             period,
             dead_points: solver.motion().dead_points.clone(),
             stops: stops(scene, solver),
             unmet: unmet_limits(scene, solver),
             change_points: solver.motion().change_points.clone(),
+            lined_up: lined_up(scene, solver),
             tolerance: solver.motion().tolerance,
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),

@@ -6,7 +6,7 @@ use super::check::{
 };
 use super::motion_facts::MotionFacts;
 use super::number::concise;
-use super::range_text::{DECIMALS, limit_text};
+use super::range_text::{DECIMALS, errors_text, limit_text};
 use super::slide_facts::SlideFacts;
 use super::stop_facts::UnmetLimit;
 use crate::page::{Content, Facts, Page, TextStyle};
@@ -81,8 +81,10 @@ impl Check {
         if let Some(first) = &self.first_loop {
             facts.tell(words().fact_loop(), first.lines(self.unit));
         }
-        facts.tell(words().fact_range(), [self.range_text.clone()]);
         let unit = self.driver_unit();
+        let errors = (self.period.is_none()).then(|| errors_text(self.range_bounds, unit));
+        let range = [self.range_text.clone()].into_iter().chain(errors);
+        facts.tell(words().fact_range(), range);
         let stops = self.stops.iter();
         let stops = stops.map(|stop| stop.text(&limit_text(stop.at), unit));
         let unmet = self.unmet.iter().map(UnmetLimit::text);
@@ -93,6 +95,10 @@ impl Check {
                 [self.change_points_text(), self.tolerance_text()],
             );
         }
+        facts.tell(
+            words().fact_change(),
+            self.lined_up.iter().map(|end| end.text(unit)),
+        );
         facts.tell(
             words().fact_near_miss(),
             self.near_misses.iter().map(|m| m.text(unit)),

@@ -50,7 +50,7 @@ pub struct ChoiceList {
     pub assemblies: Vec<Vec<(String, String)>>,
     /// Which of them is followed.
     pub current: Option<usize>,
-    /// Whether that is all of them.
+    /// Whether the list was not cut. A coupled group may have assemblies that the search has missed.
     pub complete: bool,
 }
 

@@ -51,6 +51,7 @@ mod synthesis_csv;
 mod tables;
 mod tables_data;
 mod tables_page;
+mod text_encoding;
 mod timed_motor;
 mod tolerance_answers;
 mod tolerance_page;
@@ -66,7 +67,7 @@ pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{
     Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
-    NearMissFacts, TransmissionFacts, near_misses,
+    LinedUpFacts, NearMissFacts, TransmissionFacts, near_misses,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
@@ -79,8 +80,8 @@ pub use difference::Pairing;
 pub use entry::{Entry, PlaneVector};
 pub use errors::Missing;
 pub use exercise::{
-    AnswerFile, AnsweredRow, GradedAnswers, GradedFigure, NoAnswers, answer_key, blank_answers,
-    class_csv, class_page, is_blank, named_again,
+    AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, NoAnswers, StrangeCell,
+    answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
 };
 pub use figure_list::{FigureList, ListedFigure};
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
@@ -98,6 +99,7 @@ pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use synthesis::SynthesisReport;
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
+pub use text_encoding::TextEncoding;
 pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
 pub use tolerance_page::{ToldTolerance, ToleranceReport};

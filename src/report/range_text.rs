@@ -1,12 +1,14 @@
 //! The range of the driver in words.
 
-use super::number::concise;
+use super::number::{concise, upwards};
 use crate::quantity::Quantity;
 use crate::solver::Range;
 use crate::wording::words;
 
 /// Decimals of limits: as many as a double has at some hundred degrees.
 pub(super) const DECIMALS: usize = 12;
+/// Significant digits of the errors of ends.
+const BOUND_DIGITS: usize = 2;
 
 /// The range that the driver can cover, in words: limits with up to 12 decimals and their unit. `driver`
 /// is the driver's coordinate.
@@ -20,6 +22,15 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
             words().range_limited(&low, &high, unit)
         }
     }
+}
+
+/// The errors of the ends of a limited range, in words.
+pub(super) fn errors_text(bounds: [Option<f64>; 2], unit: &str) -> String {
+    let [low, high] = bounds.map(|bound| match bound {
+        Some(bound) => words().end_error(&upwards(bound, BOUND_DIGITS), unit),
+        None => words().end_error_not_proved().to_owned(),
+    });
+    words().range_errors(&low, &high)
 }
 
 /// To 12 decimals, without noughts at the end.

@@ -2,7 +2,7 @@
 
 use super::check::{ElementNames, PLACES};
 use super::number::{concise, significant};
-use crate::solver::{Order, Solver, Travel};
+use crate::solver::{Order, Solver};
 use crate::wording::words;
 use crate::{Body, SlideId, Slider, angle};
 use serde::Serialize;
@@ -41,6 +41,14 @@ impl ElementNames<'_> {
         let mechanism = &self.scene.mechanism;
         let mut opening = solver.state();
         let _ = solver.solve(mechanism.driver().start, Order::Position, &mut opening);
+        let mut bounds = solver.enclosure();
+        solver.enclose(&mut opening, Order::Position, &mut bounds);
+        let position = |id| {
+            let (travel, enclosed) = opening.travel(id).zip(bounds.travel(id))?;
+            // Written so that a bound that is no number tells no sign.
+            let is_negative = enclosed.position.mid + enclosed.position.radius < 0.0;
+            is_negative.then_some(travel.position)
+        };
         let facts = |id| {
             let slide = mechanism.slide(id);
             let (kind, slider) = match slide.slider {
@@ -54,7 +62,7 @@ impl ElementNames<'_> {
                 kind,
                 slider,
                 on: self.body(slide.on),
-                backwards: self.backwards(id, opening.travel(id)),
+                backwards: position(id).and_then(|position| self.backwards(id, position)),
             }
         };
         mechanism.slide_ids().map(facts).collect()
@@ -62,11 +70,10 @@ impl ElementNames<'_> {
 
     /// Lecture notes write the vector of a slide with a positive length: one whose guide was given the direction of
     /// that vector is negative, and says how it would not be. A driven one is where its driver says.
-    fn backwards(&self, id: SlideId, opening: Option<Travel>) -> Option<String> {
+    fn backwards(&self, id: SlideId, position: f64) -> Option<String> {
         let mechanism = &self.scene.mechanism;
         let is_driven = mechanism.is_pushed(id);
-        let position = opening?.position;
-        if is_driven || position >= 0.0 {
+        if is_driven {
             return None;
         }
         let slide = mechanism.slide(id);

@@ -11,7 +11,7 @@ use crate::study::{
     Contribution, Distribution, Percentiles, SampleOrder, Samples, ToleranceFigure, ToleranceOf,
     ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
 };
-use crate::wording::words;
+use crate::wording::{for_programs, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -301,8 +301,16 @@ impl ToldTolerance {
         let found = self.found.as_ref();
         let worst = found.map(|found| found.worst);
         line("nominal".into(), cell(found.map(|f| f.nominal)), unit);
-        line("worst.low".into(), cell(worst.map(|w| w.low)), unit);
-        line("worst.high".into(), cell(worst.map(|w| w.high)), unit);
+        line(
+            "worst.low".into(),
+            cell(worst.and_then(|w| bounded(w.low))),
+            unit,
+        );
+        line(
+            "worst.high".into(),
+            cell(worst.and_then(|w| bounded(w.high))),
+            unit,
+        );
         let reached = worst.map(|worst| worst.reached);
         line("reached.low".into(), cell(reached.map(|r| r[0])), unit);
         line("reached.high".into(), cell(reached.map(|r| r[1])), unit);
@@ -339,8 +347,8 @@ impl ToldTolerance {
         object.insert("nominal".into(), number(found.map(|found| found.nominal)));
         let worst = found.map(|found| {
             json!({
-                "low": number(Some(found.worst.low)),
-                "high": number(Some(found.worst.high)),
+                "low": end_json(found.worst.low),
+                "high": end_json(found.worst.high),
                 "reached": found.worst.reached.map(|end| number(Some(end))),
                 "by": worst_word(found.worst.kind),
                 "closes": closes_word(&found.worst),
@@ -397,24 +405,52 @@ fn worst_text(found: &ToleranceFigure) -> Vec<String> {
         let sign = if off < 0.0 { "-" } else { "+" };
         format!("{sign}{}", significant(off.abs(), FEW_DIGITS))
     };
-    let [from, to] = [low, high].map(|end| significant(end, DIGITS));
     let how = match kind {
         WorstKind::Corners => words().worst_by_corners(),
         WorstKind::Enclosed => words().worst_enclosed(),
         WorstKind::Searched => words().worst_searched(),
         WorstKind::AtEdge => words().worst_at_edge(),
+        WorstKind::Unbounded => words().worst_beside_unbounded(),
         WorstKind::Derivatives => words().worst_by_derivatives(),
         WorstKind::Sampled => words().worst_sampled(),
     };
     let fails = fails.then(|| words().worst_does_not_close().to_owned());
-    let range = words().range_and_off(&from, &to, &off(low), &off(high));
+    let end = |end: f64| (significant(end, DIGITS), off(end));
+    let unbounded = || words().worst_unbounded().to_owned();
+    let mut lines = match (low.is_finite(), high.is_finite()) {
+        (true, true) => {
+            let [(from, below), (to, above)] = [low, high].map(end);
+            vec![words().range_and_off(&from, &to, &below, &above)]
+        }
+        (false, false) => {
+            return [words().no_worst_case(&unbounded())]
+                .into_iter()
+                .chain(fails)
+                .collect();
+        }
+        (true, false) => {
+            let (from, below) = end(low);
+            vec![
+                words().worst_at_least(&from, &below),
+                words().worst_above(&unbounded()),
+            ]
+        }
+        (false, true) => {
+            let (to, above) = end(high);
+            vec![
+                words().worst_at_most(&to, &above),
+                words().worst_below(&unbounded()),
+            ]
+        }
+    };
     let reached = (kind == WorstKind::Enclosed).then(|| {
         let [low, high] = reached;
         let [from, to] = reached.map(|end| significant(end, DIGITS));
         words().worst_reached(&from, &to, &off(low), &off(high))
     });
-    let told = [range, how.to_owned()].into_iter();
-    told.chain(reached).chain(fails).collect()
+    lines.push(how.to_owned());
+    lines.extend(reached.into_iter().chain(fails));
+    lines
 }
 
 fn spread_text(all: &Percentiles) -> Vec<String> {
@@ -424,6 +460,19 @@ fn spread_text(all: &Percentiles) -> Vec<String> {
         words().spread_of_samples(&low, &high),
         words().mean_and_deviation(&mean, &deviation),
     ]
+}
+
+/// An end of a worst case, if it has one.
+pub(super) fn bounded(end: f64) -> Option<f64> {
+    Some(end).filter(|end| end.is_finite())
+}
+
+/// An end of a worst case, or why there is none.
+fn end_json(end: f64) -> Value {
+    match bounded(end) {
+        Some(end) => number(Some(end)),
+        None => json!({ "none": for_programs().worst_unbounded() }),
+    }
 }
 
 /// A part of the whole in percent.
@@ -438,6 +487,7 @@ pub(super) fn worst_word(kind: WorstKind) -> &'static str {
         WorstKind::Enclosed => "enclosed",
         WorstKind::Searched => "searched",
         WorstKind::AtEdge => "edge",
+        WorstKind::Unbounded => "unbounded",
         WorstKind::Derivatives => "derivatives",
         WorstKind::Sampled => "samples",
     }

@@ -4,7 +4,7 @@ use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::significant;
 use super::steps::Steps;
 use super::tables_data::{cell, number};
-use super::tolerance_page::{closes_word, worst_word};
+use super::tolerance_page::{bounded, closes_word, worst_word};
 use crate::page::with_unit;
 use crate::quantity::{Catalogue, Quantity, state_word};
 use crate::scene::Scene;
@@ -191,8 +191,8 @@ impl ToleranceRows<'_> {
             let worst = found.map(|found| found.worst);
             row.extend([
                 Number(found.map(|found| found.nominal)),
-                Number(worst.map(|worst| worst.low)),
-                Number(worst.map(|worst| worst.high)),
+                Number(worst.and_then(|worst| bounded(worst.low))),
+                Number(worst.and_then(|worst| bounded(worst.high))),
                 Number(worst.map(|worst| worst.reached[0])),
                 Number(worst.map(|worst| worst.reached[1])),
                 Word(worst.map_or("", |worst| worst_word(worst.kind))),

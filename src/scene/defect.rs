@@ -151,7 +151,28 @@ impl<'t> Drafted<'_, 't> {
         } else {
             fault.help(words().links_with_ground_point(&fit.join(", ")))
         };
-        Some(fault.help(words().or_name_its_seat()))
+        Some(
+            fault.maybe_help(
+                self.seat_for(link)
+                    .map(|seat| words().or_name_its_seat(seat)),
+            ),
+        )
+    }
+
+    /// The link on which the motor of another one may sit: one that is pinned to it, else any other.
+    fn seat_for(&self, driven: &DraftLink<'t>) -> Option<&'t str> {
+        let others = || {
+            self.draft
+                .links
+                .iter()
+                .filter(|l| l.name.text != driven.name.text)
+        };
+        let is_joined = |link: &&DraftLink<'t>| {
+            let mut points = link.point_names();
+            points.any(|point| driven.point_names().any(|own| own.text == point.text))
+        };
+        let seat = others().find(is_joined).or_else(|| others().next());
+        seat.map(|link| link.name.text)
     }
 
     fn is_ground(&self, name: &Name<'_>) -> bool {

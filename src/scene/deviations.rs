@@ -10,6 +10,7 @@ use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
+use std::cmp::Reverse;
 use std::collections::HashMap;
 
 /// The sections `[tolerances]` and `[clearances]` as they are written.
@@ -364,7 +365,7 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// How loose every pin is: one that joins several links has a clearance for each but the first.
+    /// How loose every pin is, in each link with play.
     fn clearances(&mut self) -> Vec<(LinkId, PointId, f64)> {
         let mut own: HashMap<PointId, &DraftClearance> = HashMap::new();
         for (name, size) in &self.draft.tolerances.pins {
@@ -443,15 +444,25 @@ fn placed(length: Length) -> Option<PointId> {
     }
 }
 
-/// The links that are loose on a pin: all that it joins but the first, and all where it is fixed to the ground or
-/// moves in a slot.
+/// The links with play at a pin. A pin that is fixed to the ground or moves in a slot has play in each of its links. Any
+/// other pin is fixed in one link: in a sliding link whose origin it is, since that point is where the slide is measured;
+/// otherwise in the one of the lowest rank.
 fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
-    let has = |id: &LinkId| mechanism.link(*id).member(point).is_some();
-    let links = mechanism.link_ids().filter(has);
+    let mut links = mechanism.point(point).links.clone();
+    links.sort_by_key(|&link| mechanism.link_rank(link));
+    let sliders = || mechanism.slides().iter().map(|slide| slide.slider);
     let in_slot = |slider: Slider| matches!(slider, Slider::Pin(pin) if pin == point);
-    let is_held = mechanism.point(point).ground.is_some()
-        || mechanism.slides().iter().any(|slide| in_slot(slide.slider));
-    links.skip(usize::from(!is_held)).collect()
+    if mechanism.point(point).ground.is_some() || sliders().any(in_slot) {
+        return links;
+    }
+    let is_origin = |of: LinkId| {
+        let is_its = |slider| matches!(slider, Slider::Link { link, origin, .. } if (link, origin) == (of, point));
+        sliders().any(is_its)
+    };
+    let rank = |&link: &LinkId| (Reverse(is_origin(link)), mechanism.link_rank(link));
+    let holder = links.iter().copied().min_by_key(rank);
+    links.retain(|&link| Some(link) != holder);
+    links
 }
 
 #[cfg(test)]
@@ -504,24 +515,26 @@ P = 0.004
         let told = scene.tolerances().lengths.iter();
         let told = told.map(|&(length, by)| (scene.mechanism.given(length), by));
         let found: Vec<(f64, f64)> = told.collect();
+        // By kind, and of one kind in the order of names.
         let expected = [
             // Ground: A has its own; 400 mm are +-0.5 mm, 2 mm are +-0.1 mm.
             (0.0, 0.0),
-            (0.0, 0.0),
             (40.0, 0.05),
+            (0.0, 0.0),
             (0.2, 0.01),
+            // The coupler has its own.
+            (30.0, 0.03),
             // 100 mm: +-0.3 mm.
             (10.0, 0.03),
-            // The coupler has its own, and so has P; Q has that of the coupler.
-            (30.0, 0.03),
-            (15.0, 0.001),
-            (8.0, 0.001),
-            (5.0, 0.03),
-            (0.0, 0.03),
             // 250 mm, fine: +-0.2 mm.
             (25.0, 0.02),
             // 120 mm: +-0.3 mm.
             (12.0, 0.03),
+            // P has its own; Q has that of the coupler.
+            (15.0, 0.001),
+            (5.0, 0.03),
+            (8.0, 0.001),
+            (0.0, 0.03),
             (30.0, 0.05),
             (-20.0, 0.05),
         ];
@@ -540,10 +553,10 @@ P = 0.004
         let found: Vec<(&str, &str, f64)> = told.collect();
         let expected = [
             ("A", "crank", 0.002),
+            ("B", "crank", 0.002),
             ("D", "rocker", 0.002),
-            ("B", "coupler", 0.002),
-            ("P", "rod", 0.004),
             ("E", "rod", 0.002),
+            ("P", "rod", 0.004),
         ];
         assert_eq!(found, expected);
     }

@@ -8,7 +8,7 @@ use super::{Unit, keys};
 use crate::document::{Diagnostic, Lenient, Misplaced, meant};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
-use crate::{Mechanism, MotionLaw};
+use crate::{Double, Mechanism, MotionLaw};
 use serde::Deserialize;
 
 /// The section `[driver]` as it is written.
@@ -38,6 +38,8 @@ pub(super) struct DraftDriver<'t> {
     pub(super) acceleration: f64,
     /// Whether one of these was typed in another unit.
     pub(super) is_converted: bool,
+    /// Speed and acceleration as they were typed, to twice the digits, where both are known.
+    pub(super) typed_rates: Option<[Double; 2]>,
     /// How it moves over time.
     pub(super) motion: Option<MotionLaw>,
 }
@@ -145,6 +147,12 @@ pub(super) fn driver<'v>(
         return None;
     }
     let rates = [speed, acceleration];
+    let typed = |rate: Option<Rate>, default: f64| match rate {
+        Some(rate) => rate.typed,
+        None => Some(Double::exactly(default)),
+    };
+    let typed_rates = typed(speed, UNIT_SPEED).zip(typed(acceleration, 0.0));
+    let typed_rates = typed_rates.filter(|_| motion.is_none());
     let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
     Some(DraftDriver {
         input: match kind {
@@ -159,6 +167,7 @@ pub(super) fn driver<'v>(
         is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted)
             // Its speeds are per degree.
             || motion.is_some(),
+        typed_rates: typed_rates.map(<[Double; 2]>::from),
         motion,
     })
 }
@@ -304,7 +313,7 @@ pub(super) fn rate(
                         reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
                         return None;
                     }
-                    let rate = rate::of(worth.value.hi + 0.0, unit, kind);
+                    let rate = rate::of(worth.value.twice(), unit, kind);
                     if rate.value.is_finite() {
                         return Some(rate);
                     }

@@ -230,6 +230,11 @@ impl Scene {
                 text: text.into(),
             })
         });
+        let scene = scene.map(|mut scene| {
+            let tolerances = std::mem::take(&mut scene.tolerances);
+            scene.tolerances = scene.in_order_of_names(tolerances);
+            scene
+        });
         let scene = scene.filter(|scene| worked::measures_fit(&mut reader, scene));
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }

@@ -1,5 +1,7 @@
 //! Decimal numbers as people write them, with a point or a comma.
 
+use crate::Double;
+use crate::arithmetic::Decimal;
 use std::borrow::Cow;
 
 /// What is typed, with a point for the decimal comma of the number that it begins with; `None` where nobody knows
@@ -52,9 +54,55 @@ pub(super) fn number_length(text: &str) -> usize {
     end
 }
 
+/// Decimals of so many digits are what was meant; longer ones have been rounded by whoever typed them.
+const MOST_DIGITS: usize = 14;
+
+/// Whether a long number reads as a decimal of few digits, which it is not.
+pub(super) fn is_rounded(text: &str, number: f64) -> bool {
+    digits(text) > MOST_DIGITS && !Decimal::of(number).is_long
+}
+
+/// The decimal of few digits that a text is, to twice the digits.
+pub(super) fn typed(text: &str) -> Option<Double> {
+    let number: f64 = text.parse().ok()?;
+    let decimal = Decimal::of(number);
+    (digits(text) <= MOST_DIGITS).then_some(decimal.value)
+}
+
+/// The digits of a decimal number, without zeros at its ends.
+fn digits(text: &str) -> usize {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    digits.trim_matches('0').len()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_numbers_are_not_the_short_ones_that_they_read_as() {
+        for rounded in [
+            "0.10000000000000001",
+            "250.00000000000001",
+            "1.0000000000000000001e5",
+        ] {
+            assert!(is_rounded(rounded, rounded.parse().unwrap()), "{rounded}");
+            assert_eq!(typed(rounded), None);
+        }
+        for exact in [
+            "0.1",
+            "0.100000000000000000000",
+            "39.3",
+            "100000000000000000000",
+            "141.4213562373095",
+        ] {
+            assert!(!is_rounded(exact, exact.parse().unwrap()), "{exact}");
+        }
+        let tenth = typed("0.1").unwrap();
+        assert!(tenth.hi == 0.1 && tenth.lo < 0.0);
+        assert_eq!(typed("141.42135623730951"), None);
+    }
 
     #[test]
     fn a_comma_is_a_point_where_it_can_be_nothing_else() {

@@ -2,9 +2,8 @@
 
 use super::figures::FormulaPlace;
 use super::reader::{Name, Reader, number_of};
-use crate::arithmetic::Decimal;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
-use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber};
+use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -74,10 +73,10 @@ pub(super) fn read<'v>(
 /// The parameters with what they are worth.
 pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
     let told = draft.into_iter().filter_map(|parameter| {
-        let worth = (*named.worth.get(parameter.name.text)?)?;
+        let worth = named.worth.get(parameter.name.text)?.as_ref()?;
         Some(Parameter {
             name: parameter.name.text.to_owned(),
-            number: worth.value.hi + 0.0,
+            number: worth.nearest(),
             formula: parameter.formula.map(str::to_owned),
             dimension: worth.dimension,
         })
@@ -95,10 +94,13 @@ fn number(
     value: &Lenient<f64>,
 ) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
-    Some(MeasuredNumber {
-        value: Decimal::of(number).value,
-        dimension: None,
-    })
+    let digits = reader.text().get(value.span.clone()).unwrap_or("");
+    // Whole numbers to another base are doubles.
+    let typed = Wide::decimal(&digits.replace('_', ""));
+    let typed = typed.filter(|typed| typed.nearest() == number);
+    Some(MeasuredNumber::plain(
+        typed.unwrap_or_else(|| Wide::exactly(number)),
+    ))
 }
 
 fn parsed<'v>(

@@ -1,8 +1,9 @@
 //! Speeds and accelerations with their units, as the driver gives them.
 
 use super::Unit;
-use super::numeral::{are_thousands, number_length};
-use crate::angle;
+use super::numeral::{self, are_thousands, number_length};
+use crate::expression::plain_unit;
+use crate::{Double, angle};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -30,6 +31,8 @@ pub(super) struct Rate {
     pub(super) value: f64,
     /// Whether it was typed in another unit: the conversion rounds.
     pub(super) is_converted: bool,
+    /// What was typed, to twice the digits, where that is known.
+    pub(super) typed: Option<Double>,
 }
 
 /// Why a text is no rate.
@@ -57,40 +60,55 @@ pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     }
 }
 
+/// Returns the unit that a text stands for: `rad/s` for `rd/sn`, `rpm` for `d/dk`.
+pub(super) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'static str> {
+    let plain = plain_unit(text);
+    let units = units(kind, degree).iter();
+    units.copied().find(|unit| *unit == plain)
+}
+
 /// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
 pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
-    let WrittenRate { number, unit } = WrittenRate::of(text);
-    let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
+    let WrittenRate {
+        number: written,
+        unit,
+    } = WrittenRate::of(text);
+    let number: f64 = written.parse().map_err(|_| Misfit::NoNumber)?;
     if unit.starts_with(['.', ',']) {
         return Err(Misfit::TwoMarks);
     }
     if unit.is_empty() {
         return Err(Misfit::NoUnit);
     }
-    if !units(kind, degree).contains(&unit) {
-        return Err(Misfit::Unit(unit));
-    }
-    let rate = of(number, unit, kind);
+    let unit = known(kind, degree, unit).ok_or(Misfit::Unit(unit))?;
+    let rate = match numeral::typed(&written) {
+        Some(typed) => of(typed, unit, kind),
+        None => Rate {
+            typed: None,
+            ..of(Double::exactly(number), unit, kind)
+        },
+    };
     let is_finite = rate.value.is_finite();
     is_finite.then_some(rate).ok_or(Misfit::NotFinite)
 }
 
-/// A number in one of its units.
-pub(super) fn of(number: f64, unit: &str, kind: RateKind) -> Rate {
-    let converted = converted(number, unit, kind);
+/// Converts a number, known in double-double, from one of its units.
+pub(super) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
+    let converted = converted(number.hi, unit, kind);
     Rate {
-        value: converted.unwrap_or(number),
+        value: converted.unwrap_or(number.hi),
         is_converted: converted.is_some(),
+        typed: Some(closely(number, unit, kind)),
     }
 }
 
 /// The formula in front of a unit, which is that of the whole: `2 * n rpm`. None where a plain number stands there.
 pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
     let text = text.trim();
-    let heads = units(kind, degree).iter().filter_map(|unit| {
-        let head = text.strip_suffix(unit)?;
-        head.ends_with([' ', '\t', ')'])
-            .then_some((head.trim(), *unit))
+    let ends = text.match_indices([' ', '\t', ')']);
+    let heads = ends.filter_map(|(at, mark)| {
+        let (head, unit) = text.split_at(at + mark.len());
+        Some((head.trim(), known(kind, degree, unit)?))
     });
     let is_formula = |(head, _): &(&str, _)| {
         let plain = head.replace(',', ".");
@@ -150,6 +168,24 @@ fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
     }
 }
 
+/// The same in twice the digits.
+fn closely(number: Double, unit: &str, kind: RateKind) -> Double {
+    let base = unit.split('/').next().unwrap_or(unit);
+    match kind {
+        RateKind::Turn => match base {
+            "deg" => number * Double::RADIAN,
+            "rpm" => number * Double::exactly(6.0) * Double::RADIAN,
+            _ => number,
+        },
+        RateKind::Push(scene) => {
+            let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
+            let [from, to] =
+                [from.unwrap_or(scene), scene].map(|u| Double::exactly(u.tenths_of_mm()));
+            number * from / to
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,10 +211,17 @@ mod tests {
         assert_eq!(turn("-1.5e1rad/s"), -15.0);
         assert_eq!(turn(" 60  rpm "), 2.0 * PI);
         assert_eq!(turn("180 deg/s"), PI);
+        assert_eq!(turn("180 derece/sn"), PI);
+        assert_eq!(turn("180°/s"), PI);
+        assert_eq!(turn("60 d/dk"), 2.0 * PI);
+        assert_eq!(turn("60 dev/dk"), 2.0 * PI);
+        assert_eq!(turn("15 rd/s"), 15.0);
+        assert_eq!(turn("15,5 radyan / saniye"), 15.5);
         assert_eq!(turn("15,5 rad/s"), 15.5);
         assert_eq!(turn("-,5e1 rad/s"), -5.0);
         let push = |text| parse(text, PUSH, Degree::Speed).unwrap().value;
         assert_eq!(push("0.05 m/s"), 50.0);
+        assert_eq!(push("0,05 m/sn"), 50.0);
         assert_eq!(push("2 in/s"), 50.8);
         assert_eq!(push("5 cm/s"), 50.0);
         assert_eq!(push(".5 mm/s"), 0.5);
@@ -195,6 +238,8 @@ mod tests {
         let turn = |text| formula(text, RateKind::Turn, Degree::Speed);
         assert_eq!(turn(" 2 * n rpm "), Some(("2 * n", "rpm")));
         assert_eq!(turn("(n + 1)rad/s"), Some(("(n + 1)", "rad/s")));
+        assert_eq!(turn("2 * n dev / dk"), Some(("2 * n", "rpm")));
+        assert_eq!(turn("(n)rd/sn"), Some(("(n)", "rad/s")));
         for plain in [
             "15 rad/s",
             "15,5 rpm",

@@ -1,9 +1,10 @@
 //! Numbers and pairs of a scene; what does not fit becomes a diagnostic.
 
-use super::numeral::number_length;
+use super::numeral::{is_rounded, number_length};
 use crate::Vec2;
+use crate::arithmetic::Decimal;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced, has_decimal_comma};
 use crate::expression;
 use crate::wording::words;
 
@@ -18,14 +19,25 @@ pub(super) const LARGEST: f64 = 1e300;
 /// No length may be smaller, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 
+/// What a formula in twice the digits may have lost of a decimal, with room.
+const TWICE_ROUNDED: f64 = 1e-29;
+
 impl Reader<'_> {
     /// A finite number that is not too large.
     pub(crate) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
-            Ok(number) => number,
+            Ok(number) => {
+                let written = self.text().get(value.span.clone()).unwrap_or("");
+                self.has_rounded |= is_rounded(written, number);
+                number
+            }
             Err(Misplaced::Text(formula)) => {
                 let worth = self.worked_out(what, formula, &value.span)?;
-                worth.value.hi + 0.0
+                let number = worth.nearest();
+                let decimal = Decimal::of(number);
+                let apart = (decimal.value - worth.value.twice()).hi.abs();
+                self.has_rounded |= !decimal.is_long && apart > TWICE_ROUNDED * number.abs();
+                number
             }
             Err(found) => {
                 let fault = self.wrong_type(what, words().a_number(), found, &value.span);
@@ -141,10 +153,15 @@ impl Reader<'_> {
             return Some([one, other]);
         }
         let count = items.len();
+        let typed = self.text().get(span.clone()).unwrap_or("");
+        let help = match count > 2 && has_decimal_comma(typed) {
+            true => words().decimals_have_a_point("0.5"),
+            false => words().for_example(example),
+        };
         self.report(
             Diagnostic::new(words().must_be_a_pair(what, form, count))
                 .at(span.clone(), words().expected_two(count))
-                .help(words().for_example(example)),
+                .help(help),
         );
         None
     }

@@ -211,6 +211,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         if driver.is_converted {
             self.builder.converted_rates();
         }
+        if let Some(rates) = driver.typed_rates {
+            self.builder.typed_rates(rates);
+        }
     }
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
@@ -320,6 +323,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         redundant::check(self.reader, self.draft);
         self.builder.misfit(self.draft.redundant.misfit);
         self.builder.decimals();
+        if self.reader.has_rounded {
+            self.builder.rounded();
+        }
     }
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.
@@ -395,6 +401,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                 return None;
             }
         };
+        let links = self.draft.links.iter().map(|link| natural(link.name.text));
+        let points = self.point_names.iter();
+        let points = points.map(|name| natural(name.as_deref().unwrap_or_default()));
+        let mechanism = mechanism.ranked(&links.collect::<Vec<_>>(), &points.collect::<Vec<_>>());
         let settling = Settling {
             reader: &mut *self.reader,
             draft: self.draft,
@@ -426,6 +436,13 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             places,
         })
     }
+}
+
+/// A name by which names are sorted: r9 before r10.
+fn natural(name: &str) -> (&str, usize, &str) {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let number = &name[letters.len()..];
+    (letters, number.len(), number)
 }
 
 /// The origins that sliding links were given have no name, and the place of their slide. They follow

@@ -15,22 +15,30 @@ pub(crate) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String>
         return Some(words().comments_begin_with().to_owned());
     }
     if message.starts_with("string values must be quoted") {
-        return Some(bare_value(text.get(span.clone()).unwrap_or("")));
+        return Some(bare_value(
+            text.get(span.clone()).unwrap_or(""),
+            is_angle(&text[begin..span.start]),
+        ));
     }
     if message.starts_with("invalid unquoted key") && at.starts_with('\'') {
         return Some(words().quote_the_name().to_owned());
-    }
-    let leftover = message.starts_with("invalid literal string");
-    if leftover && line.as_bytes().windows(3).any(is_decimal_comma) {
-        return Some(words().decimals_have_a_point().to_owned());
     }
     message
         .starts_with("key with no value")
         .then(|| words().write_key_and_value().to_owned())
 }
 
-/// The mend for a value that is neither a number nor quoted.
-fn bare_value(value: &str) -> String {
+/// Returns `true` if the last key in front of a value is that of an angle.
+fn is_angle(before: &str) -> bool {
+    let key = before.rsplit_once('=').map_or("", |(key, _)| key);
+    let key = key
+        .rsplit(['{', ',', ' ', '.'])
+        .find(|word| !word.is_empty());
+    key == Some("angle")
+}
+
+/// The mend for a value that is neither a number nor quoted; `is_angle` where one is meant.
+fn bare_value(value: &str, is_angle: bool) -> String {
     let (number, rest) = value.split_at(number_length(value));
     if number.is_empty() {
         return words().quote_texts_and_names().to_owned();
@@ -41,12 +49,11 @@ fn bare_value(value: &str) -> String {
     let unit = rest.trim();
     let formula = format!("{number} {unit}");
     let is_measured = expression::parse(&formula).is_ok_and(|tree| tree.is_number());
+    let is_degree = unit.starts_with(['\u{b0}', '\u{ba}', '\u{2da}']);
     match is_measured || unit == "rpm" {
+        _ if is_degree => words().angle_alone(number),
         true => words().quote_with_unit(number, unit),
+        false if is_angle => words().angle_alone(number),
         false => words().number_alone_or_unit(number),
     }
-}
-
-fn is_decimal_comma(bytes: &[u8]) -> bool {
-    matches!(bytes, [a, b',', c] if a.is_ascii_digit() && c.is_ascii_digit())
 }

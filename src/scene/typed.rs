@@ -138,7 +138,8 @@ impl Value {
             return Err(Mistyped::TwoMarks { typed });
         };
         let (number, unit) = text.split_at(number_length(&text));
-        let unit = unit.trim();
+        let unit = expression::plain_unit(unit);
+        let unit = unit.as_ref();
         let Ok(plain) = number.parse::<f64>() else {
             return Err(self.no_number(typed));
         };
@@ -147,8 +148,7 @@ impl Value {
         }
         let written = if let MeasureUnits::Rate(kind, degree) = self.measure.units(self.scene) {
             let unit = if unit.is_empty() { self.unit } else { unit };
-            let known = rate::units(kind, degree).iter();
-            let known = known.copied().find(|known| same(known, unit));
+            let known = rate::known(kind, degree, unit);
             known.map(|unit| (plain, format!("{} {unit}", shortest(plain))))
         } else {
             let number = if unit.is_empty() || same(unit, self.unit) {

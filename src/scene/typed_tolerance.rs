@@ -3,7 +3,7 @@
 use super::deviations::{AllowedDeviation, designated, is_beyond, unsized_by};
 use super::{Measure, Scene, Unit, Value};
 use crate::wording::words;
-use crate::{Length, Tolerances};
+use crate::{Length, PointId, Tolerances};
 
 impl Scene {
     /// What may be off where every length and coordinate has the tolerance that was typed, in place of what the scene
@@ -32,10 +32,33 @@ impl Scene {
             }
         };
         let lengths = self.mechanism.lengths().into_iter().map(tolerance);
-        Ok(Tolerances {
+        Ok(self.in_order_of_names(Tolerances {
             lengths: lengths.collect::<Result<_, _>>()?,
             clearances: self.tolerances().clearances.clone(),
-        })
+        }))
+    }
+
+    /// Sorts tolerances by names: random machines take their numbers in this order, whatever the order of the file.
+    pub(super) fn in_order_of_names(&self, mut tolerances: Tolerances) -> Tolerances {
+        let lengths = &mut tolerances.lengths;
+        lengths.sort_by(|(a, _), (b, _)| self.order_of(*a).cmp(&self.order_of(*b)));
+        let clearances = &mut tolerances.clearances;
+        let name = |&(link, point, _): &_| (self.point_name(point), self.link_name(link));
+        clearances.sort_by(|a, b| name(a).cmp(&name(b)));
+        tolerances
+    }
+
+    /// The rank of a length: its kind and axis, and the names of what it belongs to.
+    fn order_of(&self, length: Length) -> (usize, &str, &str) {
+        let point = |point: PointId| self.point_name(point).unwrap_or_default();
+        match length {
+            Length::Ground(of, axis) => (axis as usize, point(of), ""),
+            Length::Link(link) => (2, self.link_name(link), ""),
+            Length::Local(link, of, axis) => (3 + axis as usize, self.link_name(link), point(of)),
+            Length::Arm(link, of) => (5, self.link_name(link), point(of)),
+            Length::Across(link, of) => (6, self.link_name(link), point(of)),
+            Length::Through(slide, axis) => (7 + axis as usize, self.slide_name(slide), ""),
+        }
     }
 
     /// A size in the scene's unit.

@@ -5,7 +5,7 @@ use super::reader::{ByteSpan, Name, Reader, bare_number};
 use super::{Scene, Value};
 use crate::document::{Diagnostic, NamedNumbers};
 use crate::expression::{
-    self, Dimension, Evaluated, ExpressionTree, LengthScale, Malformed, MeasuredNumber, evaluate,
+    self, Dimension, ExpressionTree, LengthScale, Malformed, MeasuredNumber, evaluate,
 };
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -51,8 +51,8 @@ impl Reader<'_> {
         }
         match self.named.worth_of(formula.text, tree) {
             Ok(found) => {
-                self.worked.insert(formula.span.start, found.value.hi + 0.0);
-                Some(found.measured())
+                self.worked.insert(formula.span.start, found.nearest());
+                Some(found)
             }
             Err(fault) => {
                 let place = FormulaPlace::of(self, formula);
@@ -72,27 +72,27 @@ impl NamedNumbers {
     }
 
     /// What a formula is worth.
-    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<Evaluated, Malformed> {
+    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
         let (symbol, tenths_of_mm) = self.length;
         let length = LengthScale {
             symbol,
             tenths_of_mm,
         };
         evaluate(text, tree, length, &|name| {
-            let found = self.worth.get(name).copied().flatten();
+            let found = self.worth.get(name).cloned().flatten();
             found.ok_or_else(|| self.meant(name))
         })
     }
 
     /// The same of a text.
-    pub(super) fn worth_of_text(&self, text: &str) -> Result<Evaluated, Malformed> {
+    pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, Malformed> {
         self.worth_of(text, &expression::parse(text)?)
     }
 
     /// The parameters with units that a value follows from, each with its own.
     fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
         let told = value.follows_from().into_iter().filter_map(|name| {
-            let dimension = (*self.worth.get(&name)?)?.dimension?;
+            let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
             Some((name, dimension.symbol(self.length.0)))
         });
         let told: Vec<_> = told.take(LISTED).collect();

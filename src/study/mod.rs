@@ -26,7 +26,7 @@ pub use crate::solver::{Method, Start, Unfit};
 pub use design::{
     BestDesign, Design, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, DesignState,
     FoundDesign, Goal, GoalSearch, GoalSense, MistypedAxis, MistypedGoal, NoDesign, OptimiseOrder,
-    PlanAxis, SearchOutcome,
+    OptimiseState, PlanAxis, SearchOutcome,
 };
 pub use excursion::{
     CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionWish, FigurePlace, NoFigure,
@@ -38,7 +38,7 @@ pub use findings::{
 };
 pub use grading::{
     AnswerKey, AskedFigure, ChainGroup, ChainSlot, ChainValues, FigureVerdict, GivenAnswer,
-    RoundedEarly, SolutionChain, WrittenFigure,
+    LinkPoints, MisreadValue, RoundedEarly, SheetScene, SolutionChain, WrittenFigure,
 };
 pub use iterations::{
     Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,

@@ -2,7 +2,7 @@
 
 use super::{Reader, WrittenTask, lacks, measured, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
-use crate::expression::{Dimension, MeasuredNumber};
+use crate::expression::{Dimension, MeasuredNumber, Wide};
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
 use serde::Deserialize;
@@ -174,13 +174,10 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
         return None;
     }
     let mut at = |x: f64| {
-        let worth = MeasuredNumber {
-            value: crate::Double::exactly(x),
-            dimension: None,
-        };
+        let worth = MeasuredNumber::plain(Wide::exactly(x));
         reader.named.worth.insert("x".to_owned(), Some(worth));
         let y = reader.worked_out(&words().key_of("y", "`function`"), y.text, &y.span)?;
-        Some([x, y.value.hi + 0.0])
+        Some([x, y.nearest()])
     };
     let places = chebyshev_pairs(Some, [from, to], points)?;
     let pairs: Option<Vec<[f64; 2]>> = places.into_iter().map(|[x, _]| at(x)).collect();

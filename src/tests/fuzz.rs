@@ -1,7 +1,7 @@
 //! Fuzzing on a stable toolchain: inputs are changed by chance, and one that leads to an outcome that no other has
 //! led to is kept and changed further.
 //!
-//! `cargo test` replays the corpus in `tests/corpus` and goes on for a few seconds, from the same seed.
+//! `cargo test` replays the corpus in `tests/corpus` and feeds a fixed number of changed inputs, from the same seed.
 //! `KRANK_FUZZ=3600 cargo test --release --lib fuzz -- --nocapture` goes on for an hour, from another seed each
 //! time; what it keeps is written to the folder that `KRANK_FUZZ_KEEP` names. A finding is printed, and
 //! belongs into the corpus once it is mended.
@@ -14,12 +14,10 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// How long an ordinary run goes on behind the corpus.
-const ORDINARY: Duration = Duration::from_secs(2);
 /// Longer inputs show nothing that shorter ones do not, later.
 const LONGEST: usize = 4096;
-/// An input that takes longer hangs.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// An input that takes longer hangs, however busy the machine is.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A target with what it is fed.
 pub(crate) struct Fuzz<'a> {
@@ -29,6 +27,8 @@ pub(crate) struct Fuzz<'a> {
     pub(crate) seeds: &'a [&'a str],
     /// Pieces that chance alone would seldom make.
     pub(crate) words: &'a [&'a str],
+    /// Changed inputs of an ordinary run.
+    pub(crate) runs: u64,
 }
 
 impl Fuzz<'_> {
@@ -43,11 +43,12 @@ impl Fuzz<'_> {
         }
         let (known, begun) = (pool.len(), Instant::now());
         let asked = std::env::var("KRANK_FUZZ").ok();
-        let asked = asked.and_then(|seconds| seconds.parse().ok());
-        let time = asked.map_or(ORDINARY, Duration::from_secs);
-        let mut chance = Chance(asked.map_or(1, |_: u64| now()));
+        let time = asked.and_then(|seconds| seconds.parse().ok());
+        let mut chance = Chance(time.map_or(1, |_| now()));
         let mut runs = 0_u64;
-        while begun.elapsed() < time {
+        while time.map_or(runs < self.runs, |time| {
+            begun.elapsed() < Duration::from_secs(time)
+        }) {
             let input = self.changed(&pool, &mut chance);
             runs += 1;
             if seen.insert(fed(&target, &input)) {

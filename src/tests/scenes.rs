@@ -105,6 +105,7 @@ fn fuzz_the_loader_of_scenes() {
         name: "scenes",
         seeds: &["presets", "tests/broken", "tests/reference"],
         words: WORDS,
+        runs: 1000,
     };
     fuzz.run(|bytes| {
         let mut outcome = DefaultHasher::new();

@@ -34,6 +34,7 @@ mod zooming;
 use super::config::Config;
 use super::{Opened, Origin};
 use crate::capability::{Capability, Colours};
+use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
 use crate::report::{CsvDialect, PositionMethod, Verdict};
 use crate::solver::Condition;
@@ -193,6 +194,13 @@ impl App {
     /// The bell was heard.
     pub(crate) fn hush(&self) {
         self.clerk.hush();
+    }
+
+    /// Says what of a configuration was ignored.
+    pub(crate) fn warn_of_config(&mut self, warnings: &Diagnostics) {
+        let more = warnings.items.len().saturating_sub(1);
+        let first = warnings.first_words();
+        self.shell.say(words().ignored(first, more));
     }
 
     /// Takes what a person has configured.

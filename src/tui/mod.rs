@@ -58,7 +58,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use terminal::{Notice, Tty, Wake};
+use terminal::{Console, Notice, Tty, Wake};
 use thiserror::Error;
 
 /// Where a scene comes from.
@@ -206,18 +206,17 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
             workbench.app().tour_on_first_start();
         }
         let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
-        if let Some(state) = state {
-            workbench.app().recover_in(&state.join("recovery"));
+        match state {
+            Some(state) => workbench.app().recover_in(&state.join("recovery")),
+            None => workbench.app().recover_nowhere(),
+        }
+        if let Some(warnings) = &options.config.warnings {
+            workbench.app().warn_of_config(warnings);
         }
         if let Some(task) = &options.task {
             workbench.app().synthesize(task.clone());
         }
-        let session = Session {
-            tty,
-            workbench,
-            begun: Instant::now(),
-        };
-        session.run()
+        Session::new(tty, workbench).run()
     })?;
     if let Some(signal) = end {
         terminal::die_of(signal)?;
@@ -260,62 +259,88 @@ fn told_of(info: &PanicHookInfo<'_>) -> String {
 }
 
 /// A workbench on a terminal.
-struct Session {
-    tty: Tty,
+struct Session<T> {
+    tty: T,
     workbench: Workbench,
     /// From when on its time counts.
     begun: Instant,
+    /// Whether something has happened that no frame has shown yet,
+    owed: bool,
+    /// and whether that is worth another picture before the last one was sent to its end.
+    anew: bool,
 }
 
 /// By what signal the process is to end, if not by itself.
 type EndSignal = Option<i32>;
 
-impl Session {
+impl<T: Console> Session<T> {
+    fn new(tty: T, workbench: Workbench) -> Self {
+        Session {
+            begun: tty.now(),
+            tty,
+            workbench,
+            owed: true,
+            anew: true,
+        }
+    }
+
     fn run(mut self) -> Result<EndSignal, Error> {
-        // Whether something has happened that no frame has shown yet, and whether that is worth another
-        // picture before the last one was sent to its end.
-        let (mut owed, mut anew) = (true, true);
         loop {
-            let ready = self.tty.ready_at();
-            if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
-                self.paint(anew)?;
-                owed = self.workbench.is_cut();
-                anew = !owed;
-                #[cfg(debug_assertions)]
-                fault_on_demand();
-            }
-            let wanted = self.workbench.app().has_mouse();
-            self.tty.take_mouse(wanted)?;
-            let deadline = self.deadline(owed);
-            if self.tty.follow(self.workbench.app().watched()) {
-                // It may have been written between the first look and now.
-                let now = self.begun.elapsed();
-                self.workbench.app().look_at_file(now, true);
-            }
-            let bell = self.workbench.app().bell();
-            let wakes = self.tty.wait(deadline, bell)?;
-            if let Some(drawn) = self.tty.drawn_at().filter(|_| !owed) {
-                let seen = drawn.saturating_duration_since(self.begun);
-                self.workbench.app().be_seen(seen);
-            }
-            if !owed && is_room_alone(&wakes) {
-                continue;
-            }
-            owed = true;
-            // What moves on by itself waits for a slow line: half of one picture and half of the next
-            // would be none.
-            anew |= wakes.iter().any(|wake| *wake != Wake::Room);
-            // Everything that has come is taken in before one frame shows it.
-            if let Some(end) = self.take_all(wakes)? {
+            if let Some(end) = self.step()? {
                 return Ok(end);
             }
         }
     }
 
+    /// Shows what is owed, waits once, and takes in what has happened; the end, if that was it.
+    fn step(&mut self) -> Result<Option<EndSignal>, Error> {
+        if self.owed && self.is_ready() {
+            self.paint()?;
+            self.owed = self.workbench.is_cut();
+            self.anew = !self.owed;
+            #[cfg(debug_assertions)]
+            fault_on_demand();
+        }
+        let wanted = self.workbench.app().has_mouse();
+        self.tty.take_mouse(wanted)?;
+        let deadline = self.deadline();
+        if self.tty.follow(self.workbench.app().watched()) {
+            // It may have been written between the first look and now.
+            let now = self.elapsed();
+            self.workbench.app().look_at_file(now, true);
+        }
+        let bell = self.workbench.app().bell();
+        let wakes = self.tty.wait(deadline, bell)?;
+        if let Some(drawn) = self.tty.drawn_at().filter(|_| !self.owed) {
+            let seen = drawn.saturating_duration_since(self.begun);
+            self.workbench.app().be_seen(seen);
+        }
+        if !self.owed && is_room_alone(&wakes) {
+            return Ok(None);
+        }
+        self.owed = true;
+        // What moves on by itself waits for a slow line: half of one picture and half of the next
+        // would be none.
+        self.anew |= wakes.iter().any(|wake| *wake != Wake::Room);
+        // Everything that has come is taken in before one frame shows it.
+        self.take_all(wakes)
+    }
+
+    /// Returns the time since the session began.
+    fn elapsed(&self) -> Duration {
+        self.tty.now().saturating_duration_since(self.begun)
+    }
+
+    /// Returns `true` if the line takes another frame.
+    fn is_ready(&self) -> bool {
+        let ready = self.tty.ready_at();
+        ready.is_none_or(|ready| ready <= self.tty.now())
+    }
+
     /// Sends the screen as it is now, or what was left of it before.
-    fn paint(&mut self, anew: bool) -> Result<(), Error> {
+    fn paint(&mut self) -> Result<(), Error> {
         let room = self.tty.room();
-        let frame = if anew {
+        let frame = if self.anew {
             self.workbench.app().weigh();
             self.workbench.paint_within(room)
         } else {
@@ -329,13 +354,13 @@ impl Session {
     }
 
     /// Until when to wait, if nothing happens before.
-    fn deadline(&mut self, owed: bool) -> Option<Instant> {
+    fn deadline(&mut self) -> Option<Instant> {
         let ready = self.tty.ready_at();
         // There is work to do, whether or not a slow line takes the next frame.
         if self.workbench.app().is_working() {
-            return Some(Instant::now());
+            return Some(self.tty.now());
         }
-        if owed {
+        if self.owed {
             return ready;
         }
         let next = self.begun + self.workbench.app().next_frame()?;
@@ -346,7 +371,8 @@ impl Session {
         // Time in which the program was stopped has not passed for what is played.
         let mut stopped = wakes.contains(&Wake::Notice(Notice::Continued));
         if !stopped {
-            self.workbench.move_to(self.begun.elapsed());
+            let now = self.elapsed();
+            self.workbench.move_to(now);
         }
         let mut wakes = wakes.into_iter().peekable();
         while let Some(wake) = wakes.next() {
@@ -359,7 +385,8 @@ impl Session {
             }
         }
         if stopped {
-            self.workbench.skip_to(self.begun.elapsed());
+            let now = self.elapsed();
+            self.workbench.skip_to(now);
         }
         Ok(None)
     }
@@ -380,13 +407,14 @@ impl Session {
             Wake::Notice(Notice::Resized) => self.start_over(),
             Wake::Room => {}
             Wake::Written => {
-                let now = self.begun.elapsed();
+                let now = self.elapsed();
                 self.workbench.app().look_at_file(now, true);
                 return Ok(self.attend(now));
             }
             Wake::Done => {
                 self.workbench.app().hush();
-                return Ok(self.attend(self.begun.elapsed()));
+                let now = self.elapsed();
+                return Ok(self.attend(now));
             }
             Wake::Paste(text) => self.workbench.paste(&text),
             Wake::Mouse(mouse) => {
@@ -452,11 +480,14 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
 }
 
 /// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the
-/// terminal survives it. A release build knows no such switch.
+/// terminal survives it; `KRANK_FAULT=busy` makes it compute for ever. A release build knows no such switch.
 #[cfg(debug_assertions)]
 fn fault_on_demand() {
-    assert!(
-        std::env::var_os("KRANK_FAULT").is_none_or(|fault| fault != "panic"),
-        "KRANK_FAULT=panic asks for this"
-    );
+    let fault = std::env::var_os("KRANK_FAULT").unwrap_or_default();
+    assert!(fault != "panic", "KRANK_FAULT=panic asks for this");
+    if fault == "busy" {
+        loop {
+            std::hint::spin_loop();
+        }
+    }
 }

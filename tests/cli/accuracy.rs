@@ -1,4 +1,5 @@
-//! `krank accuracy`. A scene whose driver has limits leaves the long integrations out.
+//! `krank accuracy`. A scene whose driver has limits leaves the long integrations out. Nothing here depends on how long
+//! anything takes: what follows from times is tested with a simulated clock, in `tests/library/accuracy.rs`.
 
 use super::{done, folder, json, refused, rows};
 
@@ -33,9 +34,11 @@ fn the_text_is_a_table_a_chart_and_what_they_mean() {
         "{table}"
     );
     let chart = parts.next().unwrap();
-    for letter in ["a", "error", "time", " us", "1e-14+"] {
+    for letter in ["a", "error", "time", "1e-14+"] {
         assert!(chart.contains(letter), "{chart}");
     }
+    let units = [" ns", " us", " ms", " s"];
+    assert!(units.iter().any(|unit| chart.contains(unit)), "{chart}");
 }
 
 #[test]
@@ -88,10 +91,9 @@ fn json_says_the_same() {
     let methods = json["methods"].as_array().unwrap();
     assert_eq!(methods.len(), 22);
     let closed = &methods[0];
-    assert_eq!(
-        (&closed["key"], &closed["best"]),
-        (&"a".into(), &true.into())
-    );
+    assert_eq!(closed["key"], "a");
+    // A busy machine may have found another one faster.
+    assert!(closed["best"].is_boolean());
     let time = |part: &str| closed[part].as_f64().unwrap();
     assert!(time("time.low [ns]") <= time("time [ns]"));
     assert!(time("time [ns]") <= time("time.high [ns]"));

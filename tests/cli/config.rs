@@ -21,14 +21,14 @@ fn a_fault_is_told_as_one_of_a_scene_before_anything_else() {
     let home = folder("config-faulty");
     std::fs::create_dir_all(home.join("krank")).unwrap();
     let file = home.join("krank").join("config.toml");
-    std::fs::write(&file, "glyphs = \"ascii\"\n[keys]\nplya = \"F5\"\n").unwrap();
+    std::fs::write(&file, "glyphs = \"asci\"\n").unwrap();
     let heard = run(command(&["no-such-scene"]).env("XDG_CONFIG_HOME", &home));
     assert_eq!((heard.code, heard.out.as_str()), (2, ""));
     let shown = file.display();
     assert_eq!(
         heard.err,
         format!(
-            "error: [keys]: unknown action `plya`\n --> {shown}:3:1\n  |\n3 | plya = \"F5\"\n  | ^^^^ unknown action\n  |\n  = help: did you mean `play`?\n"
+            "error: `glyphs` cannot be `asci`\n --> {shown}:1:10\n  |\n1 | glyphs = \"asci\"\n  |          ^^^^^^ unknown value\n  |\n  = help: did you mean `ascii`?\n"
         )
     );
     // Commands that show nothing by it do not read it.
@@ -55,4 +55,24 @@ fn a_file_that_is_named_must_be_there_and_the_usual_one_need_not() {
     std::fs::write(&bytes, b"tour = \xff").unwrap();
     let message = refused(2, &["--config", bytes.to_str().unwrap()]);
     assert!(message.contains("the file is not UTF-8"), "{message}");
+}
+
+/// All that is unknown is told at once, and the rest holds.
+#[test]
+fn unknown_entries_are_warnings() {
+    let file = folder("config-unknown").join("config.toml");
+    let text = "glyfs = 1\nglyphs = \"ascii\"\nblink = true\n[keys]\nplya = \"F5\"\nstep = [\"F99\", \"F7\"]\n[mouse-keys]\nx = 1\n";
+    std::fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    let heard = run(command(&["four-bar", "--print", "--config", file]).env("LC_ALL", "C.UTF-8"));
+    assert_eq!(heard.code, 0, "{}", heard.err);
+    assert!(heard.out.is_ascii() && heard.out.contains("four-bar"));
+    for unknown in ["`glyfs`", "`blink`", "`mouse-keys`", "`plya`", "`F99`"] {
+        let warned = heard
+            .err
+            .lines()
+            .any(|line| line.starts_with("warning: ") && line.ends_with(unknown));
+        assert!(warned, "{unknown}: {}", heard.err);
+    }
+    assert!(!heard.err.contains("error"), "{}", heard.err);
 }

@@ -165,7 +165,7 @@ fn the_notes_are_graded() {
         "4 points of 18: 2 figures are right, 2 but for rounding",
         "The first that differs is r3.omega: rounded early: r3.angle as 345,5.",
         "The first mistake is r4.rate: wrong in sign.",
-        "No figures of this scene: x.y.",
+        "Rows that name no figure of this scene: x.y [1] in line 7.",
     ] {
         let joined = told.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(joined.contains(piece.trim_end()), "{piece}\n{told}");
@@ -184,17 +184,24 @@ fn the_notes_are_graded() {
     );
 }
 
-/// What is 0 but for rounding is not asked for.
+/// What is 0 but for rounding is asked for as the sheet does, and the answer is 0.
 #[test]
-fn rounding_is_no_question() {
+fn values_of_0_are_asked_for() {
     let here = fresh("exercise-rounding");
     let path = shown(&here);
     done(&["exercise", "parallelogram", "--seed", "4", "-o", path]);
     let blank = fs::read_to_string(here.join("parallelogram-4.csv")).unwrap();
     assert!(
-        blank.contains("r3.angle,") && !blank.contains("r3.alpha,"),
+        blank.contains("r3.angle,") && blank.contains("r3.alpha,"),
         "{blank}"
     );
+    let sheet = done(&["exercise", "parallelogram", "--seed", "4"]);
+    assert!(sheet.contains("alpha3 = ?"), "{sheet}");
+    let answers = here.join("answers.csv");
+    fs::write(&answers, "α3,,0\n").unwrap();
+    let scene = here.join("parallelogram-4.toml");
+    let told = done(&["grade", shown(&scene), shown(&answers)]);
+    assert!(told.contains("1 points of"), "{told}");
 }
 
 /// Spreadsheets write UTF-16 and leave columns out; what answers nothing of the scene is refused.
@@ -272,7 +279,8 @@ fn a_class_is_a_table() {
     let csv = done(&args);
     let table = rows(&csv);
     let head = "student,sheet,figures,points,right,rounded,followed,sign,unit,assembly,wrong,empty,\
-        first,verdict,mistake,why,answer,file\n";
+        first,verdict,mistake,why,answer,file,unknown_units,no_numbers,repeated,unknown_rows,\
+        encoding,misread\n";
     assert!(csv.starts_with(head), "{csv}");
     assert_eq!(table[0][..5], ["Ayse", "four-bar-1.toml", "22", "22", "22"]);
     // A spreadsheet must not run what a student calls himself.
@@ -281,7 +289,7 @@ fn a_class_is_a_table() {
         ["'=Ali", "four-bar-2.toml", "22", "21", "21"]
     );
     assert_eq!(
-        table[1][11..],
+        table[1][11..18],
         [
             "1",
             "r4.angle",
@@ -478,4 +486,91 @@ fn a_class_tells_its_files() {
     let text = krank(&[&["grade", "four-bar"][..], &paths[..1], &paths[2..]].concat());
     assert_eq!((text.code, text.err.as_str()), (0, ""));
     assert!(text.out.contains("c.csv"), "{}", text.out);
+}
+
+/// The answers that a class of students wrote in their own way.
+#[test]
+fn what_a_file_does_not_say_plainly_is_reported() {
+    let answers = |name: &str| format!("tests/answers/{name}");
+    let sheet = answers("four-bar-7.toml");
+    let files = ["names.csv", "cp1254.csv", "rpm.csv", "no_normal.csv"].map(answers);
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    let csv = done(&[&["grade", &sheet, "--format", "csv"][..], &files].concat());
+    let table = rows(&csv);
+    let of = |row: usize, head: &str| {
+        let heads = csv.lines().next().unwrap().split(',');
+        let place = heads.into_iter().position(|own| own == head).unwrap();
+        table[row][place].clone()
+    };
+    assert_eq!(of(0, "repeated"), "4 r4.angle: 277.17");
+    assert_eq!(of(0, "unknown_rows"), "3 foo: 3");
+    assert_eq!(of(1, "student"), "Şükrü İğneci");
+    assert_eq!(of(1, "encoding"), "windows-1254");
+    let points = [0, 1, 2, 3].map(|row| of(row, "points"));
+    assert_eq!(points, ["3", "22", "21", "20"]);
+    assert!(
+        of(2, "misread").starts_with("driver speed = 1.2566"),
+        "{csv}"
+    );
+    let text = done(&[&["grade", &sheet][..], &files].concat());
+    for piece in [
+        "foo [3] in line 3",
+        "windows-1254",
+        "r4.angle [277.17] in line 4",
+    ] {
+        let joined = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(joined.contains(piece), "{piece}\n{text}");
+    }
+}
+
+/// Nothing waits for a pipe to which nobody writes, and one that is written to is read.
+#[test]
+fn a_pipe_without_a_writer_is_refused() {
+    let here = fresh("grade-pipe");
+    let pipe = here.join("pipe.csv");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    let said = refused(2, &["grade", "four-bar", shown(&pipe)]);
+    assert!(
+        said.contains("pipe.csv") && said.contains("nobody writes"),
+        "{said}"
+    );
+    let said = refused(2, &["report", "four-bar", "--against", shown(&pipe)]);
+    assert!(said.contains("nobody writes"), "{said}");
+    fs::rename(&pipe, here.join("four-bar-7.csv")).unwrap();
+    let make = ["exercise", "four-bar", "--seed", "7", "-o", shown(&here)];
+    assert!(refused(1, &make).contains("four-bar-7.csv"));
+    let line = "cat tests/answers/derece.csv | $0 grade four-bar /dev/stdin";
+    let told = std::process::Command::new("sh")
+        .args(["-c", line, env!("CARGO_BIN_EXE_krank")])
+        .output()
+        .unwrap();
+    let out = String::from_utf8(told.stdout).unwrap();
+    assert!(out.contains("5 points of 22"), "{out}");
+}
+
+/// Units are spelled in scenes as in answers.
+#[test]
+fn turkish_units_stand_in_scenes() {
+    let here = fresh("turkish-units");
+    let scene = here.join("scene.toml");
+    let plain = done(&["start", "four-bar"]);
+    let with = |angle: &str, speed: &str| {
+        let text = plain.replacen("angle = 60", &format!("angle = {angle}"), 1);
+        let text = text.replacen("\"15 rad/s\"", &format!("\"{speed}\""), 1);
+        fs::write(&scene, text).unwrap();
+        done(&["table", shown(&scene)])
+    };
+    let expected = with("60", "60 rpm");
+    for (angle, speed) in [
+        ("\"60°\"", "60 d/dk"),
+        ("\"60 derece\"", "60 dev/dk"),
+        ("\"30 der + 30 deg\"", "360 derece/sn"),
+    ] {
+        assert_eq!(with(angle, speed), expected, "{angle} {speed}");
+    }
+    let expected = with("60", "15 rad/s");
+    for speed in ["15 rd/s", "15 rad/sn", "15,0 radyan/saniye"] {
+        assert_eq!(with("60", speed), expected, "{speed}");
+    }
 }

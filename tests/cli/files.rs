@@ -366,31 +366,40 @@ fn a_kill_leaves_the_old_file_or_the_new_one() {
 /// A draft may be read by nobody who may not read the file.
 #[test]
 fn a_private_file_is_private_while_it_is_written() {
-    let folder = fresh("private");
+    let folder = fresh("private").canonicalize().unwrap();
     let file = folder.join("out.csv");
     fs::write(&file, "old").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    // Far more rows than are ever written.
     let mut child = Command::new(env!("CARGO_BIN_EXE_krank"))
-        .args(["sweep", "press", "--step", "0.001", "-o", text(&file)])
+        .args(["sweep", "press", "--step", "1e-6", "-o", text(&file)])
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    let mut seen = 0;
-    for _ in 0..2000 {
-        for name in names(&folder) {
-            if let Ok(found) = fs::metadata(folder.join(&name)) {
-                assert_eq!(found.mode() & 0o077, 0, "{name}");
-                seen += usize::from(name != "out.csv");
-            }
+    // What it has opened in the folder beside the old file, with a name or without.
+    let opened = format!("/proc/{}/fd", child.id());
+    let draft = || {
+        let opened = fs::read_dir(&opened);
+        let mut opened = opened.into_iter().flatten().flatten();
+        let is_draft = |fd: &fs::DirEntry| {
+            let to = fs::read_link(fd.path()).unwrap_or_default();
+            to.starts_with(&folder) && to != file
+        };
+        let draft = opened.find(is_draft)?;
+        fs::metadata(draft.path()).ok().filter(|it| it.is_file())
+    };
+    let draft = loop {
+        match draft() {
+            Some(draft) if draft.len() > 0 => break draft,
+            _ => assert!(
+                child.try_wait().unwrap().is_none(),
+                "no draft was ever there"
+            ),
         }
-        if seen > 20 {
-            break;
-        }
-        thread::sleep(Duration::from_millis(1));
-    }
+    };
+    assert_eq!(draft.mode() & 0o777, 0o600);
     child.kill().unwrap();
     child.wait().unwrap();
-    assert!(seen > 0, "no draft was ever there");
     assert_eq!(fs::read_to_string(&file).unwrap(), "old");
 }
 
@@ -410,4 +419,88 @@ fn a_foreign_file_in_the_way_stays() {
         .read_to_string(&mut kept)
         .unwrap();
     assert_eq!(kept, "somebody's");
+}
+
+const STUDY: &str = "$KRANK study four-bar --columns r4.angle.swing --vary r2.length=90..110/3 -o";
+
+/// Two studies used to write into one file, and both ended with 0.
+#[test]
+fn a_file_that_another_process_writes_is_left_alone() {
+    let folder = fresh("held");
+    let file = folder.join("rows.csv");
+    fs::write(&file, "kept").unwrap();
+    symlink("rows.csv", folder.join("link.csv")).unwrap();
+    let held = File::open(&file).unwrap();
+    held.lock().unwrap();
+    for name in ["rows.csv", "link.csv"] {
+        for line in [
+            format!("{STUDY} {name}"),
+            format!("{STUDY} {name} --resume"),
+            format!("$KRANK sweep press -o {name}"),
+            format!("$KRANK solve four-bar --goal r4.angle.swing=60 --vary r2.length -o {name}"),
+        ] {
+            let told = shell(&folder, &line);
+            assert_eq!(told.code, 1, "{line}: {}", told.err);
+            let busy = format!("cannot write `{name}`: another program is writing there");
+            assert!(told.err.contains(&busy), "{line}: {}", told.err);
+            assert_eq!(fs::read_to_string(&file).unwrap(), "kept", "{line}");
+        }
+    }
+    drop(held);
+    let told = shell(&folder, &format!("{STUDY} link.csv"));
+    assert_eq!(told.code, 0, "{}", told.err);
+    let rows = fs::read_to_string(&file).unwrap();
+    assert_eq!(rows.lines().count(), 4, "{rows}");
+    assert_eq!(names(&folder), ["link.csv", "rows.csv"]);
+}
+
+/// Rows go to what is no file of its own as they are, and to a file in a folder that takes no other one.
+#[test]
+fn rows_of_a_study_go_where_other_results_go() {
+    let folder = fresh("study-places");
+    let told = shell(&folder, &format!("{STUDY} rows.csv"));
+    assert_eq!(told.code, 0, "{}", told.err);
+    let rows = fs::read_to_string(folder.join("rows.csv")).unwrap();
+    for line in [
+        format!("{STUDY} /dev/stdout | cat"),
+        format!("echo first > log; {STUDY} /dev/stdout >> log; tail -n +2 log"),
+        format!("mkfifo out && {{ cat out & {STUDY} out; wait; }}"),
+    ] {
+        let told = shell(&folder, &line);
+        assert_eq!((told.code, told.out.as_str()), (0, rows.as_str()), "{line}");
+    }
+    let told = shell(&folder, &format!("{STUDY} /dev/full"));
+    assert_eq!(told.code, 1, "{}", told.err);
+    assert!(told.err.contains("No space"), "{}", told.err);
+    let told = shell(&folder, &format!("{STUDY} missing/rows.csv"));
+    assert_eq!(told.code, 1, "{}", told.err);
+    // Killed while the disk is full, the older file stays.
+    fs::write(folder.join("rows.csv"), "kept").unwrap();
+    let told = shell(
+        &folder,
+        &format!("trap '' XFSZ; ulimit -f 0; exec {STUDY} rows.csv"),
+    );
+    assert_eq!(told.code, 1, "{}", told.err);
+    assert_eq!(fs::read_to_string(folder.join("rows.csv")).unwrap(), "kept");
+}
+
+/// Thread stacks of this size cannot be had: the calling thread does the work.
+#[test]
+fn commands_work_where_no_thread_can_be_created() {
+    let folder = fresh("no-threads");
+    for line in [
+        "$KRANK study four-bar --columns r4.angle.swing --vary r2.length=90..110/70",
+        "$KRANK solve four-bar --goal r4.angle.swing=60 --vary r2.length --format json",
+        "$KRANK solve four-bar --maximize r4.angle.swing --vary r2.length=80..110 --generations 3",
+        "$KRANK synthesize wiper --format csv",
+    ] {
+        let with = shell(&folder, line);
+        let without = shell(
+            &folder,
+            &format!("export RUST_MIN_STACK=281474976710656; {line}"),
+        );
+        assert!(!with.out.is_empty(), "{line}: {}", with.err);
+        assert_eq!(without.out, with.out, "{line}: {}", without.err);
+        assert_eq!(without.code, with.code, "{line}: {}", without.err);
+    }
 }

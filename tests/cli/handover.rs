@@ -321,6 +321,129 @@ fn scripts_follow_the_tables_of_inputs() {
     }
 }
 
+/// A four-bar with these names, and whether its script finds the places that krank does.
+fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
+    let [a, b, c, d, r2, r3, r4] = names else {
+        panic!("seven names");
+    };
+    let text = format!(
+        "[ground]\n\"{a}\" = [0, 0]\n\"{d}\" = [400, 0]\n[driver]\nlink = \"{r2}\"\nangle = 60\n[links]\n\
+         \"{r2}\" = {{ from = \"{a}\", to = \"{b}\", length = 100 }}\n\
+         \"{r3}\" = {{ from = \"{b}\", to = \"{c}\", length = 300 }}\n\
+         \"{r4}\" = {{ from = \"{c}\", to = \"{d}\", length = 250 }}\n[start]\n\"{c}\" = [310, 230]\n"
+    );
+    let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("names.{end}")));
+    std::fs::write(&scene, text).unwrap();
+    let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
+    done(&["export", scene, "--format", "python", "-o", script]);
+    let Some(found) = python(script, &["60", "60", "1"]) else {
+        return false;
+    };
+    let columns = format!("{b}.x,{b}.y,{c}.x,{c}.y");
+    let expected = table(scene, "60", &columns);
+    let found: Vec<f64> = rows(&found)[0][1..]
+        .iter()
+        .map(|cell| cell.parse().unwrap())
+        .collect();
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!(
+            (found - expected).abs() < 1e-10,
+            "{names:?}: {found} {expected}"
+        );
+    }
+    true
+}
+
+/// Scripts of scenes whose elements are called like what a script defines, imports or calls, like keywords, and like
+/// what Python has built in.
+#[test]
+fn names_of_a_scene_never_hide_those_of_its_script() {
+    let folder = folder("handover-names");
+    let frames = ["python", "matlab"].map(|language| {
+        let file = format!("{}/src/handover/{language}.txt", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(file).unwrap()
+    });
+    let is_of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut names: Vec<String> = frames
+        .iter()
+        .flat_map(|frame| frame.split(|c| !is_of_name(c)))
+        .map(str::to_owned)
+        .collect();
+    let listed = Command::new("python3")
+        .args([
+            "-c",
+            "import builtins, keyword\nprint(*dir(builtins), *keyword.kwlist)",
+        ])
+        .output();
+    let listed = listed.map_or_else(
+        |_| String::new(),
+        |output| String::from_utf8_lossy(&output.stdout).into_owned(),
+    );
+    names.extend(listed.split_whitespace().map(str::to_owned));
+    let reserved = ["driver", "ground", "com", "state"];
+    names.retain(|name| {
+        name.starts_with(|c: char| c.is_ascii_alphabetic()) && !reserved.contains(&name.as_str())
+    });
+    names.sort();
+    names.dedup();
+    assert!(names.len() > 100, "{}", names.len());
+    let spare = ["A1", "B1", "C1", "D1", "s2", "s3", "s4"].map(str::to_owned);
+    names.extend(spare);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    for seven in names.chunks_exact(7) {
+        if !agrees_with_names(&folder, seven) {
+            return;
+        }
+    }
+    let last = &names[names.len() - 7..];
+    agrees_with_names(&folder, last);
+    // A place on a link is called like link and point, unless something else is.
+    let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+        r2 = { from = \"A\", to = \"B\", length = 100 }\n\
+        r3 = { from = \"B\", to = \"C\", length = 300, points = { P = [150, 40] } }\n\
+        r3_P = { from = \"C\", to = \"D\", length = 250 }\n[start]\nC = [310, 230]\n";
+    let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("parts.{end}")));
+    std::fs::write(&scene, text).unwrap();
+    let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
+    done(&["export", scene, "--format", "python", "-o", script]);
+    let Some(found) = python(script, &["60", "60", "1"]) else {
+        return;
+    };
+    let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+    let columns: Vec<&str> = heads[1..]
+        .iter()
+        .map(|h| h.split(' ').next().unwrap())
+        .collect();
+    let expected = table(scene, "60", &columns.join(","));
+    for (found, expected) in rows(&found)[0][1..].iter().zip(&expected) {
+        let found: f64 = found.parse().unwrap();
+        assert!((found - expected).abs() < 1e-10, "{found} {expected}");
+    }
+}
+
+/// Layers are told apart by 31 characters: more links than that with the same beginning used to hang.
+#[test]
+fn long_names_of_links_make_layers_of_their_own() {
+    let long = "a_link_with_a_very_long_name_of_many_words";
+    let text = format!(
+        "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"{long}_1\"\nangle = 60\n[links]\n\
+         {long}_1 = {{ from = \"A\", to = \"B\", length = 100 }}\n\
+         {long}_2 = {{ from = \"B\", to = \"C\", length = 300 }}\n\
+         {long}_3 = {{ from = \"C\", to = \"D\", length = 250 }}\n[start]\nC = [310, 230]\n"
+    );
+    let scene = folder("handover-layers").join("long.toml");
+    std::fs::write(&scene, text).unwrap();
+    let drawn = done(&["draw", scene.to_str().unwrap(), "--format", "dxf"]);
+    let all = read_dxf(&drawn);
+    let layers: std::collections::BTreeSet<&str> = all
+        .iter()
+        .filter(|e| e.kind == "LAYER")
+        .map(|e| e.text(2))
+        .collect();
+    assert_eq!(layers.len(), 7, "{layers:?}");
+    assert!(layers.iter().all(|layer| layer.len() <= 31), "{layers:?}");
+}
+
 #[test]
 fn a_script_reads_as_the_scene_does() {
     let script = done(&["export", "four-bar", "--format", "python"]);
@@ -473,4 +596,28 @@ fn a_scale_beyond_all_paper_is_refused() {
     for scale in ["1:10000", "10000:1", "2.5:1"] {
         done(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
     }
+}
+
+/// The squares of such differences are beyond any double.
+#[test]
+fn differences_of_any_size_have_a_root_mean_square() {
+    let file = folder("against-far").join("far.csv");
+    std::fs::write(
+        &file,
+        "driver.angle [deg],C.vy [mm/s]\n0,0\n30,1e308\n60,0\n90,0\n",
+    )
+    .unwrap();
+    let report = done(&[
+        "report",
+        "four-bar",
+        "--at",
+        "60",
+        "--against",
+        file.to_str().unwrap(),
+    ]);
+    assert!(report.contains("5.00e307"), "{report}");
+    assert!(
+        !report.contains("inf<") && !report.contains(" inf"),
+        "{report}"
+    );
 }

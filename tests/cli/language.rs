@@ -9,7 +9,12 @@ const UTF8: [(&str, &str); 2] = [("LC_ALL", "C.UTF-8"), ("TERM", "xterm-256color
 /// krank in an environment that is told whole.
 fn krank_in(env: &[(&str, &str)], args: &[&str]) -> Run {
     let mut krank = Command::new(env!("CARGO_BIN_EXE_krank"));
-    run(krank.env_clear().envs(env.iter().copied()).args(args))
+    let home = ("HOME", "/dev/null/home");
+    run(krank
+        .env_clear()
+        .envs([home])
+        .envs(env.iter().copied())
+        .args(args))
 }
 
 /// What it prints in Turkish where all letters can be shown.

@@ -79,6 +79,8 @@ fn krank(args: &[&str]) -> Run {
 fn command(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
     command.env_clear().env("LC_ALL", "C").args(args);
+    // Nobody's configuration, and nowhere to leave anything.
+    command.env("HOME", "/dev/null/home");
     command
 }
 

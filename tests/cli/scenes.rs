@@ -448,3 +448,65 @@ fn figures_may_name_parameters() {
     let told = "parameters crank = 13.5 mm = 1.35 cm\n";
     assert!(done(&["check", name]).contains(told));
 }
+
+/// At the place that its drawing gives the slide is at 0, and is computed 2.5e-15 mm below: within its bound.
+#[test]
+fn a_slide_within_its_bound_of_zero_has_no_sign() {
+    let scene = |through: &str| {
+        format!(
+            r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [35.98828125, 0]
+S = [69.111328125, 0.30078125]
+[driver]
+link = "P"
+angle = 0
+[links]
+P = {{ points = {{ A = [0, 0], B = [16.2890625, 28.3984375] }} }}
+M = {{ points = {{ B = [16.2890625, 28.3984375], C = [35.986328125, 35.234375] }} }}
+Kk = {{ points = {{ C = [35.986328125, 35.234375], D = [35.98828125, 0] }} }}
+L = {{ points = {{ Q = [53.783203125, 27.779296875], S = [69.111328125, 0.30078125] }} }}
+[slides]
+s4 = {{ point = "Q", on = "Kk", through = [{through}], angle = 45 }}
+[start]
+B = [16.2890625, 28.3984375]
+C = [35.986328125, 35.234375]
+Q = [53.783203125, 27.779296875]
+"#
+        )
+    };
+    let file = folder("negative_zero").join("scene.toml");
+    for (through, says) in [
+        ("53.783203125, 27.779296875", false),
+        ("53.783203126, 27.779296876", true),
+    ] {
+        std::fs::write(&file, scene(through)).unwrap();
+        let shown = done(&["check", file.to_str().unwrap()]);
+        assert_eq!(shown.contains("s4 is negative"), says, "{shown}");
+    }
+}
+
+/// Each end of a limited range has its own error: of the slider-crank with a stop too short to turn.
+#[test]
+fn check_tells_the_error_of_each_end() {
+    let text = MINE.replace("length = 3 }", "length = 1.6 }");
+    let file = folder("end_errors").join("scene.toml");
+    std::fs::write(&file, text.replace("C = [3, 2]", "C = [1.6, 0.7]")).unwrap();
+    let file = file.to_str().unwrap();
+    let facts = json(&done(&["check", file, "--format", "json"]));
+    assert!(facts["period"].is_null(), "{facts}");
+    let [ends, bounds] = ["range", "range_bounds"].map(|key| {
+        let list = facts[key].as_array().unwrap();
+        [0, 1].map(|k| list[k].as_f64().unwrap())
+    });
+    for (end, bound) in ends.into_iter().zip(bounds) {
+        let half_ulp = 0.5 * (end.abs().next_up() - end.abs());
+        assert!(0.0 < bound && bound <= half_ulp, "{end} {bound}");
+    }
+    let shown = done(&["check", file]);
+    assert!(shown.contains("error of the lower end at most "), "{shown}");
+    let full = json(&done(&["check", "four-bar", "--format", "json"]));
+    assert_eq!(full["range_bounds"], serde_json::json!([0.0, 0.0]));
+}

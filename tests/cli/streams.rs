@@ -102,6 +102,30 @@ fn a_full_disk_ends_with_1() {
     }
 }
 
+/// What clap itself prints used to be lost without a word.
+#[cfg(target_os = "linux")]
+#[test]
+fn help_and_version_are_not_lost_in_silence() {
+    for argument in ["--help", "--version", "list", "help", "man", "config"] {
+        let full = std::fs::OpenOptions::new()
+            .write(true)
+            .open("/dev/full")
+            .unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_krank"))
+            .arg(argument)
+            .env("LC_ALL", "C")
+            .stdout(full)
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1), "{argument}");
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            told.contains("cannot write the results: No space"),
+            "{argument}: {told}"
+        );
+    }
+}
+
 #[test]
 fn a_refused_command_leaves_an_older_file_alone() {
     let file = folder("kept").join("kept.csv");

@@ -132,6 +132,30 @@ fn a_file_is_gone_on_with() {
     }
 }
 
+/// A row in the middle that is not what the study writes there is found, and the file is left alone.
+#[test]
+fn resume_rejects_a_file_in_which_a_row_was_changed() {
+    let path = folder("study-changed").join("designs.csv");
+    let file = path.to_str().unwrap();
+    let args = study(&[
+        "--vary",
+        "r2.length=30..50/4,r3.length=85..150/10",
+        "-o",
+        file,
+    ]);
+    assert_eq!(krank(&args).code, 0);
+    let whole = fs::read_to_string(&path).unwrap();
+    let mut lines: Vec<String> = whole.lines().map(str::to_owned).collect();
+    let cells = &mut lines[21];
+    let digit = cells.rfind(|c: char| ('1'..='8').contains(&c)).unwrap();
+    cells.replace_range(digit..=digit, "9");
+    let changed = lines[..35].join("\n") + "\n";
+    fs::write(&path, &changed).unwrap();
+    let resume = [&args[..], &["--resume"]].concat();
+    assert!(refused(1, &resume).contains("line 22 of "));
+    assert_eq!(fs::read_to_string(&path).unwrap(), changed);
+}
+
 /// With the crank at 60 deg the rod has to reach 40 sin 60 deg + 50 = 84.6 mm down to the guide.
 #[test]
 fn what_does_not_assemble_is_a_row_that_says_why() {

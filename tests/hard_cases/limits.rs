@@ -404,3 +404,67 @@ fn lengths_of_a_file_are_equal_as_they_were_typed() {
     assert_eq!(solver.motion().change_points, [180.0, 540.0]);
     assert_eq!(solver.motion().tolerance, 0.0);
 }
+
+/// A crank of 1 whose pin turns a slotted lever, pivoted below at a distance that is typed.
+fn slotted_lever(distance: &str) -> (Scene, Solver) {
+    let text = format!(
+        "[ground]\nA = [0, 0]\nO = [0, -{distance}]\n\
+         [driver]\nlink = \"r2\"\nangle = 90\n\
+         [links]\nr2 = {{ from = \"A\", to = \"B\", length = 1 }}\n\
+         r4 = {{ from = \"O\", to = \"T\", length = 2 }}\n\
+         [slides]\ns4 = {{ point = \"B\", on = \"r4\", through = \"O\", angle = 0 }}\n\
+         [start]\nT = [0, 1]\n"
+    );
+    let scene = Scene::parse(&text, "lever").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+/// The pin passes the pivot of the lever ever closer by: a gap of 1.6e-7 counted as a dead point.
+#[test]
+fn a_pin_that_passes_a_pivot_closely_goes_on() {
+    for k in 1..=12_u32 {
+        let gap = 10.0_f64.powi(-(k as i32));
+        let nines = "9".repeat(k as usize);
+        let zeros = "0".repeat(k as usize - 1);
+        for (distance, sign) in [(format!("0.{nines}"), 1.0), (format!("1.{zeros}1"), -1.0)] {
+            let (scene, solver) = slotted_lever(&distance);
+            let motion = solver.motion();
+            assert_eq!(motion.range, Range::Full { period: 360.0 }, "{distance}");
+            let is_seen = motion
+                .near_misses
+                .iter()
+                .any(|miss| (miss.at - 270.0).abs() < 1e-6);
+            assert_eq!(is_seen, gap < 0.03, "{distance}: {:?}", motion.near_misses);
+            let lever = scene.mechanism.link_ids().nth(1).unwrap();
+            let mut work = solver.state();
+            assert_eq!(
+                solver.solve(270.0, Order::Velocity, &mut work),
+                Condition::Ok
+            );
+            // The distance is known to half an ulp, of which the gap is the smaller a part the smaller it is.
+            let omega = work.state().omega(lever).unwrap();
+            let off = (omega * gap * sign - 1.0).abs();
+            assert!(
+                off <= 4.0 * U / gap,
+                "{distance}: {omega:e} is off by {off:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_lever_beside_its_crank_has_the_right_rates_behind_the_closest_place() {
+    let (scene, solver) = slotted_lever("0.9999999");
+    let lever = scene.mechanism.link_ids().nth(1).unwrap();
+    let mut work = solver.state();
+    assert_eq!(
+        solver.solve(271.0, Order::Velocity, &mut work),
+        Condition::Ok
+    );
+    let direction = work.state().direction(lever).unwrap();
+    let angle = krank::angle::degrees(direction);
+    assert_near("angle", angle, "0.49967172768196444333", 1e-12);
+    let omega = work.state().omega(lever).unwrap();
+    assert_near("omega", omega, "0.50032828898486510587", 1e-12);
+}

@@ -62,7 +62,7 @@ const ROOMS: [(&str, u8); 11] = [
 const LEADING: u8 = 4;
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 24] = [
+const FOREIGN: [(&str, &[&str]); 25] = [
     // Everything but a text for the manual is named through krank's own root.
     ("kinematics", &["manual"]),
     ("ratatui", &["tui"]),
@@ -80,6 +80,7 @@ const FOREIGN: [(&str, &[&str]); 24] = [
         "serde",
         &["document", "scene", "task_file", "report", "tui"],
     ),
+    ("num_bigint", &["expression"]),
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
     ("fearless_simd", &["arithmetic"]),

@@ -382,3 +382,49 @@ fn links_are_cut_free_with_all_that_acts_on_them() {
     }
     assert!(drawn > 15, "{drawn}");
 }
+
+/// Nothing but a mark tells the unit of seconds from a length named `s`: every unit of a formula must have one. No
+/// preset has a name of these letters, and where a force is called N it stands on the left.
+#[test]
+fn units_are_upright_and_names_are_not() {
+    let digits = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
+    for preset in presets::all() {
+        let html = of_preset(preset.name, 6).page.to_html();
+        assert!(!html.contains('\u{e000}'), "{}", preset.name);
+        for unit in ["<i>s</i>", "<i>W</i>"] {
+            // With a subscript it is a vector's component.
+            let at = html
+                .match_indices(unit)
+                .map(|(at, _)| at)
+                .find(|at| !html[at + unit.len()..].starts_with("<sub>"))
+                .map(|at| &html[at.saturating_sub(60)..at + 20]);
+            assert_eq!(at, None, "{}", preset.name);
+        }
+        let forces = html.match_indices(" <i>N</i>");
+        let behind_numbers = forces.filter(|(at, _)| digits(&html[..*at]));
+        assert_eq!(behind_numbers.count(), 0, "{}", preset.name);
+    }
+    let lever = include_str!("slide-named-s.toml");
+    let page = report(lever, Some(60.0), 6).page;
+    let latex = page.to_latex();
+    assert!(
+        latex.contains(
+            "\\omega _{\\text{4}} = -r_{\\text{2}}\\,\\penalty900 \\omega _{\\text{2}}\\,\\penalty900 \
+             \\cos (\\theta _{\\text{2}} - \\theta _{\\text{s}})/\\penalty900 s ="
+        ),
+        "{latex}"
+    );
+    assert!(latex.contains("2.81990\\ \\penalty900 \\text{rad}/\\penalty900 \\text{s}"));
+    assert!(latex.contains("\\(r_{\\text{2}}\\) + \\(s\\) - \\(r_{\\text{1}}\\) = 0, to scale"));
+    assert!(latex.contains(" & \\(r_{\\text{2}}\\) & \\(s\\) & \\(r_{\\text{1}}\\) \\\\"));
+    // Text is as it was.
+    let text = page.to_text(krank::page::TextStyle {
+        ascii: false,
+        width: 200,
+    });
+    assert!(
+        text.contains("/s = -50·10·cos(60 - 261.296)/165.204 = 2.81990 rad/s"),
+        "{text}"
+    );
+    assert!(!text.contains('\u{e000}'));
+}

@@ -19,4 +19,5 @@ mod invariance;
 mod mobility;
 mod passages;
 mod plant;
+mod planted;
 mod transmission;

@@ -63,6 +63,33 @@ fn a_panic_is_told_after_the_terminal_was_put_back() {
     session.wait_for("krank is broken: KRANK_FAULT=panic");
 }
 
+/// While the main thread computes, another one hears what ends the program.
+#[cfg(debug_assertions)]
+#[test]
+fn a_busy_program_ends_with_the_terminal_as_found() {
+    let busy = || {
+        Setup::krank(&["four-bar"])
+            .env("KRANK_FAULT", "busy")
+            .start()
+    };
+    for keys in ["\x03", "...\x03", "\x1b[200~x\x1b[201~\x03", "M\x1b[99;5u"] {
+        let mut session = busy();
+        session.wait_until("a frame", |seen| !seen.bytes.is_empty());
+        session.send(keys);
+        assert!(session.ended_as_found().success(), "{keys:?}");
+    }
+    for signal in [Signal::TERM, Signal::INT, Signal::HUP, Signal::QUIT] {
+        let mut session = busy();
+        session.wait_until("a frame", |seen| !seen.bytes.is_empty());
+        session.signal(signal);
+        assert!(!session.ended_as_found().success(), "{signal:?}");
+    }
+    let mut session = busy();
+    session.wait_until("a frame", |seen| !seen.bytes.is_empty());
+    session.hang_up();
+    session.ended();
+}
+
 #[test]
 fn output_that_is_no_terminal_is_refused_kindly() {
     let output = Command::new(env!("CARGO_BIN_EXE_krank"))

@@ -117,8 +117,7 @@ fn colours_change_by_key_and_by_option() {
     assert!(!has_colour(&session.seen.lock().unwrap().bytes));
     session.send("C");
     session.wait_for("the 16 colours");
-    session.settle();
-    assert!(has_colour(&session.seen.lock().unwrap().bytes));
+    session.wait_until("colours", |seen| has_colour(&seen.bytes));
     session.send("q");
     assert!(session.ended_as_found().success());
     let dark = ["four-bar", "--theme", "dark", "--colour", "16"];

@@ -1,15 +1,13 @@
 //! The line that tells how far a sweep has come, on a pseudo-terminal: when it is there, and that it
 //! leaves nothing behind.
 
+use crate::session::PATIENCE;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 use std::io::{Read, Write};
 use std::num::NonZeroU16;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// On a machine with much else to do everything takes its time.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A shell's command line on a terminal of its own.
 struct Terminal {
@@ -206,4 +204,57 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
     assert!(["0", "1"].contains(&code), "{left}");
     let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
     assert!(told.contains("long-path"), "{told}");
+}
+
+/// A search that takes hours.
+const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 100000 \
+    --vary m.length=14..16,j.length=49..51,k.length=61..62";
+
+/// The best so far used to be lost.
+#[test]
+fn ctrl_c_stops_solve_and_the_best_so_far_is_written() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/stopped-solve");
+    let _ = std::fs::remove_file(format!("{file}.toml"));
+    let script = format!("trap : INT; {LONG_SOLVE} -o {file}.toml > {file}.txt; echo code $?");
+    let mut terminal = Terminal::run(&script, "xterm", 100);
+    terminal.wait_for("  best ");
+    terminal.type_in("\x03");
+    terminal.wait_for("code ");
+    let left = terminal.contents();
+    assert!(left.contains("stopped: what was found"), "{left}");
+    assert!(left.contains("code 0"), "{left}");
+    let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
+    assert!(told.contains("m.length"), "{told}");
+    let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
+    assert!(scene.contains("[links]"), "{scene}");
+}
+
+/// Also where messages go to a file, and nothing shows how far it has come.
+#[test]
+fn ctrl_c_stops_solve_where_nobody_sees_it() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/unseen-solve");
+    let script = format!("exec {LONG_SOLVE} > {file}.txt 2> {file}.err");
+    let mut child = std::process::Command::new("/bin/sh")
+        .args(["-c", &script])
+        .env("KRANK", env!("CARGO_BIN_EXE_krank"))
+        .env("LC_ALL", "C")
+        .spawn()
+        .unwrap();
+    let pid = rustix::process::Pid::from_child(&child);
+    let is_caught = || {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        assert!(!status.contains("zombie"), "it ended");
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+        let mask = mask.map(|mask| u64::from_str_radix(mask.trim(), 16).unwrap());
+        mask.is_some_and(|mask| mask & 2 != 0)
+    };
+    while !is_caught() {
+        thread::yield_now();
+    }
+    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    let status = child.wait().unwrap();
+    // It ends by itself, and not by the signal.
+    assert!(status.code().is_some(), "{status:?}");
+    let told = std::fs::read_to_string(format!("{file}.err")).unwrap();
+    assert!(told.contains("stopped: what was found"), "{told}");
 }

@@ -43,11 +43,6 @@ fn begin(folder: &Path, scene: &str) -> Session {
         .start()
 }
 
-/// As long as a person needs to read: what is typed sooner answers nothing.
-fn read_first() {
-    thread::sleep(Duration::from_millis(500));
-}
-
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten();
     let name = |entry: fs::DirEntry| entry.file_name().into_string().unwrap();
@@ -130,9 +125,11 @@ fn kills_while_saving_tear_nothing() {
 fn join(folder: &Path) -> Session {
     let session = begin(folder, "mine.toml");
     session.wait_for("Open elsewhere");
-    read_first();
-    session.send("\r");
-    session.wait_for("? help");
+    // What is typed before a person can have read it answers nothing.
+    thread::sleep(Duration::from_millis(500));
+    session.send_until("\r", "help", |seen| {
+        seen.terminal.screen().contents().contains("? help")
+    });
     session
 }
 
@@ -382,6 +379,8 @@ fn names_are_taken_as_they_are_typed() {
             assert!(Instant::now() < end, "{}", session.screen());
             thread::sleep(Duration::from_millis(5));
         }
+        session.wait_for("written to");
+        session.wait_for("? help");
         session.settle();
     }
     session.send("q");

@@ -1,5 +1,6 @@
 //! The scene's file, unsaved edits and what may happen to them, with the real binary on a pseudo-terminal.
 
+use crate::session::PATIENCE;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 use std::fs;
 use std::io::{Read, Write};
@@ -8,9 +9,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// On a machine with much else to do everything takes its time.
-const PATIENCE: Duration = Duration::from_secs(30);
 
 /// A program on a terminal of its own.
 struct Session {
@@ -76,9 +74,19 @@ impl Session {
         self
     }
 
-    /// As long as a person needs to read: what is typed sooner answers nothing.
-    fn pause(&mut self) -> &mut Self {
+    /// Answers a question: what is typed before a person can have read it answers nothing.
+    fn answer(&mut self, key: &str, question: &str) -> &mut Self {
+        self.wait_for(question);
         thread::sleep(Duration::from_millis(500));
+        let end = Instant::now() + PATIENCE;
+        while self.screen().contains(question) {
+            assert!(Instant::now() < end, "still asks\n{}", self.screen());
+            self.send(key);
+            let next = Instant::now() + Duration::from_secs(2);
+            while Instant::now() < next && self.screen().contains(question) {
+                thread::sleep(Duration::from_millis(5));
+            }
+        }
         self
     }
 
@@ -133,8 +141,8 @@ fn edits_outlive_the_program_whatever_ends_it() {
         assert_eq!(fs::read_to_string(&file).unwrap(), four_bar());
         // Begun again, from elsewhere: it is the same file.
         let mut session = Session::run(&folder, "cd / && exec $KRANK \"$HOME/mine.toml\"");
-        session.wait_for("Unsaved edits").wait_for("t take").pause();
-        session.send("t6/r2 len\r").wait_for(EDITED);
+        session.answer("t", "t take");
+        session.send("6/r2 len\r").wait_for(EDITED);
         session
             .send("u")
             .wait_for("r2 length     100     mm")
@@ -142,8 +150,8 @@ fn edits_outlive_the_program_whatever_ends_it() {
         assert!(session.ended(), "nothing is unsaved");
         // They were taken back, not dropped.
         let mut session = Session::run(&folder, "exec $KRANK mine.toml");
-        session.wait_for("Unsaved edits").wait_for("t take").pause();
-        session.send("dd").wait_for("are deleted").send("q");
+        session.answer("dd", "t take");
+        session.wait_for("are deleted").send("q");
         assert!(session.ended());
     }
     // Nothing is left to offer.
@@ -196,6 +204,20 @@ fn a_full_disk_leaves_file_and_edits() {
         2,
         "nothing but the scene and the state: {left:?}"
     );
+}
+
+/// Edits used to be kept nowhere without a word.
+#[test]
+fn edits_without_a_home_are_not_kept_in_silence() {
+    for home in ["HOME=", "HOME=relative"] {
+        let (folder, _) = folder("homeless");
+        let line = format!("export {home}; unset XDG_STATE_HOME; exec $KRANK mine.toml");
+        let mut session = Session::run(&folder, &line);
+        session.wait_for("60.00 deg").send(EDIT).wait_for(EDITED);
+        session.wait_for("edits are not kept for recovery: set HOME");
+        session.send("q").wait_for("unsaved edits").send("q");
+        assert!(session.ended());
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use portable_pty::{
     Child, CommandBuilder, ExitStatus, MasterPty, PtySize, SlavePty, native_pty_system,
 };
+use rustix::fs::{Mode, OFlags};
 use rustix::process::{Pid, Signal, kill_process};
 use std::io::{Read, Write};
 use std::num::NonZeroU16;
@@ -11,13 +12,15 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// On a machine with much else to do everything takes its time.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+/// What takes longer hangs, however much else the machine has to do.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
+/// After so long keys without an effect are sent again.
+const AGAIN: Duration = Duration::from_secs(2);
 pub(crate) const QUESTION: &[u8] = b"\x1b[5n";
 const ANSWER: &[u8] = b"\x1b[0n";
 
 /// Bytes a second of a line of 9,600 baud.
-pub(crate) const SLOW: usize = 960;
+const SLOW: usize = 960;
 
 /// What has come from the program.
 pub(crate) struct Seen {
@@ -219,17 +222,60 @@ impl Session {
         }
     }
 
-    /// Waits until nothing has come for a while.
-    pub(crate) fn settle(&self) {
-        let mut last = self.bytes();
-        loop {
-            thread::sleep(Duration::from_millis(150));
-            let now = self.bytes();
-            if now == last {
-                return;
+    /// Sends keys until something holds, again whenever they have had no effect for a while: a program that has
+    /// not come to read what was before them may take them for a part of it.
+    pub(crate) fn send_until(&self, keys: &str, what: &str, holds: impl Fn(&Seen) -> bool) {
+        let end = Instant::now() + PATIENCE;
+        while Instant::now() < end {
+            self.send(keys);
+            let next = Instant::now() + AGAIN;
+            while Instant::now() < next {
+                if holds(&self.seen.lock().unwrap()) {
+                    return;
+                }
+                thread::sleep(Duration::from_millis(5));
             }
+        }
+        panic!("no {what} on\n{}", self.screen());
+    }
+
+    /// Waits until nothing has come for a while: a shorter one where the program sleeps. One that measures in the
+    /// background never does.
+    pub(crate) fn settle(&self) {
+        let (mut last, mut quiet) = (self.bytes(), 0);
+        while quiet < 3 || (quiet < 40 && !self.sleeps()) {
+            thread::sleep(Duration::from_millis(50));
+            let now = self.bytes();
+            quiet = if now == last { quiet + 1 } else { 0 };
             last = now;
         }
+    }
+
+    /// Returns `true` if no thread of the program runs or waits for a processor.
+    fn sleeps(&self) -> bool {
+        let tasks = format!("/proc/{}/task", self.pid().as_raw_nonzero());
+        let Ok(tasks) = std::fs::read_dir(tasks) else {
+            return true;
+        };
+        let stats = tasks.filter_map(|task| {
+            let stat = std::fs::read_to_string(task.ok()?.path().join("stat")).ok()?;
+            stat.rsplit(')').next()?.trim_start().chars().next()
+        });
+        stats.into_iter().all(|state| state != 'R')
+    }
+
+    /// Waits until everything that was written to the terminal has come, by a mark written behind it.
+    fn drain(&self) {
+        const MARK: &[u8] = b"\x1b]9999;end\x07";
+        let name = self.master.as_ref().and_then(|master| master.tty_name());
+        let flags = OFlags::WRONLY | OFlags::NOCTTY;
+        let line = rustix::fs::open(name.unwrap(), flags, Mode::empty()).unwrap();
+        self.hurry();
+        rustix::io::write(&line, MARK).unwrap();
+        self.wait_until("end", |seen| seen.bytes.ends_with(MARK));
+        let mut seen = self.seen.lock().unwrap();
+        let length = seen.bytes.len() - MARK.len();
+        seen.bytes.truncate(length);
     }
 
     pub(crate) fn pid(&self) -> Pid {
@@ -278,16 +324,22 @@ impl Session {
         self.switches.hurry.store(true, Ordering::SeqCst);
     }
 
-    /// Stops the program, and takes what is on its way: so many bytes.
-    pub(crate) fn queued(&self) -> usize {
-        self.signal(Signal::STOP);
-        let before = self.bytes();
-        self.hurry();
-        self.settle();
-        let queued = self.bytes() - before;
-        self.switches.hurry.store(false, Ordering::SeqCst);
-        self.signal(Signal::CONT);
-        queued
+    /// Presses Ctrl-C until the program has ended.
+    pub(crate) fn ended_by_ctrl_c(&mut self) -> ExitStatus {
+        let end = Instant::now() + PATIENCE;
+        loop {
+            self.send_if_there(b"\x03");
+            let next = Instant::now() + AGAIN;
+            while Instant::now() < next {
+                if let Some(status) = self.child.try_wait().unwrap() {
+                    self.drain();
+                    self.as_found();
+                    return status;
+                }
+                thread::sleep(Duration::from_millis(5));
+            }
+            assert!(Instant::now() < end, "it never hears\n{}", self.screen());
+        }
     }
 
     pub(crate) fn ended(&mut self) -> ExitStatus {
@@ -308,7 +360,7 @@ impl Session {
     /// Waits for the end, and sees to it that nothing was left behind.
     pub(crate) fn ended_as_found(&mut self) -> ExitStatus {
         let status = self.ended();
-        self.settle();
+        self.drain();
         self.as_found();
         status
     }

@@ -239,3 +239,72 @@ fn h18_a_coupled_group_opens_close_to_its_limit() {
         );
     }
 }
+
+/// The choices of the first coupled group at a coordinate, with their places.
+fn choices(solver: &Solver, at: f64, point: PointId) -> Vec<(bool, Vec2)> {
+    let mut groups = solver.plan().numbered();
+    let coupled = groups.find(|(_, group)| group.kind.unknowns().is_some());
+    let choices = solver.choices(at, coupled.unwrap().0);
+    let listed = choices.iter().map(|choice| {
+        let place = choice.state.position(point).unwrap();
+        (choice.is_current, place)
+    });
+    listed.collect()
+}
+
+fn opened(text: &str) -> (krank::scene::Scene, Solver) {
+    let scene = krank::scene::Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn point(scene: &krank::scene::Scene, name: &str) -> PointId {
+    let mut points = scene.mechanism.point_ids();
+    points.find(|&p| scene.point_name(p) == Some(name)).unwrap()
+}
+
+/// A chain of twelve ternary links: a search without any start misses the assembly that the scene is in.
+#[test]
+fn the_assembly_of_the_scene_is_listed() {
+    let (scene, solver) = opened(include_str!("coupled12.toml"));
+    let listed = choices(&solver, 60.0, point(&scene, "P0"));
+    let current: Vec<Vec2> = listed.iter().filter(|c| c.0).map(|c| c.1).collect();
+    assert_eq!(current.len(), 1, "{listed:?}");
+    assert!(
+        (current[0] - Vec2::new(0.0, 200.0)).norm() < 1e-9,
+        "{current:?}"
+    );
+}
+
+/// Two assemblies of a triad meet where its motion ends: close to that the present one is listed once.
+#[test]
+fn the_present_assembly_is_listed_once_next_to_another() {
+    let (scene, solver) = opened(
+        r#"
+unit = "m"
+[ground]
+A = [0, 0]
+G7 = [2.338, 0.618]
+G8 = [3.562, -2.623]
+[driver]
+link = "r2"
+angle = 32.97
+[links]
+r2 = { from = "A", to = "B", length = 0.861 }
+r3 = { from = "B", to = "C", length = 0.604404 }
+t = { from = "C", to = "P", length = 1.138, points = { Q = [1.117, 1.5] } }
+r4 = { from = "P", to = "G7", length = 1.294682 }
+r5 = { from = "Q", to = "G8", length = 2.671592 }
+[start]
+C = [1.318, 0.571]
+P = [1.691769, -0.503868]
+Q = [3.101657, 0.008632]
+"#,
+    );
+    let (_, high) = solver.motion().range.ends();
+    for by in [1e-3, 3e-12] {
+        let listed = choices(&solver, high - by, point(&scene, "C"));
+        let current = listed.iter().filter(|c| c.0).count();
+        assert_eq!(current, 1, "{by:e} {listed:?}");
+    }
+}

@@ -21,3 +21,5 @@ mod reference;
 mod sensitivity;
 mod states;
 mod stops;
+mod thin;
+mod typed_lengths;

@@ -1,8 +1,8 @@
 //! Several pieces of work on several cores, their results in their order.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::channel;
-use std::thread;
+use std::sync::mpsc::{Sender, channel};
+use std::thread::{self, Scope};
 
 /// Threads that this machine works with at once.
 pub fn cores() -> usize {
@@ -10,8 +10,9 @@ pub fn cores() -> usize {
 }
 
 /// Does pieces of work in any order, each in the room of its thread, and gives what came of them in theirs: the same
-/// whatever the number of threads. `watch` is told the part that is done, and by answering false lets no piece begin
-/// any more; what was done until then comes out. A panic of any of them goes on here.
+/// whatever the number of threads. Where no thread can be created, the calling one does the work. `watch` is told the
+/// part that is done, and by answering false lets no piece begin any more; what was done until then comes out. A panic
+/// of any of them goes on here.
 pub fn each<R, T: Send>(
     count: usize,
     threads: usize,
@@ -20,33 +21,49 @@ pub fn each<R, T: Send>(
     watch: &mut dyn FnMut(f64) -> bool,
 ) -> Vec<T> {
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let mut found: Vec<(usize, T)> = thread::scope(|scope| {
-        let (to, from) = channel();
-        for _ in 0..threads.clamp(1, count.max(1)) {
-            let to = to.clone();
-            let (next, stopped, room, work) = (&next, &stopped, &room, &work);
-            scope.spawn(move || {
-                let mut room = room();
-                while !stopped.load(Ordering::Relaxed) {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    if i >= count || to.send((i, work(&mut room, i))).is_err() {
-                        return;
-                    }
-                }
-            });
-        }
-        drop(to);
-        let mut found = Vec::new();
-        while let Ok(one) = from.recv() {
-            found.push(one);
-            if !watch(found.len() as f64 / count as f64) {
-                stopped.store(true, Ordering::Relaxed);
+    let do_pieces = |take: &mut dyn FnMut((usize, T)) -> bool| {
+        let mut room = room();
+        while !stopped.load(Ordering::Relaxed) {
+            let i = next.fetch_add(1, Ordering::Relaxed);
+            if i >= count || !take((i, work(&mut room, i))) {
+                return;
             }
         }
-        found
+    };
+    let mut found: Vec<(usize, T)> = Vec::new();
+    let mut keep = |one| {
+        found.push(one);
+        if !watch(found.len() as f64 / count as f64) {
+            stopped.store(true, Ordering::Relaxed);
+        }
+        true
+    };
+    let send_all = |to: Sender<(usize, T)>| do_pieces(&mut |one| to.send(one).is_ok());
+    thread::scope(|scope| {
+        let (to, from) = channel();
+        let begun = (0..threads.clamp(1, count.max(1)))
+            .take_while(|_| begins(scope, &send_all, to.clone()))
+            .count();
+        drop(to);
+        if begun == 0 {
+            do_pieces(&mut keep);
+        }
+        while let Ok(one) = from.recv() {
+            keep(one);
+        }
     });
     found.sort_by_key(|(i, _)| *i);
     found.into_iter().map(|(_, one)| one).collect()
+}
+
+/// Starts a thread; false where the system creates none.
+fn begins<'scope, T: Send + 'scope>(
+    scope: &'scope Scope<'scope, '_>,
+    send_all: &'scope (impl Fn(Sender<T>) + Sync),
+    to: Sender<T>,
+) -> bool {
+    let work = move || send_all(to);
+    thread::Builder::new().spawn_scoped(scope, work).is_ok()
 }
 
 #[cfg(test)]

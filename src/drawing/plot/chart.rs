@@ -91,6 +91,21 @@ impl Decades {
         [self.low, self.low + self.count].map(f64::from)
     }
 
+    /// The most of so many rows on which labelled powers are evenly spaced.
+    fn even_rows(self, rows: i32) -> i32 {
+        let powers: Vec<i32> = self.ticks(rows, LABEL_ROWS).collect();
+        let [low, high] = self.ends();
+        let is_even = |rows: &i32| {
+            let scale = CellScale::upwards(low, high, 0, *rows, 0.5);
+            let rows = powers
+                .windows(2)
+                .map(|pair| cell(&scale, f64::from(pair[0])) - cell(&scale, f64::from(pair[1])));
+            let rows: Vec<i32> = rows.collect();
+            rows.windows(2).all(|pair| pair[0] == pair[1])
+        };
+        (LEAST..=rows).rev().find(is_even).unwrap_or(rows)
+    }
+
     /// The powers of ten to be labelled along so many cells: as many as leave `room` cells to each.
     fn ticks(self, cells: i32, room: i32) -> impl Iterator<Item = i32> {
         let fits = |every: &i32| {
@@ -107,6 +122,8 @@ impl Decades {
 const FRAME_ROWS: i32 = 3;
 /// Fewer cells than this are no chart.
 const LEAST: i32 = 2;
+/// Rows from one label of the upright axis to the next, at the least.
+const LABEL_ROWS: i32 = 2;
 
 impl Chart {
     /// The chart in `cols` x `rows` cells; empty where there is no room for it.
@@ -128,6 +145,7 @@ impl Chart {
         }
         let level = Decades::around(data.iter().map(|d| d.x));
         let ([left, right], [low, high]) = (level.ends(), upright.ends());
+        let shown = upright.even_rows(height);
         let painter = ChartPainter {
             chart: self,
             axis: margin,
@@ -135,7 +153,7 @@ impl Chart {
             foot: height + 1,
             decades: [level, upright],
             x: CellScale::along(left, right, margin + 1, width, 0.5),
-            y: CellScale::upwards(low, high, 1, height, 0.5),
+            y: CellScale::upwards(low, high, 1 + height - shown, shown, 0.5),
             strokes: FrameGlyphs::of(glyphs),
         };
         painter.frame(&mut raster);
@@ -170,7 +188,7 @@ impl ChartPainter<'_> {
         self.strokes
             .put_level(self.axis..self.end, self.foot, raster);
         write(raster, 0, 0, &y.title, Role::Axis);
-        for power in self.decades[1].ticks(self.foot - 1, 2) {
+        for power in self.decades[1].ticks(self.foot - 1, LABEL_ROWS) {
             let row = cell(&self.y, f64::from(power));
             self.strokes
                 .put_label((self.axis, row), &(y.label)(power), raster);

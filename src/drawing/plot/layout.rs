@@ -2,7 +2,7 @@
 
 use super::path::CellBlock;
 use super::ticks::{TickStyle, Ticks};
-use super::{Plot, PlotStyle};
+use super::{Axis, Plot, PlotStyle};
 use crate::Vec2;
 
 /// The axis and its labels, below the last panel.
@@ -13,11 +13,17 @@ const LEAST_BODY: i32 = 4;
 /// Smaller than this nothing can be read from a plot.
 const LEAST_ROWS: i32 = FOOT + LEGEND + 2;
 const LEAST_COLS: i32 = 16;
+/// From the edge of the first and the last cell to its middle.
+const INSET: f64 = 0.5;
+/// By how many percent an axis may be longer, so that its ticks are evenly spaced.
+const MOST_LONGER: u8 = 20;
 /// Rows from one label to the next, at the least, and the most labels of an axis.
 const LABEL_ROWS: i32 = 2;
 const MOST_LABELS: usize = 9;
 /// Blanks between two labels of the level axis.
 const LABEL_GAP: i32 = 2;
+/// Blanks between the unit and the label behind it.
+pub(super) const UNIT_GAP: i32 = 2;
 /// There are not so many units.
 const MOST_PANELS: i32 = 1000;
 /// A panel higher than this has room for a legend of two rows.
@@ -165,7 +171,7 @@ impl Plot {
         let count = shown(self.panels.len(), rows);
         let first = look.first.min(self.panels.len() - count);
         // Ticks and marks stand in the same cells whatever a curve is drawn with.
-        let inset = Vec2::new(0.5, 0.5);
+        let inset = Vec2::new(INSET, INSET);
         let body = rows - FOOT;
         let shares = i32::try_from(count).unwrap_or(1);
         let mut frames = Vec::with_capacity(count);
@@ -188,12 +194,13 @@ impl Plot {
                     width: 0,
                     height,
                 };
+                let (scale, ticks) = upright_axis(y, top_row, height);
                 let frame = PanelArea {
                     legend: top,
                     legend_rows,
                     block,
-                    y: CellScale::upwards(y.low, y.high, top_row, height, inset.y),
-                    ticks: Ticks::between(y.low, y.high, y.is_angle, labels(height)),
+                    y: scale,
+                    ticks,
                     style: TickStyle::of_range(y.low, y.high),
                 };
                 (number, frame)
@@ -213,7 +220,10 @@ impl Plot {
             let ends = true_ends((low, high), (y.low, y.high), cells, look.aspect);
             (low, high) = ends[0];
             frame.y = CellScale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
-            let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
+            let ticks = even_ticks(&frame.y, y.is_angle, height, 2);
+            let ticks = ticks.unwrap_or_else(|| {
+                Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height))
+            });
             // There is room for labels no longer than those that were foreseen.
             if i32::try_from(ticks.widest()).is_ok_and(|widest| widest <= axis) {
                 frame.ticks = ticks;
@@ -227,20 +237,108 @@ impl Plot {
             foot: body,
             end: cols,
             x: CellScale::along(low, high, left, width, inset.x),
-            x_ticks: level_ticks(low, high, self.x.is_angle, width),
+            x_ticks: level_ticks((low, high), self.x.is_angle, &self.x.unit, width),
             panels,
         })
     }
 }
 
-/// The most ticks whose labels have room beside each other.
-fn level_ticks(low: f64, high: f64, is_angle: bool, width: i32) -> Ticks {
+/// Scale and ticks of an upright axis: the rows of its ticks are evenly spaced, for which the axis may be longer than
+/// what is drawn on it.
+fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
+    let size = y.high - y.low;
+    let ends = |percent: u8| {
+        let more = size * f64::from(percent) / 100.0;
+        match (y.low == 0.0, y.high == 0.0) {
+            (true, _) => (y.low, y.high + more),
+            (_, true) => (y.low - more, y.high),
+            _ => grown((y.low, y.high), size + more),
+        }
+    };
+    let scale = |percent| {
+        let (low, high) = ends(percent);
+        CellScale::upwards(low, high, top, height, INSET)
+    };
+    let usual = Ticks::between(y.low, y.high, y.is_angle, labels(height));
+    let mut best: Option<(CellScale, Ticks)> = None;
+    for percent in (0..=MOST_LONGER).step_by(2) {
+        let scale = scale(percent);
+        let count = best.as_ref().map_or(1, |(_, ticks)| ticks.values.len());
+        if let Some(ticks) = even_ticks(&scale, y.is_angle, height, count + 1) {
+            best = Some((scale, ticks));
+        }
+        let count = best.as_ref().map_or(0, |(_, ticks)| ticks.values.len());
+        if count >= usual.values.len() {
+            break;
+        }
+    }
+    best.unwrap_or_else(|| (scale(0), thinned(&scale(0), usual)))
+}
+
+/// Every second tick, every third or fewer, until their rows are evenly spaced.
+fn thinned(scale: &CellScale, ticks: Ticks) -> Ticks {
+    let values = |every: usize| ticks.values.iter().copied().step_by(every).collect();
+    let mut tried = (1..ticks.values.len()).map(|every| Ticks {
+        values: values(every),
+        style: ticks.style,
+    });
+    let found = tried.find(|ticks| are_spaced(&rows(scale, ticks)));
+    found.unwrap_or(ticks)
+}
+
+/// The rows of ticks, from the low end.
+fn rows(scale: &CellScale, ticks: &Ticks) -> Vec<i32> {
+    let rows = ticks.values.iter().filter_map(|&value| scale.cell(value));
+    rows.collect()
+}
+
+/// Returns `true` if all rows are equally far apart.
+fn are_spaced(rows: &[i32]) -> bool {
+    rows.windows(3)
+        .all(|three| three[0] - three[1] == three[1] - three[2])
+}
+
+/// The most ticks of a scale whose rows are evenly spaced, if there are at least so many.
+fn even_ticks(scale: &CellScale, is_angle: bool, height: i32, least: usize) -> Option<Ticks> {
+    let (low, high) = scale.ends();
+    let mut most = labels(height);
+    while most >= least {
+        let ticks = Ticks::between(low, high, is_angle, most);
+        if ticks.values.len() < least {
+            return None;
+        }
+        if is_even(scale, &ticks) {
+            return Some(ticks);
+        }
+        most = ticks.values.len() - 1;
+    }
+    None
+}
+
+/// Returns `true` if the cells of all ticks are equally far apart, and no closer than labels may be.
+fn is_even(scale: &CellScale, ticks: &Ticks) -> bool {
+    let rows = rows(scale, ticks);
+    let is_apart = matches!(rows[..], [first, second, ..] if first - second >= LABEL_ROWS);
+    is_apart && are_spaced(&rows)
+}
+
+/// The most ticks whose labels have room beside each other, and the unit between or behind the last ones.
+fn level_ticks((low, high): (f64, f64), is_angle: bool, unit: &str, width: i32) -> Ticks {
     let fits = |ticks: &Ticks| {
         let gaps = ticks.values.len().saturating_sub(1).max(1);
         let first = ticks.values.first().copied().unwrap_or(low);
         let last = ticks.values.last().copied().unwrap_or(high);
-        let apart = f64::from(width) * (last - first) / (high - low) / gaps as f64;
-        apart >= ticks.widest() as f64 + f64::from(LABEL_GAP)
+        let to_cells = |part: f64| f64::from(width) * part / (high - low);
+        let apart = to_cells(last - first) / gaps as f64;
+        let label = ticks.widest() as f64;
+        let unit = unit.chars().count() as f64 + f64::from(UNIT_GAP);
+        // At the edge the last label stands before its tick.
+        let is_behind = to_cells(high - last) >= label / 2.0 + unit;
+        let room = match is_behind || ticks.values.len() < 2 {
+            true => 0.0,
+            false => label / 2.0 + unit,
+        };
+        apart >= label + f64::from(LABEL_GAP) && apart >= label + room + 3.0
     };
     let most = usize::try_from(width / 4).unwrap_or(0).clamp(2, 25);
     let tried = (2..=most)
@@ -279,5 +377,66 @@ fn grown((low, high): (f64, f64), size: f64) -> (f64, f64) {
         (middle - size / 2.0, middle + size / 2.0)
     } else {
         (low, high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn axis(low: f64, high: f64) -> Axis {
+        Axis {
+            name: String::new(),
+            unit: "N m".into(),
+            is_angle: false,
+            low,
+            high,
+        }
+    }
+
+    /// The motor view had 20, 10 and 0 two rows apart, and 0 and -10 one row.
+    #[test]
+    fn ticks_of_the_motor_view_are_evenly_spaced() {
+        for height in 5..40 {
+            let (scale, ticks) = upright_axis(&axis(-32.057, 28.719), 0, height);
+            let found = rows(&scale, &ticks);
+            assert!(found.len() > 1 && are_spaced(&found), "{height}: {found:?}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn ticks_are_evenly_spaced_in_rows(low in -1e3..1e3, size in 1e-3..1e4, height in 4..60) {
+            let y = axis(low, low + size);
+            let (scale, ticks) = upright_axis(&y, 0, height);
+            let found = rows(&scale, &ticks);
+            prop_assert!(are_spaced(&found), "{found:?}");
+            prop_assert_eq!(found.len(), ticks.values.len());
+            // Everything is drawn, and most of the room is used.
+            let (low, high) = scale.ends();
+            prop_assert!(low <= y.low && high >= y.high && high - low <= 1.21 * size);
+        }
+
+        /// The unit stands behind the last label or between the last two.
+        #[test]
+        fn the_unit_leaves_every_label_its_place(low in -500.0..500.0, size in 1.0..2e3, width in 40..160) {
+            let ticks = level_ticks((low, low + size), true, "deg", width);
+            let scale = CellScale::along(low, low + size, 0, width, INSET);
+            let mut free = -1;
+            let labels: Vec<(i32, i32)> = ticks.labels().filter_map(|(value, label)| {
+                let length = i32::try_from(label.len()).ok()?;
+                let from = (scale.cell(value)? - length / 2).min(width - length).max(0);
+                Some((from, from + length))
+            }).collect();
+            for &(from, end) in &labels {
+                prop_assert!(from > free, "{labels:?}");
+                free = end;
+            }
+            if let [.., (_, before), (last, end)] = labels[..] {
+                let is_behind = end + 1 + 3 <= width;
+                prop_assert!(is_behind || last - UNIT_GAP - 3 > before, "{labels:?} of {width}");
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! From a plot to cells.
 
 use super::frame::{FrameGlyphs, length, write};
-use super::layout::{PanelArea, PlotLayout};
+use super::layout::{PanelArea, PlotLayout, UNIT_GAP};
 use super::path::{PLACE, Pen};
 use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
@@ -33,9 +33,6 @@ const DEEPEST: i32 = 2;
 /// In the row of a turn the curve is so many columns wide to each side, at the most, where something is
 /// written behind it.
 const FLATTEST: i32 = 10;
-
-/// Blanks between the unit and the label behind it.
-const UNIT_GAP: i32 = 2;
 
 impl Plot {
     /// The plot in cells, with the cursor in a state; empty where there is no room for it.

@@ -15,8 +15,8 @@ struct Furthest {
     rows: usize,
     at: f64,
     off: f64,
-    /// The sum of the squares of all differences.
-    squares: f64,
+    /// The root of the sum of the squares of all differences: those may be beyond any double.
+    root: f64,
     /// The largest of krank's figures in the column.
     most: f64,
     /// As often the difference is more than rounding to the digits of the other figure.
@@ -69,7 +69,7 @@ impl Furthest {
         };
         let mean = match self.rows {
             0 => "-".into(),
-            rows => significant((self.squares / rows as f64).sqrt(), DIGITS),
+            rows => significant(self.root / (rows as f64).sqrt(), DIGITS),
         };
         [
             self.rows.to_string(),
@@ -99,7 +99,7 @@ fn furthest(course: &ForeignCourse, solver: &Solver) -> Vec<Furthest> {
             let foreign = foreign.nearer(|value| apart(quantity, value, own));
             let off = apart(quantity, foreign.value, own);
             one.rows += 1;
-            one.squares += off * off;
+            one.root = one.root.hypot(off);
             one.most = one.most.max(own.abs());
             one.beyond += usize::from(!is_rounding(foreign, (own, off)));
             if off.abs() > one.off.abs() {

@@ -3,6 +3,7 @@
 use crate::document::quoted;
 use crate::quantity::{Catalogue, Quantity, unit_factor};
 use crate::report::cells::ReadCells;
+use crate::report::text_encoding::TextEncoding;
 use crate::study::WrittenFigure;
 use crate::wording::words;
 
@@ -17,6 +18,7 @@ pub struct ForeignFigures {
     rows: Vec<Vec<String>>,
     /// On which line of the file each row begins.
     lines: Vec<u64>,
+    encoding: TextEncoding,
 }
 
 /// Why a file holds no figures.
@@ -102,17 +104,28 @@ impl ForeignFigures {
     /// # Errors
     /// Where no row has a name with a number beside it, or a number at all; or where there are too many.
     pub fn read(name: &str, bytes: &[u8]) -> Result<ForeignFigures, NoFigures> {
-        let ReadCells { rows, lines, .. } =
-            ReadCells::read(bytes, MOST_ROWS).ok_or(NoFigures::TooLong)?;
+        let ReadCells {
+            rows,
+            lines,
+            encoding,
+            ..
+        } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoFigures::TooLong)?;
         let is_figure = |cells: &Vec<String>| cells.iter().any(|cell| number(cell).is_some());
         match rows.iter().any(is_figure) && rows.iter().any(|cells| cells.len() > 1) {
             true => Ok(ForeignFigures {
                 name: name.to_owned(),
                 rows,
                 lines,
+                encoding,
             }),
             false => Err(NoFigures::Nothing),
         }
+    }
+
+    /// The encoding of the file.
+    #[must_use]
+    pub fn encoding(&self) -> TextEncoding {
+        self.encoding
     }
 
     /// The name of the file.

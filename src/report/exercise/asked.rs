@@ -6,9 +6,9 @@ use crate::report::tables::{ORDERS, Tables, shared_body};
 use crate::report::working::Working;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Order, Solver, State};
-use crate::study::{AnswerKey, AskedFigure, SolutionChain};
+use crate::study::{AnswerKey, AskedFigure, LinkPoints, SolutionChain};
 
-/// Smaller parts of the largest figure of a kind are 0: nobody is asked for them.
+/// Smaller parts of the largest figure of a kind are 0.
 const NOUGHT: f64 = 1e-9;
 
 /// What is asked of a state that was solved with forces and enclosed, and what else has a name in `more`.
@@ -25,11 +25,11 @@ pub fn answer_key(
     let of_name = |name: &String| catalogue.find(name);
     let mut quantities: Vec<Quantity> = Vec::new();
     let scales = FigureScales::new(&catalogue, state, scene.unit.symbol());
-    for quantity in names(scene, &tables).iter().filter_map(of_name) {
-        if !scales.is_nought(&quantity, enclosure) {
-            quantities.push(quantity);
-        }
-    }
+    quantities.extend(vector_names(scene, &tables).iter().filter_map(of_name));
+    // A point at rest has no vector to draw.
+    let of_points = point_names(&tables);
+    let of_points = of_points.iter().filter_map(of_name);
+    quantities.extend(of_points.filter(|quantity| !scales.is_nought(quantity, enclosure)));
     let asked = quantities.len();
     for quantity in more.iter().filter_map(of_name) {
         if !quantities.contains(&quantity) {
@@ -39,9 +39,12 @@ pub fn answer_key(
     let mut asked_for = Vec::new();
     let mut besides = Vec::new();
     for (number, quantity) in quantities.into_iter().enumerate() {
-        let Some(exact) = quantity.value(state) else {
+        let Some(value) = quantity.value(state) else {
             continue;
         };
+        // What is 0 but for rounding is 0.
+        let is_nought = !quantity.is_direction() && scales.is_nought(&quantity, enclosure);
+        let exact = if is_nought { 0.0 } else { value };
         let figure = AskedFigure {
             exact,
             bound: quantity.bound(state, enclosure),
@@ -70,11 +73,22 @@ pub fn answer_key(
         asked,
         others: others.unwrap_or_default(),
         chain,
+        bodies: link_points(scene),
     }
 }
 
-/// The names of all that is sought, by order; then the points.
-fn names(scene: &Scene, tables: &Tables) -> Vec<String> {
+/// The points of every link with their places on it.
+fn link_points(scene: &Scene) -> Vec<LinkPoints> {
+    let links = scene.mechanism.links().iter();
+    let points = links.map(|link| {
+        let members = link.members.iter();
+        members.map(|member| (member.point, member.local)).collect()
+    });
+    points.collect()
+}
+
+/// The names of what is sought of the vectors, by order.
+fn vector_names(scene: &Scene, tables: &Tables) -> Vec<String> {
     let mut names = Vec::new();
     for order in [0, 1, 2] {
         for (number, column) in tables.vectors.iter().enumerate() {
@@ -92,6 +106,12 @@ fn names(scene: &Scene, tables: &Tables) -> Vec<String> {
             }
         }
     }
+    names
+}
+
+/// The names of what is sought of the points, by order.
+fn point_names(tables: &Tables) -> Vec<String> {
+    let mut names = Vec::new();
     for (order, aspect) in [(1, "v"), (2, "a")] {
         for point in tables.points.iter().filter(|point| !point.fixed) {
             let moves = point.motion[order].is_some_and(|motion| motion.direction.is_some());

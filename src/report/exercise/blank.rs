@@ -1,8 +1,11 @@
 //! The file that a student answers in: a row for each figure, written empty and read filled.
 
-use crate::quantity::unit_factor;
+use super::row_names::{column_named, parted};
+use crate::quantity::{Catalogue, known_unit, unit_factor};
 use crate::report::cells::ReadCells;
 use crate::report::csv_dialect::{CsvDialect, CsvSheet};
+use crate::report::text_encoding::TextEncoding;
+use crate::scene::Scene;
 use crate::study::{AnswerKey, GivenAnswer, WrittenFigure};
 use std::io::{self, Write};
 
@@ -68,17 +71,32 @@ pub struct AnswerFile {
     pub student: Option<String>,
     /// The figures, and what stands beside them.
     pub answers: Vec<AnsweredRow>,
+    /// The encoding of its text.
+    pub encoding: TextEncoding,
 }
 
 /// A row of a file of answers, as it was written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct AnsweredRow {
+    /// The line of the file, from 1.
+    pub line: u64,
     /// The name of a figure.
     pub figure: String,
     /// Its unit.
     pub unit: String,
     /// The answer.
     pub answer: String,
+}
+
+/// A cell of the file that is not what was asked for, or a row of which the name is none of the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StrangeCell {
+    /// The line of the file, from 1.
+    pub line: u64,
+    /// The name in the row.
+    pub figure: String,
+    /// What stands there: a unit or an answer.
+    pub text: String,
 }
 
 /// Which cells of a row are read.
@@ -108,34 +126,58 @@ impl AnswerFile {
     /// Where it holds no figure at all, or too many rows.
     pub fn read(bytes: &[u8]) -> Result<AnswerFile, NoAnswers> {
         let ReadCells {
-            rows, separator, ..
+            rows,
+            lines,
+            separator,
+            encoding,
         } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoAnswers::TooLong)?;
-        let mut file = AnswerFile::default();
+        let mut file = AnswerFile {
+            encoding,
+            ..AnswerFile::default()
+        };
         let places = RowPlaces::of(&rows, separator);
-        for row in &rows {
-            file.take(row, &places);
+        for (row, line) in rows.iter().zip(lines) {
+            file.take(row, line, &places);
         }
-        match file.answers.is_empty() {
-            true => Err(NoAnswers::NoFigure),
-            false => Ok(file),
+        match file.answers.iter().any(AnsweredRow::is_likely) {
+            true => Ok(file),
+            false => Err(NoAnswers::NoFigure),
         }
     }
 
-    fn take(&mut self, cells: &[String], places: &RowPlaces) {
+    /// Gives the rows the names that their figures have in a scene, where they have one.
+    #[must_use]
+    pub fn of_scene(mut self, scene: &Scene) -> AnswerFile {
+        let catalogue = Catalogue::new(scene);
+        for row in &mut self.answers {
+            if let Some(column) = column_named(&row.figure, &catalogue) {
+                let (_, unit) = parted(&row.figure);
+                if row.unit.is_empty() {
+                    unit.clone_into(&mut row.unit);
+                }
+                row.figure = column;
+            }
+        }
+        self
+    }
+
+    fn take(&mut self, cells: &[String], line: u64, places: &RowPlaces) {
         let cell = |place: usize| cells.get(place).map_or("", String::as_str);
         let name = cell(places.figure);
         let answer = places.answer_in(cells);
         let told = || Some(answer.clone()).filter(|text| !text.is_empty());
-        match name {
-            SHEET => self.sheet = told(),
-            STUDENT => self.student = told(),
-            // Names of figures have a point.
-            name if name.contains('.') => self.answers.push(AnsweredRow {
+        let is = |head: &str| name.eq_ignore_ascii_case(head);
+        if is(SHEET) {
+            self.sheet = told();
+        } else if is(STUDENT) {
+            self.student = told();
+        } else if !(is(HEADS[0]) || name.is_empty() && answer.is_empty()) {
+            self.answers.push(AnsweredRow {
+                line,
                 figure: name.to_owned(),
                 unit: places.unit.map_or("", cell).to_owned(),
                 answer,
-            }),
-            _ => {}
+            });
         }
     }
 
@@ -146,7 +188,7 @@ impl AnswerFile {
         rows.map(|row| row.figure.clone()).collect()
     }
 
-    /// The answers to what is asked for, in its order; of a figure that stands there twice the last.
+    /// The answers to what is asked for, in its order; of a figure that is answered twice the last.
     #[must_use]
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
@@ -157,27 +199,85 @@ impl AnswerFile {
         given.collect()
     }
 
-    /// Figures whose row says a unit that is not known, or measures something else, and that unit.
+    /// Units that are not known or measure something else, in their own cells or behind the numbers.
     #[must_use]
-    pub fn strange_units(&self, key: &AnswerKey) -> Vec<(String, String)> {
+    pub fn strange_units(&self, key: &AnswerKey) -> Vec<StrangeCell> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
         let strange = figures.filter_map(|quantity| {
             let row = self.row(&quantity.name)?;
-            let is_strange =
-                !row.answer.is_empty() && unit_factor(&row.unit, &quantity.unit).is_none();
-            is_strange.then(|| (row.figure.clone(), row.unit.clone()))
+            let unit = row.strange_unit(&quantity.unit)?;
+            Some(row.strange(unit))
         });
         strange.collect()
     }
 
+    /// Rows that name no figure of the key.
+    #[must_use]
+    pub fn strangers(&self, key: &AnswerKey) -> Vec<StrangeCell> {
+        let is_known = |name: &str| key.figures.iter().any(|f| f.quantity.name == name);
+        let strange = self.answers.iter().filter(|row| !is_known(&row.figure));
+        strange.map(|row| row.strange(row.answer.clone())).collect()
+    }
+
+    /// Answers that do not count since the same figure is answered further down.
+    #[must_use]
+    pub fn repeated(&self) -> Vec<StrangeCell> {
+        let answered = || self.answers.iter().filter(|row| !row.answer.is_empty());
+        let is_repeated = |(number, row): &(usize, &AnsweredRow)| {
+            let mut later = answered().skip(number + 1);
+            later.any(|other| other.figure == row.figure)
+        };
+        let repeated = answered().enumerate().filter(is_repeated);
+        repeated
+            .map(|(_, row)| row.strange(row.answer.clone()))
+            .collect()
+    }
+
+    /// Answers that are no numbers.
+    #[must_use]
+    pub fn unreadable(&self, key: &AnswerKey) -> Vec<StrangeCell> {
+        let rows = key
+            .figures
+            .iter()
+            .filter_map(|figure| self.row(&figure.quantity.name));
+        let rows = rows.filter(|row| !row.answer.is_empty());
+        let unreadable = rows.filter(|row| WrittenFigure::read(&row.answer).is_none());
+        unreadable
+            .map(|row| row.strange(row.answer.clone()))
+            .collect()
+    }
+
+    /// The row that counts for a figure: the last with an answer.
     fn row(&self, name: &str) -> Option<&AnsweredRow> {
-        self.answers.iter().rev().find(|row| row.figure == name)
+        let rows = || self.answers.iter().rev().filter(|row| row.figure == name);
+        rows().find(|row| !row.answer.is_empty()).or(rows().next())
     }
 }
 
 impl AnsweredRow {
-    /// The answer in the unit that is asked for. A unit behind the number is meant; else the one in its cell, where
-    /// that is known.
+    /// Returns whether the row may be one of a figure: it has the point of a name, or a number for an answer.
+    fn is_likely(&self) -> bool {
+        self.figure.contains('.') || self.answer.contains(|c: char| c.is_ascii_digit())
+    }
+
+    fn strange(&self, text: String) -> StrangeCell {
+        StrangeCell {
+            line: self.line,
+            figure: self.figure.clone(),
+            text,
+        }
+    }
+
+    /// The unit behind the number or in its cell that is not known or measures something else.
+    fn strange_unit(&self, unit: &str) -> Option<String> {
+        let (_, behind) = WrittenFigure::read(&self.answer)?;
+        let written = [behind, self.unit.clone()];
+        let mut strange = written.into_iter().filter(|own| !own.is_empty());
+        strange.find(|own| unit_factor(own, unit).is_none())
+    }
+
+    /// The answer in the unit that is asked for. A unit behind the number is meant; else the one in its cell. One that
+    /// is not known is taken for the one that was asked for.
     fn given(&self, unit: &str) -> GivenAnswer {
         if self.answer.is_empty() {
             return GivenAnswer::Empty;
@@ -185,12 +285,11 @@ impl AnsweredRow {
         let Some((face, behind)) = WrittenFigure::read(&self.answer) else {
             return GivenAnswer::Unreadable;
         };
-        let factor = match behind.as_str() {
-            "" => unit_factor(&self.unit, unit).unwrap_or(1.0),
-            behind => match unit_factor(behind, unit) {
-                Some(factor) => factor,
-                None => return GivenAnswer::Unreadable,
-            },
+        let factor = match unit_factor(&behind, unit) {
+            Some(factor) if !behind.is_empty() => factor,
+            // What is known and measures something else is no answer.
+            None if known_unit(&behind).is_some() => return GivenAnswer::Unreadable,
+            _ => unit_factor(&self.unit, unit).unwrap_or(1.0),
         };
         if factor == 1.0 {
             return GivenAnswer::Figure(face);
@@ -256,8 +355,9 @@ mod tests {
         AnswerFile::read(text.as_bytes()).unwrap()
     }
 
-    fn row(figure: &str, unit: &str, answer: &str) -> AnsweredRow {
+    fn row(line: u64, figure: &str, unit: &str, answer: &str) -> AnsweredRow {
         AnsweredRow {
+            line,
             figure: figure.into(),
             unit: unit.into(),
             answer: answer.into(),
@@ -269,18 +369,23 @@ mod tests {
         let expected = AnswerFile {
             sheet: Some("a.toml".into()),
             student: Some("Ayşe Öz".into()),
-            answers: vec![row("r3.angle", "deg", "29,38"), row("C.v", "mm/s", "")],
+            answers: vec![
+                row(4, "r3.angle", "deg", "29,38"),
+                row(5, "C.v", "mm/s", ""),
+            ],
+            encoding: TextEncoding::Utf8,
         };
         for text in [
             "figure,unit,answer\nsheet,,a.toml\nstudent,,Ayşe Öz\nr3.angle,deg,\"29,38\"\nC.v,mm/s,\n",
             "\u{feff}figure;unit;answer\r\nsheet;;a.toml\r\nstudent;;Ayşe Öz\r\nr3.angle;deg;29,38\r\nC.v;mm/s;\r\n",
             "figure\tunit\tanswer\nsheet\t\ta.toml\nstudent\t\tAyşe Öz\nr3.angle\tdeg\t 29,38\nC.v\tmm/s\n",
-            "student,,Ayşe Öz\nr3.angle,deg,29,38\nC.v,mm/s,,\nsheet,,a.toml",
+            "student,,Ayşe Öz\nsheet,,a.toml\n\nr3.angle,deg,29,38\nC.v,mm/s,,",
         ] {
             assert_eq!(read(text), expected, "{text}");
         }
         let old = AnswerFile::read(b"student;;Ay\xfee\nr3.angle;deg;1\n").unwrap();
-        assert_eq!(old.student.as_deref(), Some("Ay\u{fffd}e"));
+        assert_eq!(old.student.as_deref(), Some("Ayşe"));
+        assert_eq!(old.encoding, TextEncoding::Windows1254);
     }
 
     /// Cells are joined only where a decimal comma has parted them.
@@ -312,7 +417,7 @@ mod tests {
             ),
         ] {
             let file = read(text);
-            assert_eq!(file.answers, [row("r3.angle", unit, "29.38")], "{text}");
+            assert_eq!(file.answers, [row(3, "r3.angle", unit, "29.38")], "{text}");
             assert_eq!(file.student.as_deref(), Some("Ali"));
         }
     }

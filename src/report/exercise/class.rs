@@ -1,5 +1,6 @@
 //! The answers of a class: a row for each student.
 
+use super::blank::StrangeCell;
 use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
 use crate::page::{Page, Table};
 use crate::report::csv_dialect::{CsvDialect, CsvSheet};
@@ -9,9 +10,31 @@ use crate::wording::words;
 use std::io::{self, Write};
 
 /// The columns: a promise.
-const HEADS: [&str; 18] = [
-    "student", "sheet", "figures", "points", "right", "rounded", "followed", "sign", "unit",
-    "assembly", "wrong", "empty", "first", "verdict", "mistake", "why", "answer", "file",
+const HEADS: [&str; 24] = [
+    "student",
+    "sheet",
+    "figures",
+    "points",
+    "right",
+    "rounded",
+    "followed",
+    "sign",
+    "unit",
+    "assembly",
+    "wrong",
+    "empty",
+    "first",
+    "verdict",
+    "mistake",
+    "why",
+    "answer",
+    "file",
+    "unknown_units",
+    "no_numbers",
+    "repeated",
+    "unknown_rows",
+    "encoding",
+    "misread",
 ];
 
 /// Writes a row for each student: who, how many figures of each verdict, the first figure that is not right and the
@@ -43,9 +66,30 @@ pub fn class_csv(
                 .map_or_else(String::new, |f| f.written.clone()),
         );
         cells.push(one.file.clone());
+        let remarks = &one.remarks;
+        let lists = [
+            &remarks.strange_units,
+            &remarks.unreadable,
+            &remarks.repeated,
+            &remarks.strangers,
+        ];
+        cells.extend(lists.map(|list| in_cell(list)));
+        cells.push(remarks.encoding.name().to_owned());
+        let misread = one.misread.as_ref();
+        cells.push(misread.map_or_else(String::new, |of| {
+            format!("{} = {} {}", of.value.name, of.number, of.value.unit)
+        }));
         rows.record(cells.iter().map(|cell| harmless(cell)))?;
     }
     rows.finish()
+}
+
+/// Lists cells of a file of answers: `line figure: text`, between semicolons.
+fn in_cell(cells: &[StrangeCell]) -> String {
+    let listed = cells
+        .iter()
+        .map(|cell| format!("{} {}: {}", cell.line, cell.figure, cell.text));
+    listed.collect::<Vec<_>>().join("; ")
 }
 
 /// The same to be read.
@@ -72,6 +116,11 @@ pub fn class_page(class: &[GradedAnswers]) -> Page {
         table.row(one.student.clone(), [points, figures, name, verdict, file]);
     }
     page.table(table);
+    for one in class {
+        for remark in one.remarks.sentences() {
+            page.text(format!("{}: {remark}", one.file));
+        }
+    }
     page
 }
 

@@ -1,10 +1,11 @@
 //! One student's answers, graded.
 
-use super::blank::AnswerFile;
+use super::blank::{AnswerFile, StrangeCell};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
 use crate::report::number::{direction, significant};
-use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
+use crate::report::text_encoding::TextEncoding;
+use crate::study::{AnswerKey, FigureVerdict, MisreadValue, RoundedEarly, SheetScene};
 use crate::wording::words;
 use std::path::Path;
 
@@ -21,10 +22,25 @@ pub struct GradedAnswers {
     pub figures: Vec<GradedFigure>,
     /// What was not asked for and is judged all the same, without points.
     pub besides: Vec<GradedFigure>,
-    /// Names in the file that are no figures of the scene.
-    pub strangers: Vec<String>,
-    /// Figures whose unit in the file is none of theirs, and that unit.
-    pub strange_units: Vec<(String, String)>,
+    /// What of the file could not be read as it stands.
+    pub remarks: FileRemarks,
+    /// The given value that was misread, where that explains the answers.
+    pub misread: Option<MisreadValue>,
+}
+
+/// What of a file of answers could not be read as it stands.
+#[derive(Clone, Debug, Default)]
+pub struct FileRemarks {
+    /// Rows that name no figure of the scene.
+    pub strangers: Vec<StrangeCell>,
+    /// Units that are not known, or measure something else.
+    pub strange_units: Vec<StrangeCell>,
+    /// Answers that are no numbers.
+    pub unreadable: Vec<StrangeCell>,
+    /// Answers that a later row repeats.
+    pub repeated: Vec<StrangeCell>,
+    /// The encoding of the file.
+    pub encoding: TextEncoding,
 }
 
 /// A figure with its verdict.
@@ -60,6 +76,44 @@ impl VerdictCounts {
     }
 }
 
+impl FileRemarks {
+    fn new(key: &AnswerKey, file: &AnswerFile) -> FileRemarks {
+        FileRemarks {
+            strangers: file.strangers(key),
+            strange_units: file.strange_units(key),
+            unreadable: file.unreadable(key),
+            repeated: file.repeated(),
+            encoding: file.encoding,
+        }
+    }
+
+    /// Returns the remarks in words, one sentence for each kind.
+    pub(super) fn sentences(&self) -> Vec<String> {
+        let listed = |cells: &[StrangeCell]| {
+            let cells: Vec<String> = cells.iter().map(in_words).collect();
+            cells.join(", ")
+        };
+        let of_encoding = (self.encoding == TextEncoding::Windows1254)
+            .then(|| words().decoded_as(self.encoding.name()));
+        let kinds: [(&[StrangeCell], SayOfCells); 4] = [
+            (&self.strange_units, |units| words().strange_units(units)),
+            (&self.unreadable, |answers| words().answers_unread(answers)),
+            (&self.repeated, |answers| words().answered_again(answers)),
+            (&self.strangers, |rows| words().no_figures_of_scene(rows)),
+        ];
+        let kinds = kinds.into_iter().filter(|(cells, _)| !cells.is_empty());
+        let of_cells = kinds.map(|(cells, say)| say(&listed(cells)));
+        of_encoding.into_iter().chain(of_cells).collect()
+    }
+}
+
+type SayOfCells = fn(&str) -> String;
+
+fn in_words(cell: &StrangeCell) -> String {
+    let StrangeCell { line, figure, text } = cell;
+    words().cell_of_line(*line, &shortened(figure), &shortened(text))
+}
+
 /// Digits of exact figures, and of answers that stand in a sentence at the most.
 const DIGITS: usize = 6;
 const LONGEST: usize = 24;
@@ -68,7 +122,12 @@ impl GradedAnswers {
     /// Grades answers that were read from the file of this path; where they do not say whose they are, they are those of
     /// the file's name without folder and ending.
     #[must_use]
-    pub fn new(key: &AnswerKey, file: &AnswerFile, path: &Path, sheet: &str) -> GradedAnswers {
+    pub fn new(
+        key: &AnswerKey,
+        file: &AnswerFile,
+        path: &Path,
+        (sheet, opened): (&str, SheetScene<'_>),
+    ) -> GradedAnswers {
         let own_name = || {
             path.file_stem()
                 .unwrap_or_default()
@@ -77,9 +136,9 @@ impl GradedAnswers {
         };
         let given = file.given(key);
         let answers: Vec<_> = given.iter().map(|(_, answer)| *answer).collect();
-        let verdicts = key.graded(&answers);
+        let mut verdicts = key.graded(&answers);
+        let misread = key.misread(&answers, &mut verdicts, opened);
         let figures = key.figures.iter().zip(given).zip(verdicts);
-        let is_known = |name: &String| key.figures.iter().any(|f| f.quantity.name == *name);
         let mut figures: Vec<GradedFigure> = figures
             .map(|((figure, (written, _)), verdict)| GradedFigure {
                 quantity: figure.quantity.clone(),
@@ -95,8 +154,8 @@ impl GradedAnswers {
             file: path.display().to_string(),
             figures,
             besides,
-            strangers: file.names().into_iter().filter(|n| !is_known(n)).collect(),
-            strange_units: file.strange_units(key),
+            remarks: FileRemarks::new(key, file),
+            misread,
         }
     }
 
@@ -152,18 +211,18 @@ impl GradedAnswers {
                 page.text_below(say(&figure.quantity.name, &self.told(figure)));
             }
         }
+        if let Some(misread) = &self.misread {
+            let MisreadValue { value, number, .. } = misread;
+            let given = value.text();
+            let read = format!("{} {}", significant(*number, DIGITS), value.unit);
+            page.text(words().value_misread(&value.name, &given, read.trim_end()));
+        }
         if !self.besides.is_empty() {
             page.text(words().judged_besides());
             page.table(self.table(&self.besides));
         }
-        if !self.strange_units.is_empty() {
-            let units = self.strange_units.iter();
-            let units = units.map(|(name, unit)| format!("{name} [{}]", shortened(unit)));
-            let units: Vec<String> = units.collect();
-            page.text(words().strange_units(&units.join(", ")));
-        }
-        if !self.strangers.is_empty() {
-            page.text(words().no_figures_of_scene(&self.strangers.join(", ")));
+        for remark in self.remarks.sentences() {
+            page.text(remark);
         }
         page
     }

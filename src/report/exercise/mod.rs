@@ -4,12 +4,13 @@ mod asked;
 mod blank;
 mod class;
 mod graded;
+mod row_names;
 mod sheet;
 
 pub use asked::answer_key;
-pub use blank::{AnswerFile, AnsweredRow, NoAnswers, blank_answers, is_blank};
+pub use blank::{AnswerFile, AnsweredRow, NoAnswers, StrangeCell, blank_answers, is_blank};
 pub use class::{class_csv, class_page, named_again};
-pub use graded::{GradedAnswers, GradedFigure};
+pub use graded::{FileRemarks, GradedAnswers, GradedFigure};
 
 #[cfg(test)]
 mod tests;

@@ -48,7 +48,7 @@ impl Report {
                 (Order::Acceleration, words().accelerations_asked()),
             ] {
                 page.text(told);
-                reported.asked_tables(order, &mut page);
+                reported.asked_tables(order, key, &mut page);
             }
         }
         points(key, &mut page);

@@ -4,7 +4,8 @@ use super::*;
 use crate::report::{Report, ReportFormat};
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
-use crate::study::{AnswerKey, FigureVerdict, RoundedEarly};
+use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles};
+use crate::study::{FigureVerdict, RoundedEarly, SheetScene};
 use proptest::prelude::*;
 use std::path::Path;
 
@@ -13,14 +14,30 @@ fn key(name: &str, more: &[String]) -> AnswerKey {
 }
 
 fn key_at(name: &str, at: Option<f64>, more: &[String]) -> AnswerKey {
-    let preset = presets::find(name).unwrap();
-    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let (scene, solver) = opened(preset(name));
+    key_of(
+        &scene,
+        &solver,
+        at.unwrap_or(scene.mechanism.driver().start),
+        more,
+    )
+}
+
+fn preset(name: &str) -> &'static str {
+    presets::find(name).unwrap().text
+}
+
+fn opened(text: &str) -> (Scene, Solver) {
+    let scene = Scene::parse(text, "sheet").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn key_of(scene: &Scene, solver: &Solver, at: f64, more: &[String]) -> AnswerKey {
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    let at = at.unwrap_or(scene.mechanism.driver().start);
     let _ = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut enclosure);
-    answer_key(&scene, &solver, state.state(), enclosure.state(), more)
+    answer_key(scene, solver, state.state(), enclosure.state(), more)
 }
 
 /// `figure answer` line by line, graded.
@@ -34,9 +51,21 @@ fn graded(name: &str, answers: &str) -> GradedAnswers {
 
 /// A file of answers, graded.
 fn graded_rows(name: &str, at: Option<f64>, rows: &str) -> GradedAnswers {
-    let file = AnswerFile::read(rows.as_bytes()).unwrap();
-    let key = key_at(name, at, &file.names());
-    GradedAnswers::new(&key, &file, Path::new("notes.csv"), name)
+    graded_file(preset(name), at, rows.as_bytes())
+}
+
+/// The bytes of a file of answers to a scene, graded.
+fn graded_file(scene: &str, at: Option<f64>, bytes: &[u8]) -> GradedAnswers {
+    let (scene, solver) = opened(scene);
+    let at = at.unwrap_or(scene.mechanism.driver().start);
+    let file = AnswerFile::read(bytes).unwrap().of_scene(&scene);
+    let key = key_of(&scene, &solver, at, &file.names());
+    let sheet = SheetScene {
+        scene: &scene,
+        solver: &solver,
+        at,
+    };
+    GradedAnswers::new(&key, &file, Path::new("notes.csv"), ("sheet.toml", sheet))
 }
 
 /// What was answered, and the verdicts in words.
@@ -290,11 +319,20 @@ fn a_unit_beside_a_figure_is_meant() {
             told[0].ends_with(&format!(": {verdict}")),
             "{row}: {told:?}"
         );
-        let strange: Vec<_> = graded.strange_units.iter().map(|(_, unit)| unit).collect();
+        let strange: Vec<_> = graded
+            .remarks
+            .strange_units
+            .iter()
+            .map(|cell| &cell.text)
+            .collect();
         let is_strange = row.contains("furlong");
         assert_eq!(strange, vec!["furlong/s"; usize::from(is_strange)], "{row}");
         let page = graded.page().to_text(crate::page::TextStyle::plain(true));
-        assert_eq!(page.contains("C.v [furlong/s]"), is_strange, "{page}");
+        assert_eq!(
+            page.contains("C.v [furlong/s] in line 1"),
+            is_strange,
+            "{page}"
+        );
     }
 }
 
@@ -333,15 +371,15 @@ fn a_comma_may_stand_behind_thousands() {
     }
 }
 
-/// What is 0 but for rounding is asked of nobody.
+/// What is 0 but for rounding is asked for as 0.
 #[test]
-fn rounding_is_not_asked_for() {
+fn rounding_is_asked_for_as_0() {
     for preset in presets::all() {
         for at in 1..9 {
             let at = Some(f64::from(at) * 40.0);
             for figure in key_at(preset.name, at, &[]).figures {
                 let size = figure.exact.abs();
-                let is_rounding = !figure.quantity.is_direction() && size < 1e-12;
+                let is_rounding = !figure.quantity.is_direction() && size > 0.0 && size < 1e-12;
                 assert!(!is_rounding, "{} {at:?}: {figure:?}", preset.name);
             }
         }
@@ -386,9 +424,10 @@ fn exact_figures_are_right_in_every_preset() {
             let name = &f.quantity.name;
             format!("{name};;{:.5e}\n", f.exact)
         });
-        let file = AnswerFile::read(rows.collect::<String>().as_bytes()).unwrap();
-        let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
-        assert_eq!(graded.strangers, [""; 0]);
+        let rows = rows.collect::<String>();
+        let file = AnswerFile::read(rows.as_bytes()).unwrap();
+        let graded = graded_rows(preset.name, None, &rows);
+        assert!(graded.remarks.strangers.is_empty(), "{}", preset.name);
         for (figure, asked) in graded.figures.iter().zip(&key.figures) {
             // Of a large angle five decimals are left.
             assert_eq!(
@@ -604,6 +643,315 @@ fn a_sheet_names_all_that_it_asks() {
     }
 }
 
+/// The bytes of a file in `tests/answers`.
+fn answers(name: &str) -> Vec<u8> {
+    std::fs::read(Path::new("tests/answers").join(name)).unwrap()
+}
+
+fn sheet_in_tests(name: &str) -> String {
+    String::from_utf8(answers(name)).unwrap()
+}
+
+/// The figures that are worth no point.
+fn lost(graded: &GradedAnswers) -> Vec<&str> {
+    let figures = graded.figures.iter();
+    let lost = figures.filter(|f| !f.verdict.is_worth_a_point());
+    lost.map(|f| f.quantity.name.as_str()).collect()
+}
+
+fn verdict_of(graded: &GradedAnswers, name: &str) -> FigureVerdict {
+    let mut all = graded.figures.iter().chain(&graded.besides);
+    all.find(|f| f.quantity.name == name).unwrap().verdict
+}
+
+fn cells(cells: &[StrangeCell]) -> Vec<(u64, &str, &str)> {
+    let cells = cells.iter();
+    cells
+        .map(|c| (c.line, c.figure.as_str(), c.text.as_str()))
+        .collect()
+}
+
+/// The name of the figure that a verdict follows from.
+fn cause<'a>(graded: &'a GradedAnswers, name: &str) -> Option<&'a str> {
+    match verdict_of(graded, name) {
+        FigureVerdict::Followed(by) => Some(&graded.figures[by].quantity.name),
+        _ => None,
+    }
+}
+
+#[test]
+fn turkish_units_are_read() {
+    let graded = graded_file(preset("four-bar"), None, &answers("derece.csv"));
+    for name in ["r3.angle", "r4.angle", "r3.omega", "r4.omega", "B.a"] {
+        assert_eq!(verdict_of(&graded, name), FigureVerdict::Right, "{name}");
+    }
+    assert!(graded.remarks.sentences().is_empty());
+    for row in [
+        "r3.angle;;29,38 der",
+        "r3.angle;;29,38 °",
+        "r3.angle;;29,38º",
+        "r3.angle;;29.38 [derece]",
+        "r3.angle;radyan;0,51277",
+        "r3.omega;d/dk;-37,40",
+        "r3.omega;;-37,40 dev/dk",
+        "r3.omega;;-3,9164 rd/s",
+        "r3.omega;;-3,9164 rad/sn",
+        "r3.omega;;-224,39 derece/sn",
+        "C.v;;772,77 mm/sn",
+        "C.v;;0,77277 m/sn",
+        "r3.alpha;;42,267 rd/sn²",
+    ] {
+        let graded = graded_rows("four-bar", None, row);
+        let name = row.split(';').next().unwrap();
+        assert_eq!(verdict_of(&graded, name), FigureVerdict::Right, "{row}");
+        assert!(graded.remarks.strange_units.is_empty(), "{row}");
+    }
+}
+
+/// An unknown unit costs no point and is reported with its cell; a unit of another measure is reported and costs it.
+#[test]
+fn every_unknown_unit_is_reported() {
+    let rows =
+        "r3.angle;;29,38 derce\nr4.angle;grad;290,75\nr3.omega;;-3,9164 mm\nr4.omega;;three\n";
+    let graded = graded_rows("four-bar", None, rows);
+    assert_eq!(verdict_of(&graded, "r3.angle"), FigureVerdict::Right);
+    assert_eq!(verdict_of(&graded, "r4.angle"), FigureVerdict::Right);
+    assert_eq!(verdict_of(&graded, "r3.omega"), FigureVerdict::Unreadable);
+    let units = [
+        (1, "r3.angle", "derce"),
+        (2, "r4.angle", "grad"),
+        (3, "r3.omega", "mm"),
+    ];
+    assert_eq!(cells(&graded.remarks.strange_units), units);
+    let unread = [(4, "r4.omega", "three")];
+    assert_eq!(cells(&graded.remarks.unreadable), unread);
+    let page = graded.page().to_text(crate::page::TextStyle::plain(true));
+    let mut csv = Vec::new();
+    class_csv(&[graded], Default::default(), &mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    for piece in ["derce", "grad", "mm", "three"] {
+        assert!(page.contains(&format!("[{piece}]")), "{page}");
+        assert!(csv.contains(&format!(": {piece}")), "{csv}");
+    }
+}
+
+#[test]
+fn symbols_of_the_notes_name_rows() {
+    let sheet = sheet_in_tests("four-bar-7.toml");
+    let graded = graded_file(&sheet, None, &answers("names.csv"));
+    for name in ["r3.angle", "r4.angle", "r3.omega"] {
+        assert_eq!(verdict_of(&graded, name), FigureVerdict::Right, "{name}");
+    }
+    assert_eq!(cells(&graded.remarks.strangers), [(3, "foo", "3")]);
+    let repeated = [(4, "r4.angle", "277.17")];
+    assert_eq!(cells(&graded.remarks.repeated), repeated);
+}
+
+/// The last answer counts, and an empty row below it takes nothing away.
+#[test]
+fn the_last_answer_counts() {
+    let rows = "θ3;deg;35\nr3.angle;deg;29,38\nr4.angle;deg;290,75\nθ4;deg;\n;deg;5\n";
+    let graded = graded_rows("four-bar", None, rows);
+    assert_eq!(verdict_of(&graded, "r3.angle"), FigureVerdict::Right);
+    assert_eq!(verdict_of(&graded, "r4.angle"), FigureVerdict::Right);
+    assert_eq!(cells(&graded.remarks.repeated), [(1, "r3.angle", "35")]);
+    assert_eq!(cells(&graded.remarks.strangers), [(5, "", "5")]);
+}
+
+#[test]
+fn windows_1254_is_decoded_and_reported() {
+    let sheet = sheet_in_tests("four-bar-7.toml");
+    let graded = graded_file(&sheet, None, &answers("cp1254.csv"));
+    assert_eq!(graded.student, "Şükrü İğneci");
+    assert_eq!(graded.counts().points(), 22);
+    assert_eq!(graded.remarks.encoding.name(), "windows-1254");
+    assert_eq!(graded.remarks.sentences().len(), 1);
+}
+
+/// Half of the acceleration of the pin is that of the centre of mass, wrong as it is.
+#[test]
+fn a_centre_of_mass_follows_by_proportion() {
+    let graded = graded_file(preset("four-bar"), None, &answers("prop.csv"));
+    assert_eq!(verdict_of(&graded, "C.a"), FigureVerdict::Wrong);
+    assert_eq!(cause(&graded, "r4.com.a"), Some("C.a"));
+    assert_eq!(verdict_of(&graded, "r4.com.a.angle"), FigureVerdict::Right);
+}
+
+#[test]
+fn a_forgotten_normal_component_costs_its_own_points() {
+    let sheet = sheet_in_tests("four-bar-7.toml");
+    let graded = graded_file(&sheet, None, &answers("no_normal.csv"));
+    assert_eq!(lost(&graded), ["C.a", "C.a.angle"]);
+    for name in ["r3.com.a", "r3.com.a.angle", "r4.com.a", "r4.com.a.angle"] {
+        let cause = cause(&graded, name).unwrap();
+        assert!(["C.a", "C.a.angle"].contains(&cause), "{name} by {cause}");
+    }
+}
+
+#[test]
+fn a_misread_speed_costs_one_point() {
+    let sheet = sheet_in_tests("four-bar-7.toml");
+    let graded = graded_file(&sheet, None, &answers("rpm.csv"));
+    assert_eq!(lost(&graded), ["r3.omega"]);
+    let misread = graded.misread.as_ref().unwrap();
+    assert_eq!(misread.value.name, "driver speed");
+    let rpm = 12.0 * std::f64::consts::TAU / 60.0;
+    assert!((misread.number / rpm - 1.0).abs() < 1e-5, "{misread:?}");
+}
+
+/// The answers to a scene by somebody who solved another, to so many digits.
+fn answered(key: &AnswerKey, by: &AnswerKey, digits: usize) -> String {
+    let value = |name: &str| {
+        let mut figures = by.figures.iter();
+        figures.find(|f| f.quantity.name == name).map(|f| f.exact)
+    };
+    let rows = key.figures.iter().map(|f| {
+        let name = &f.quantity.name;
+        let value = value(name).unwrap_or(0.0);
+        format!("{name};;{value:.*e}\n", digits - 1)
+    });
+    rows.collect()
+}
+
+/// Whatever is misread costs the first answer that shows it, and nothing that follows.
+#[test]
+fn every_misread_value_costs_one_point() {
+    let sheet = sheet_in_tests("four-bar-7.toml");
+    let (scene, solver) = opened(&sheet);
+    let start = scene.mechanism.driver().start;
+    let key = key_of(&scene, &solver, start, &[]);
+    for (name, number) in [
+        ("driver speed", 21.0),
+        ("driver speed", -12.0),
+        ("driver angle", 305.0),
+        ("r2 length", 57.0),
+        ("r3 length", 301.0),
+        ("r4 length", 186.0),
+        ("D x", 304.0),
+    ] {
+        let value = scene.values().into_iter().find(|v| v.name == name).unwrap();
+        let other = scene.with_value(&value, &value.with_number(number));
+        let (other, _) = opened(&other);
+        let solver = solver.carried_over(start, &other.mechanism).unwrap();
+        let at = other.mechanism.driver().start;
+        let by = key_of(&other, &solver, at, &[]);
+        for digits in [4, 6] {
+            let graded = graded_file(&sheet, None, answered(&key, &by, digits).as_bytes());
+            assert_eq!(
+                lost(&graded).len(),
+                1,
+                "{name} {digits}: {:?}",
+                lost(&graded)
+            );
+            let misread = graded.misread.unwrap();
+            assert_eq!(misread.value.name, name);
+            let off = (misread.number - number).abs() / number.abs();
+            assert!(off < 10_f64.powi(2 - digits as i32), "{misread:?}");
+        }
+    }
+}
+
+/// Wrong answers that have nothing in common are explained by nothing.
+#[test]
+fn unrelated_mistakes_are_no_misread_value() {
+    let key = key("four-bar", &[]);
+    let mut chance = crate::numeric::SeededChance::new(5);
+    let mut points = 0;
+    for _ in 0..20 {
+        let rows = key.figures.iter().map(|f| {
+            let factor = f64::from(chance.between(600, 900)) / 1000.0;
+            format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
+        });
+        let rows: String = rows.collect();
+        let graded = graded_rows("four-bar", None, &rows);
+        assert_eq!(graded.misread, None, "{rows}");
+        points += graded.counts().points();
+    }
+    // Of 440 answers a few come near by chance.
+    assert!(points <= 8, "{points}");
+}
+
+/// A value of 0 is asked for, and 0 is the answer.
+#[test]
+fn an_answer_of_0_is_worth_a_point() {
+    let sheet = sheet_in_tests("slider-crank-3.toml");
+    let graded = graded_file(&sheet, None, &answers("om0.csv"));
+    assert_eq!(verdict_of(&graded, "r3.omega"), FigureVerdict::Right);
+    assert!(graded.besides.is_empty());
+    assert_eq!(graded.counts().points(), 3);
+}
+
+/// The symbols that a sheet asks for.
+fn asked_symbols(sheet: &str) -> Vec<&str> {
+    let words: Vec<&str> = sheet.split_whitespace().collect();
+    let asked = words.windows(3).filter(|three| three[1..] == ["=", "?"]);
+    asked.map(|three| three[0]).collect()
+}
+
+/// The sheet and the file of answers ask for the same, for every seed.
+#[test]
+fn sheet_and_answer_file_ask_for_the_same() {
+    let titles = ExerciseTitles {
+        name: "Exercise".into(),
+        source: "here".into(),
+        note: "so".into(),
+    };
+    for preset in presets::all() {
+        let (scene, solver) = opened(preset.text);
+        let maker = ExerciseMaker::new(&scene, &solver);
+        let is_lecture = ["four-bar", "slider-crank", "press"].contains(&preset.name);
+        for seed in 1..=if is_lecture { 120 } else { 4 } {
+            let made = maker.exercise(seed, &titles).unwrap();
+            same_is_asked(&made, &format!("{} {seed}", preset.name));
+        }
+    }
+}
+
+fn same_is_asked(made: &Exercise, name: &str) {
+    let Exercise { scene, solver } = made;
+    let at = scene.mechanism.driver().start;
+    let key = key_of(scene, solver, at, &[]);
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let _ = solver.solve(at, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut enclosure);
+    let sheet = Report::sheet(scene, solver, state.state(), &key, "answers.csv");
+    let sheet = sheet.written(ReportFormat::Text, false);
+    let mut blank = Vec::new();
+    blank_answers(&key, "x.toml", Default::default(), &mut blank).unwrap();
+    let blank = String::from_utf8(blank).unwrap();
+    let rows = blank
+        .lines()
+        .skip(3)
+        .filter_map(|row| row.split(',').next());
+    let rows: Vec<&str> = rows.filter(|row| !is_of_vector(row)).collect();
+    let working = crate::report::working::Working::new(scene, solver);
+    let loops = working.loop_vectors(scene, solver, state.state(), 6);
+    let vectors = loops.iter().flat_map(|of| &of.vectors);
+    let cells: Vec<_> = vectors.flat_map(|v| v.figures.iter().flatten()).collect();
+    let mut asked = Vec::new();
+    for symbol in asked_symbols(&sheet) {
+        let cell = cells.iter().find(|cell| cell.symbol == symbol);
+        let cell = cell.unwrap_or_else(|| panic!("{name}: {symbol}"));
+        asked.push(cell.column.as_str());
+        assert!(
+            rows.contains(&cell.column.as_str()),
+            "{name}: {symbol}\n{sheet}"
+        );
+    }
+    for row in rows {
+        assert!(
+            loops.is_empty() || asked.contains(&row),
+            "{name}: {row}\n{sheet}"
+        );
+    }
+}
+
+/// Whether a row asks for the size or the direction of a point's velocity or acceleration.
+fn is_of_vector(row: &str) -> bool {
+    let row = row.strip_suffix(".angle").unwrap_or(row);
+    row.ends_with(".v") || row.ends_with(".a")
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     /// Whatever stands in a file of answers, there is a verdict for every figure.
@@ -616,8 +964,9 @@ proptest! {
             let figure = key.figures.get(*number).map_or("x.y", |f| f.quantity.name.as_str());
             format!("{figure};;{answer}\n")
         });
-        if let Ok(file) = AnswerFile::read(rows.collect::<String>().as_bytes()) {
-            let graded = GradedAnswers::new(&key, &file, Path::new("x"), "y");
+        let rows = rows.collect::<String>();
+        if AnswerFile::read(rows.as_bytes()).is_ok() {
+            let graded = graded_rows("slider-crank", None, &rows);
             prop_assert_eq!(graded.figures.len(), key.figures.len());
             let _ = graded.page();
             let mut text = Vec::new();

@@ -4,18 +4,32 @@ use super::ReportedState;
 use crate::page::{Cell, Page, Row, Table};
 use crate::report::working::{LoopVectors, VectorFigure};
 use crate::solver::Order;
+use crate::study::AnswerKey;
 use crate::wording::words;
 
 impl ReportedState<'_> {
     /// The tables of an order before anything is found.
     pub(super) fn asked(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
-        self.asked_tables(order, page);
+        self.tables(order, &VectorFigure::asked, page);
     }
 
-    /// The same without a word before them.
-    pub(in crate::report) fn asked_tables(&self, order: Order, page: &mut Page) {
-        self.tables(order, VectorFigure::asked, page);
+    /// The tables of an order that ask for what an answer key asks for, without a word before them.
+    pub(in crate::report) fn asked_tables(&self, order: Order, key: &AnswerKey, page: &mut Page) {
+        let vectors = || self.loops.iter().flat_map(|of| &of.vectors);
+        let is_found_here = |column: &str| {
+            let mut figures = vectors().flat_map(|vector| vector.figures.iter().flatten());
+            figures.any(|own| own.column == column && own.is_sought && own.found_by.is_none())
+        };
+        let write = |figure: &VectorFigure| {
+            let is_elsewhere = figure.found_by.is_some() && is_found_here(&figure.column);
+            match (&figure.value, key.asks(&figure.column)) {
+                (Some(value), false) if figure.found_by.is_none() => value.clone(),
+                (_, true) if !is_elsewhere && figure.is_sought => figure.unknown(),
+                _ => figure.asked(),
+            }
+        };
+        self.tables(order, &write, page);
     }
 
     /// The tables of an order with all that was found.
@@ -26,11 +40,11 @@ impl ReportedState<'_> {
         };
         if exists && !self.loops.is_empty() {
             page.text(words().tables_told());
-            self.tables(order, VectorFigure::told, page);
+            self.tables(order, &VectorFigure::told, page);
         }
     }
 
-    fn tables(&self, order: Order, write: fn(&VectorFigure) -> String, page: &mut Page) {
+    fn tables(&self, order: Order, write: &dyn Fn(&VectorFigure) -> String, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
             let title = match self.loops.len() {
                 1 => String::new(),
@@ -45,7 +59,7 @@ impl ReportedState<'_> {
         title: String,
         of: &LoopVectors,
         order: Order,
-        write: fn(&VectorFigure) -> String,
+        write: &dyn Fn(&VectorFigure) -> String,
     ) -> Table {
         let heads = of.vectors.iter().map(|vector| vector.name.as_str());
         let mut table = Table::new(title, heads);

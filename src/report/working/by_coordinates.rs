@@ -7,6 +7,7 @@ use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
 use super::stages::{ProblemForm, Stage};
 use super::symbols;
+use crate::page::UNIT;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
 
@@ -61,7 +62,7 @@ fn vector(
     let [x, y] = parts();
     let length = (x.squared() + y.squared()).sqrt();
     let worked = draft.reckoned(&side.name, &length, |r| {
-        format!("{} {}", f.number(r), f.unit)
+        format!("{} {UNIT}{}", f.number(r), f.unit)
     });
     draft.agree(&side.name, worked, reading.r, reading.r);
     let [x, y] = parts();

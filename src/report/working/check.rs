@@ -3,6 +3,7 @@
 use super::draft::{Context, Draft};
 use super::equations::{EquationTerm, LoopSide, Multiplier};
 use super::figures::WrittenSum;
+use crate::page::UNIT;
 use crate::solver::Order;
 use crate::wording::words;
 
@@ -67,7 +68,7 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
                     if left == 0.0 {
                         "0".into()
                     } else {
-                        format!("{left:.1e} {}", f.unit)
+                        format!("{left:.1e} {UNIT}{}", f.unit)
                     },
                 ]);
             }

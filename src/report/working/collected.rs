@@ -12,6 +12,7 @@ use super::polygon::Term;
 use super::sides::{SideShape, Turns};
 use super::stages::{ProblemForm, Stage};
 use super::symbols;
+use crate::page::UNIT;
 use crate::wording::words;
 
 /// The equations of a loop with their coefficients, about to be written.
@@ -538,7 +539,7 @@ impl LoopCollector<'_> {
         draft.page.equation([whole, "0".into()]);
         let values = [0, 1, 2].map(|k| {
             draft.worked(SQUARED[k], &formulas[k], |value| {
-                format!("{} {}^2", f.beside(value, size), f.unit)
+                format!("{} {UNIT}{}^2", f.beside(value, size), f.unit)
             })
         });
         let mut sum = WrittenSum::default();
@@ -594,7 +595,7 @@ impl Collection {
         for (k, coefficient) in self.coefficients.iter().enumerate() {
             let unit = match coefficient.power {
                 0 => String::new(),
-                _ => format!(" {}", f.unit),
+                _ => format!(" {UNIT}{}", f.unit),
             };
             let found = format!("{}{unit}", coefficient.figure);
             let mut sides = vec![letter(k)];

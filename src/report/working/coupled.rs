@@ -6,6 +6,7 @@ use super::sides::{Side, SideShape};
 use super::solution::turn;
 use super::stages::Stage;
 use super::symbols;
+use crate::page::UNIT;
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};
 use crate::wording::words;
 use crate::{Body, PointId};
@@ -40,7 +41,7 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
         draft.page.equation([
             name.clone(),
             match unknown {
-                NewtonUnknown::X(_) | NewtonUnknown::Y(_) => format!("{figure} {}", f.unit),
+                NewtonUnknown::X(_) | NewtonUnknown::Y(_) => format!("{figure} {UNIT}{}", f.unit),
                 NewtonUnknown::Angle(_) => {
                     format!("{figure} rad = {} deg", f.direction(value.to_degrees()))
                 }
@@ -57,7 +58,7 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
         };
         draft
             .page
-            .equation([format!("f{}", i + 1), text, format!("{left} {unit}")]);
+            .equation([format!("f{}", i + 1), text, format!("{left} {UNIT}{unit}")]);
     }
     matrix(context, draft, newton, &names);
     sides(context, draft, newton);
@@ -108,7 +109,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
                 Expression::of(function, [of])
             });
             let worked = draft.worked(&side.name, &(x * cos + y * sin), |r| {
-                format!("{} {}", f.number(r), f.unit)
+                format!("{} {UNIT}{}", f.number(r), f.unit)
             });
             draft.agree(&side.name, worked, reading.r, context.longest());
         }
@@ -230,7 +231,7 @@ fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
             let r = f.number(member.reading.r);
             draft
                 .page
-                .equation([member.side.name.clone(), format!("{r} {}", f.unit)]);
+                .equation([member.side.name.clone(), format!("{r} {UNIT}{}", f.unit)]);
         }
         if member.sought[1] {
             let theta = f.direction(member.reading.theta);

@@ -4,6 +4,7 @@ use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};
+use crate::page::UNIT;
 use crate::solver::{Acted, Condition};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
@@ -121,7 +122,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         let size_on_the_way = size.max(largest(context, acted));
         let worked = parts.iter().sum();
         draft.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
-        let effort = format!("{} {unit}", f.beside(drive, size));
+        let effort = format!("{} {UNIT}{unit}", f.beside(drive, size));
         draft.page.text(match (state.residual(), turns) {
             (Some(_), true) => words().torque_checked_by_work(&effort),
             (Some(_), false) => words().force_checked_by_work(&effort),
@@ -132,7 +133,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
             format!("driver.{what}"),
             super::loads::share_names().join(" + "),
             sum.text(),
-            format!("{} {unit}", f.beside(drive, size)),
+            format!("{} {UNIT}{unit}", f.beside(drive, size)),
         ]);
     }
     if let Some(power) = state.power() {
@@ -143,7 +144,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
             .map(|(figure, value)| Expression::figure(figure, value));
         let worked = draft.reckoned("driver.power", &(drive * speed), |power| {
-            format!("{} W", f.number(power))
+            format!("{} {UNIT}W", f.number(power))
         });
         draft.agree("driver.power", worked, power, power.abs());
     }
@@ -181,6 +182,6 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
     ] {
         draft
             .page
-            .equation([name, format!("{} {unit}", small(value))]);
+            .equation([name, format!("{} {UNIT}{unit}", small(value))]);
     }
 }

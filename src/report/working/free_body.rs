@@ -4,6 +4,7 @@ use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::figures::WrittenSum;
 use super::forces::point_name;
+use crate::page::UNIT;
 use crate::solver::Acted;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -174,7 +175,7 @@ impl FreeBody<'_> {
                 let along =
                     Expression::figure(f.number(length), length) * Expression::of(function, [at]);
                 draft.reckoned(name, &along, |v| {
-                    format!("{} m/s^2", f.beside(v, size_of_a))
+                    format!("{} {UNIT}m/s^2", f.beside(v, size_of_a))
                 });
             }
         }
@@ -216,7 +217,7 @@ impl FreeBody<'_> {
         let symbol = words().symbols_of(&symbols, name);
         let worked = balance.values.iter().sum();
         draft.agree(&symbol, worked, value, size.max(value.abs()));
-        let right = format!("{} {}", f.beside(value, size), balance.unit);
+        let right = format!("{} {UNIT}{}", f.beside(value, size), balance.unit);
         let link = self.mechanism().link(self.id);
         if link.mass > 0.0 || link.inertia > 0.0 {
             let sides = [sum.text(), symbols, balance.motion.numbers(), right];

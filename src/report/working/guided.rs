@@ -9,6 +9,7 @@ use super::place::pieces;
 use super::polygon::Term;
 use super::solution::{DyadArm, Solution, turn};
 use crate::Vec2;
+use crate::page::UNIT;
 use crate::wording::words;
 
 impl Solution<'_> {
@@ -40,7 +41,7 @@ impl Solution<'_> {
             name.clone(),
             "-p +- sqrt(p^2 - q)".into(),
             format!("{} +- {}", f.beside(-p, size), f.beside(root, size)),
-            words().either_or(&one, &format!("{two} {}", f.unit)),
+            words().either_or(&one, &format!("{two} {UNIT}{}", f.unit)),
         ]);
         let away = roots.map(|r| (r - member.reading.r).abs());
         let worked = if away[0] <= away[1] {
@@ -52,7 +53,7 @@ impl Solution<'_> {
         let loss = 1.0 + size / root.max(1e-8 * size);
         draft.agree(&name, worked, member.reading.r, size * loss);
         draft.page.text(words().by_the_assembly());
-        let found = format!("{} {}", f.beside(worked, size), f.unit);
+        let found = format!("{} {UNIT}{}", f.beside(worked, size), f.unit);
         draft.page.equation([name.clone(), found]);
         // What closes the loop is the arm.
         let sign = if slide.reversed { -1.0 } else { 1.0 };
@@ -70,7 +71,7 @@ impl Solution<'_> {
             let mut sides = vec![label.to_owned(), symbols, figures];
             // A single term is a figure already.
             sides.retain(|side| *side != found);
-            sides.push(format!("{found} {}", f.unit));
+            sides.push(format!("{found} {UNIT}{}", f.unit));
             draft.page.equation(sides);
         }
     }
@@ -96,11 +97,13 @@ impl Solution<'_> {
             .map(|function| Expression::of(function, [theta.clone()]));
         let along = kx.clone() * cos + ky.clone() * sin;
         let p = along.minus_if(slide.reversed);
-        let p = draft.worked("p", &p, |p| format!("{} {}", f.beside(p, size), f.unit));
+        let p = draft.worked("p", &p, |p| {
+            format!("{} {UNIT}{}", f.beside(p, size), f.unit)
+        });
         let arm = Expression::known(arm.length.as_str(), arm.figure(f), arm.value);
         let q = kx.squared() + ky.squared() - arm.squared();
         let q = draft.worked("q", &q, |q| {
-            format!("{} {}^2", f.beside(q, size * size), f.unit)
+            format!("{} {UNIT}{}^2", f.beside(q, size * size), f.unit)
         });
         [p, q]
     }
@@ -167,7 +170,7 @@ impl Solution<'_> {
         };
         let loss = 1.0 + size / w.abs().max(1e-8 * size);
         let worked = draft.found(&name, &travel, |r| {
-            format!("{} {}", f.beside(r, size), f.unit)
+            format!("{} {UNIT}{}", f.beside(r, size), f.unit)
         });
         draft.agree(&name, worked, member.reading.r, size * loss);
         let theta = member.side.theta();
@@ -212,7 +215,7 @@ impl Solution<'_> {
             let divisor = Expression::figure(f.beside(factor_of, 1.0), factor_of);
             let quotient = -(sum / divisor);
             let worked = draft.reckoned(&own.side.name, &quotient, |worked| {
-                format!("{} {}", f.beside(worked, size), f.unit)
+                format!("{} {UNIT}{}", f.beside(worked, size), f.unit)
             });
             let loss = size / factor_of.abs();
             draft.agree(&own.side.name, worked, own.reading.r, loss);

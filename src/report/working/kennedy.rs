@@ -7,6 +7,7 @@ use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::symbols::{self, of_point};
+use crate::page::UNIT;
 use crate::wording::words;
 use crate::{LinkId, PointId, Vec2, angle};
 
@@ -180,11 +181,15 @@ impl CentreTold<'_> {
         let above = apart("x") * of(Function::Sin, &gamma) - apart("y") * of(Function::Cos, &gamma);
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
         let size = longest(context);
-        let t = draft.worked("t", &t, |t| format!("{} {}", f.beside(t, size), f.unit));
+        let t = draft.worked("t", &t, |t| {
+            format!("{} {UNIT}{}", f.beside(t, size), f.unit)
+        });
         let known = || Expression::known("t", f.beside(t, size), t);
         let at = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
             let sum = self.coordinate(axis, p) + known() * of(function, &beta);
-            draft.worked(axis, &sum, |v| format!("{} {}", f.beside(v, size), f.unit))
+            draft.worked(axis, &sum, |v| {
+                format!("{} {UNIT}{}", f.beside(v, size), f.unit)
+            })
         });
         let sine = lines[0].u.cross(lines[1].u).abs();
         let loss = 1.0 / sine + self.centre.loss / f64::EPSILON;
@@ -207,7 +212,9 @@ impl CentreTold<'_> {
         let quotient = Expression::known(speed, figure, v)
             / Expression::known("|t|", f.number(t.abs()), t.abs());
         let symbol = format!("|{}|", symbols::omega(self.link_name()));
-        let worked = draft.worked(&symbol, &quotient, |w| format!("{} rad/s", f.number(w)));
+        let worked = draft.worked(&symbol, &quotient, |w| {
+            format!("{} {UNIT}rad/s", f.number(w))
+        });
         let size = w.abs() * loss / t.abs() + self.context.fastest[0] / t.abs();
         draft.agree(&symbol, worked, w.abs(), size);
     }
@@ -237,7 +244,7 @@ impl CentreTold<'_> {
         let size = longest(context);
         for (symbol, sum) in [("x", x), ("y", y)] {
             draft.worked(symbol, &sum, |v| {
-                format!("{} {}", f.beside(v, size), f.unit)
+                format!("{} {UNIT}{}", f.beside(v, size), f.unit)
             });
         }
         let far = size + (at - context.state.position(base)).norm();
@@ -275,7 +282,7 @@ impl CentreTold<'_> {
             let fast = self.context.fastest[0];
             let symbol = of_point("v", point_name);
             let worked = draft.worked(&symbol, &(turning * arm), |v| {
-                format!("{} {unit}", f.beside(v, fast))
+                format!("{} {UNIT}{unit}", f.beside(v, fast))
             });
             draft.agree(&symbol, worked, v.norm(), w.abs() * loss + fast);
         }

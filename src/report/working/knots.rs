@@ -3,6 +3,7 @@
 use super::draft::{Context, Draft};
 use super::expression::Expression;
 use crate::Profile;
+use crate::page::UNIT;
 
 /// The two knots between which a coordinate lies; of a jump the line behind it.
 pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
@@ -27,7 +28,7 @@ pub(super) fn on_line(
     let slope = (given("p2", p2) - given("p1", p1)) / (given(&second, d2) - given(&first, d1));
     let at = Expression::known(symbol, f.beside(at, size), at);
     let law = given("p1", p1) + slope * (at - given(&first, d1));
-    let worked = draft.worked("p", &law, |p| format!("{} N", f.number(p)));
+    let worked = draft.worked("p", &law, |p| format!("{} {UNIT}N", f.number(p)));
     let steep = (p2 - p1).abs() / (d2 - d1) * size;
     (worked, p1.abs().max(p2.abs()) + steep)
 }

@@ -5,6 +5,7 @@ use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::forces::{kind, point_name};
 use super::knots::{line_at, on_line};
+use crate::page::UNIT;
 use crate::solver::{Acted, PressStroke};
 use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
@@ -76,7 +77,7 @@ fn press(
         StrokeEnd::Greatest => bottom - here,
     };
     let d = draft.worked("d", &distance, |d| {
-        format!("{} {}", f.beside(d, size), f.unit)
+        format!("{} {UNIT}{}", f.beside(d, size), f.unit)
     });
     draft.agree("d", d, stroke.distance, size);
     match (stroke.closes, line_at(curve, stroke.distance)) {
@@ -88,7 +89,7 @@ fn press(
         }
         (true, _) => {
             let first = curve.knots().last().map_or(0.0, |knot| knot[0]);
-            let reach = format!("{} {}", f.given(first), f.unit);
+            let reach = format!("{} {UNIT}{}", f.given(first), f.unit);
             draft.page.text(words().press_has_not_begun(&reach));
         }
     }
@@ -105,7 +106,9 @@ fn scaled(
     let f = context.figures;
     let product = Expression::known(words().factor(), f.number(part), part)
         * Expression::figure(f.given(whole), whole);
-    let worked = draft.worked(&name, &product, |now| format!("{} {unit}", f.number(now)));
+    let worked = draft.worked(&name, &product, |now| {
+        format!("{} {UNIT}{unit}", f.number(now))
+    });
     draft.agree(&name, worked, now, whole.abs());
 }
 
@@ -183,12 +186,14 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     for (name, ((power, of_terms), part)) in names.into_iter().zip(shares) {
         let figure = f.beside(power, size * speed.abs());
         if figure == "0" {
-            draft.page.equation([name.to_owned(), format!("0 {unit}")]);
+            draft
+                .page
+                .equation([name.to_owned(), format!("0 {UNIT}{unit}")]);
             continue;
         }
         let share = Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
         let worked = draft.reckoned(name, &-share, |share| {
-            format!("{} {unit}", f.beside(share, size))
+            format!("{} {UNIT}{unit}", f.beside(share, size))
         });
         draft.agree(name, worked, part, size.max(of_terms / speed.abs()));
     }

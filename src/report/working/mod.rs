@@ -160,6 +160,8 @@ impl Working {
         let mut context = self.context(scene, solver, state, digits);
         context.notation = notation;
         let mut draft = Draft::default();
+        let names = scene.vectors.iter().map(|vector| vector.name.clone());
+        draft.page.set_symbols(names);
         let mut parts = Vec::new();
         for (part, write) in PARTS {
             let begin = draft.page.blocks.len();

@@ -5,6 +5,7 @@ use super::figures::WrittenSum;
 use super::polygon::Loop;
 use super::sides::{Side, Turns};
 use super::symbols;
+use crate::page::UNIT;
 use crate::quantity::{Catalogue, state_word};
 use crate::report::number::concise;
 use crate::report::range_text::limits_text;
@@ -31,9 +32,10 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     };
     let condition = &words().condition_called(state_word(state.condition()));
     let [at, speed, acceleration] = units;
-    let at = format!("{} {at}", concise(state.at(), usize::MAX));
-    let speed = format!("{} {speed}", figures.given(state.driver_speed()));
-    let acceleration = figures.given(state.driver_acceleration()) + " " + &acceleration;
+    let at = format!("{} {UNIT}{at}", concise(state.at(), usize::MAX));
+    let speed = format!("{} {UNIT}{speed}", figures.given(state.driver_speed()));
+    let given = figures.given(state.driver_acceleration());
+    let acceleration = format!("{given} {UNIT}{acceleration}");
     draft.page.text(match is_turning {
         true => words().driver_turns(condition, name, &at, &speed, &acceleration),
         false => words().driver_slides(condition, name, &at, &speed, &acceleration),
@@ -66,7 +68,7 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
             Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
             Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
         };
-        let (name, at) = (symbol(timed.input), format!("{at} {unit}"));
+        let (name, at) = (symbol(timed.input), format!("{at} {UNIT}{unit}"));
         match timed.law {
             InputLaw::Ratio { ratio, phase } => {
                 let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
@@ -87,8 +89,11 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
                 };
                 let [own, per] = [unit(timed.input), unit(driver)];
                 let units = match own == per {
-                    true => [String::new(), format!(" 1/{per}")],
-                    false => [format!(" {own}/{per}"), format!(" {own}/{per}^2")],
+                    true => [String::new(), format!(" 1/{UNIT}{per}")],
+                    false => [
+                        format!(" {UNIT}{own}/{per}"),
+                        format!(" {UNIT}{own}/{per}^2"),
+                    ],
                 };
                 for ((name, rate), unit) in names.into_iter().zip(rates).zip(units) {
                     draft

@@ -6,6 +6,7 @@ use super::expression::{Expression, Function};
 use super::sides::Turns;
 use super::solution::angle_sum;
 use super::symbols::{self, of_point};
+use crate::page::UNIT;
 use crate::solver::Sliding;
 use crate::wording::words;
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
@@ -119,10 +120,10 @@ impl Scribe<'_> {
         let unit = f.length_unit(self.order);
         let length = f.beside(size, self.size);
         if length == "0" {
-            return format!("0 {unit}");
+            return format!("0 {UNIT}{unit}");
         }
         let direction = f.direction(angle::degrees(along));
-        words().at_degrees(&format!("{length} {unit}"), &direction)
+        words().at_degrees(&format!("{length} {UNIT}{unit}"), &direction)
     }
 
     /// A part by its size: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
@@ -144,7 +145,7 @@ impl Scribe<'_> {
                 (length != "0").then(|| Expression::figure(length, part.norm()) * along)
             });
             let symbol = part_symbol(self.figure, name, axis);
-            let figure = |value| format!("{} {unit}", f.beside(value, self.size));
+            let figure = |value| format!("{} {UNIT}{unit}", f.beside(value, self.size));
             match Expression::total(terms) {
                 Some(sum) => {
                     draft.reckoned(&symbol, &sum, figure);
@@ -239,7 +240,7 @@ impl OnLink<'_> {
     fn arm(&self, draft: &mut Draft) {
         let f = self.context.figures;
         let direction = f.direction(angle::degrees(self.e));
-        let length = format!("{} {}", f.given(self.r), f.unit);
+        let length = format!("{} {UNIT}{}", f.given(self.r), f.unit);
         let text = words().at_degrees(&length, &direction);
         draft.page.equation(["r".to_owned(), text]);
     }

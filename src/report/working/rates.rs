@@ -10,6 +10,7 @@ use super::place::loop_heading;
 use super::sides::{SideShape, Turns};
 use super::stages::{LoopUnknown, ProblemForm, Stage};
 use super::symbols;
+use crate::page::UNIT;
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
@@ -147,7 +148,7 @@ fn removed(
         draft.page.text(words().factor_vanishes(&symbol));
         draft
             .page
-            .equation([symbol, format!("{} {unit}", f.number(solved))]);
+            .equation([symbol, format!("{} {UNIT}{unit}", f.number(solved))]);
         return;
     }
     draft.page.equation([in_figures(&pieces, f), "0".into()]);
@@ -159,9 +160,12 @@ fn removed(
     );
     let shown = f.beside(worked, size / factor.abs());
     let [in_symbols, in_numbers] = solved_for(&pieces, &symbol);
-    draft
-        .page
-        .equation([symbol, in_symbols, in_numbers, format!("{shown} {unit}")]);
+    draft.page.equation([
+        symbol,
+        in_symbols,
+        in_numbers,
+        format!("{shown} {UNIT}{unit}"),
+    ]);
 }
 
 /// Below this sine between both directions the printed quotient has lost half its digits.
@@ -218,9 +222,10 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
         let symbol = rate_symbol(context, unknown, order);
         let value = rate_value(context, unknown, order);
         let unit = rate_unit(context, unknown, order);
-        draft
-            .page
-            .equation([symbol, format!("{} {unit}", context.figures.number(value))]);
+        draft.page.equation([
+            symbol,
+            format!("{} {UNIT}{unit}", context.figures.number(value)),
+        ]);
     }
 }
 
@@ -250,7 +255,7 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
             _ => rate_unit(context, LoopUnknown::Angle(link), order),
         };
         let difference = format!("{} - {}", symbol(link), symbol(from));
-        let given = format!("{} {unit}", context.figures.given(given));
+        let given = format!("{} {UNIT}{unit}", context.figures.given(given));
         draft.page.equation([difference, given]);
     }
 }

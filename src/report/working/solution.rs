@@ -8,6 +8,7 @@ use super::place::single;
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideShape, Turns};
 use super::stages::{ProblemForm, Stage};
+use crate::page::UNIT;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
@@ -107,7 +108,7 @@ impl<'a> Solution<'a> {
                 name.clone(),
                 format!("-({symbols})"),
                 format!("-({figures})"),
-                format!("{found} {}", f.unit),
+                format!("{found} {UNIT}{}", f.unit),
             ]);
             Expression::known(name, found, value)
         })
@@ -265,7 +266,7 @@ impl DyadArm<'_> {
 }
 
 fn length(figures: Figures, value: f64) -> String {
-    format!("{} {}", figures.number(value), figures.unit)
+    format!("{} {UNIT}{}", figures.number(value), figures.unit)
 }
 
 pub(super) fn degrees(figures: Figures, value: f64) -> String {

@@ -6,6 +6,7 @@ use super::forces::point_name;
 use super::knots::{line_at, on_line};
 use super::symbols;
 use crate::angle::{TURN, radians};
+use crate::page::UNIT;
 use crate::solver::Acted;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
@@ -68,7 +69,7 @@ fn pull(
     };
     let pull = stiff + spring.damped(context, damping);
     draft.worked(words().pull(), &pull, |pull| {
-        format!("{} N", f.number(pull))
+        format!("{} {UNIT}N", f.number(pull))
     });
 }
 
@@ -92,7 +93,7 @@ fn push(
             let [first, last] = [force.knots().first(), force.knots().last()];
             let is_short = first.is_some_and(|knot| spring.length < knot[0]);
             let push = if is_short { first } else { last }.map_or(0.0, |knot| knot[1]);
-            let p = format!("{} N", f.given(push));
+            let p = format!("{} {UNIT}N", f.given(push));
             draft.page.equation(["p".to_owned(), p]);
             push
         }
@@ -100,7 +101,7 @@ fn push(
     let p = Expression::known("p", f.number(push), push);
     let pull = -p + spring.damped(context, damping);
     draft.worked(words().pull(), &pull, |pull| {
-        format!("{} N", f.number(pull))
+        format!("{} {UNIT}N", f.number(pull))
     });
 }
 
@@ -141,7 +142,7 @@ fn turn_back(
             * Expression::known("θ", written, phi)
         - Expression::known("c", f.given(damping), damping)
             * Expression::known("ω", f.number(turning), turning);
-    let worked = draft.worked("M", &turn, |turn| format!("{} N m", f.number(turn)));
+    let worked = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
     draft.agree("M", worked, found, size.max(found.abs()));
 }
 
@@ -160,10 +161,13 @@ impl SpringNow {
         let name = words().spring_between(from, to);
         let length = f.number(spring.length);
         let rate = f.beside(spring.rate, context.fastest[0]);
-        draft.page.equation([name, format!("{length} {}", f.unit)]);
         draft
             .page
-            .equation(["dL/dt".to_owned(), format!("{rate} {}", f.length_unit(1))]);
+            .equation([name, format!("{length} {UNIT}{}", f.unit)]);
+        draft.page.equation([
+            "dL/dt".to_owned(),
+            format!("{rate} {UNIT}{}", f.length_unit(1)),
+        ]);
         spring
     }
 

@@ -5,6 +5,7 @@ use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::polygon::Term;
 use super::solution::{DyadArm, Solution, degrees, turn};
+use crate::page::UNIT;
 use crate::wording::words;
 
 /// A distance of pivots below this part of the arms is none.
@@ -108,10 +109,10 @@ fn reach(
     let precise = |value: f64| Figures { digits, ..figures }.number(value);
     let equals = |size: f64| format!("{m} = {}", precise(size));
     let text = if size > sum {
-        let sum = format!("{} {}", precise(sum), figures.unit);
+        let sum = format!("{} {UNIT}{}", precise(sum), figures.unit);
         words().arms_too_short(&equals(size), &one.length, &two.length, &sum)
     } else if size < difference {
-        let difference = format!("{} {}", precise(difference), figures.unit);
+        let difference = format!("{} {UNIT}{}", precise(difference), figures.unit);
         words().arms_too_unlike(&equals(size), &one.length, &two.length, &difference)
     } else {
         words().triangle_would_close().into()

@@ -43,6 +43,8 @@ pub struct LoopVector {
 pub struct VectorFigure {
     /// Its symbol.
     pub symbol: String,
+    /// The column that tells it, or the column of the link that it turns with.
+    pub column: String,
     /// Its value as it is written; `None` where it does not exist here.
     pub value: Option<String>,
     /// Whether it is sought, not given.
@@ -60,8 +62,14 @@ impl VectorFigure {
         match (&self.value, self.is_sought, self.found_by) {
             (Some(value), false, _) => value.clone(),
             (_, true, Some(number)) => words().found_by_loop(number),
-            _ => format!("{} = ?", self.symbol),
+            _ => self.unknown(),
         }
+    }
+
+    /// As an unknown: `θ3 = ?`.
+    #[must_use]
+    pub fn unknown(&self) -> String {
+        format!("{} = ?", self.symbol)
     }
 
     /// Once it is found: what is given as it is, and `θ3 = 29.3794`.
@@ -129,6 +137,22 @@ fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<us
     Some(place + 1)
 }
 
+/// The columns of length and angle of a side, or of their rates. A side that the scene does not name is told by the link
+/// that it turns with.
+fn columns(side: &Side, turner: &str, order: Order) -> [String; 2] {
+    let own = if side.named {
+        side.name.as_str()
+    } else {
+        turner
+    };
+    let (length, angle) = match order {
+        Order::Position => ("length", format!("{own}.angle")),
+        Order::Velocity => ("rate", format!("{turner}.omega")),
+        Order::Acceleration | Order::Force => ("accel", format!("{turner}.alpha")),
+    };
+    [format!("{}.{length}", side.name), angle]
+}
+
 /// Length and angle of a side, or their rates of an order.
 fn figures(
     context: &Context<'_>,
@@ -163,6 +187,7 @@ fn figures(
     let f = context.figures;
     let is_direction = [false, order == Order::Position];
     let [length, angle] = symbols;
+    let columns = columns(side, turner, order);
     let figure = |k: usize, symbol: String| {
         let value = match (is_direction[k], sought[k]) {
             (true, _) => f.direction(values[k]),
@@ -171,6 +196,7 @@ fn figures(
         };
         VectorFigure {
             symbol,
+            column: columns[k].clone(),
             value: (exists || !sought[k]).then_some(value),
             is_sought: sought[k],
             found_by: found_by(context, of, groups[k]),

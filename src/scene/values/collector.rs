@@ -274,7 +274,7 @@ impl Collector<'_> {
                 let Ok(found) = self.named.worth_of_text(text) else {
                     return;
                 };
-                let number = found.value.hi + 0.0;
+                let number = found.nearest();
                 (number, Some(text.clone()), found.dimension)
             }
             Err(_) => return,
@@ -317,10 +317,9 @@ impl Collector<'_> {
         let inner = whole.start + 1..whole.end.saturating_sub(1);
         let quotes = self.text.get(inner.clone()) != Some(text);
         let WrittenRate { number, unit } = WrittenRate::of(text);
-        let mut units = rate::units(kind, degree).iter();
-        let unit = units.find(|known| **known == unit);
+        let unit = rate::known(kind, degree, unit);
         let (parsed, literal, formula, unit) = match (number.parse(), unit) {
-            (Ok(parsed), Some(unit)) => (parsed, number.into_owned(), None, *unit),
+            (Ok(parsed), Some(unit)) => (parsed, number.into_owned(), None, unit),
             _ => {
                 let Some((formula, unit)) = rate::formula(text, kind, degree) else {
                     return;
@@ -329,7 +328,7 @@ impl Collector<'_> {
                     return;
                 };
                 let formula = formula.to_owned();
-                (found.value.hi + 0.0, formula.clone(), Some(formula), unit)
+                (found.nearest(), formula.clone(), Some(formula), unit)
             }
         };
         self.found.push(Value {

@@ -31,6 +31,44 @@ fn the_best_design_lies_on_its_constraint() {
     assert_eq!(best, alone);
 }
 
+/// A search that is stopped gives the best design so far, between generations and within one.
+#[test]
+fn stopped_search_gives_the_best_so_far() {
+    let space = space("slider-crank", &["r2 length"]);
+    let figures = figures(&space, &["r4.length.stroke"]);
+    let axes = axes(&["r2=2..19"]);
+    for greatest in [true, false] {
+        let order = OptimiseOrder {
+            greatest,
+            generations: 20,
+            seed: 4,
+            threads: 1,
+        };
+        for calls in [1, 10, 30, 60, 100] {
+            let (mut told, mut seen) = (0, None);
+            let best = BestDesign::find(&figures, &[], &axes, order, &mut |state| {
+                told += 1;
+                seen = state.best;
+                told < calls
+            });
+            let best = best.unwrap();
+            assert_eq!(told, calls, "it ends at once");
+            // The stroke of an in-line slider-crank is twice its crank.
+            assert!(
+                (best.value - 2.0 * best.numbers[0]).abs() < 1e-9,
+                "{best:?}"
+            );
+            assert!(!best.stationary && best.generations < 5, "{best:?}");
+            let is_better = |other: f64| match greatest {
+                true => best.value >= other,
+                false => best.value <= other,
+            };
+            assert_eq!(seen.is_some(), calls > 24, "a whole generation is known");
+            assert!(seen.is_none_or(is_better), "{best:?} {seen:?}");
+        }
+    }
+}
+
 /// The swing of the rocker of a crank-rocker, and its transmission angle that is furthest from 90 deg, by the law of
 /// cosines: at the dead centres crank and coupler are in line, the angle is furthest where crank and frame are.
 fn swing_and_transmission([r2, r3, r4, r1]: [f64; 4]) -> (f64, f64) {

@@ -40,7 +40,7 @@ mod tests;
 
 pub use evaluation::DesignFigures;
 pub use goal::{Goal, GoalSense, MistypedGoal};
-pub use optimise::{BestDesign, OptimiseOrder};
+pub use optimise::{BestDesign, OptimiseOrder, OptimiseState};
 pub use plan::{DesignPlan, MistypedAxis, PlanAxis};
 pub use run::{DesignRow, DesignRun, DesignState};
 pub use solve::{FoundDesign, GoalSearch, SearchOutcome};

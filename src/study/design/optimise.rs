@@ -51,38 +51,65 @@ pub struct BestDesign {
     pub stationary: bool,
 }
 
+/// How far a search for the best design has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OptimiseState {
+    /// Generations that were made.
+    pub generations: u32,
+    /// The best value so far of a design that keeps the constraints.
+    pub best: Option<f64>,
+}
+
 /// Generations in which the best may stay what it is.
 const LONGEST_REST: u32 = 60;
 
-fn better(one: Worth, other: Worth) -> Worth {
-    if other < one { other } else { one }
+fn best_of(worths: &[Worth]) -> Worth {
+    let better = |one, other| if other < one { other } else { one };
+    worths.iter().copied().fold(NONE, better)
 }
 
 impl BestDesign {
     /// Finds it: the first figure of `figures` is to be the best, the others are those of `constraints`, in their order.
-    /// `watch` is told the generation and stops by saying so. `None` where no design of any was one.
+    /// `watch` is told how far it has come, and stops the search by answering false: then the best so far comes out as it
+    /// is. `None` where no design of any was one.
     pub fn find(
         figures: &DesignFigures,
         constraints: &[Goal],
         axes: &[PlanAxis],
         order: OptimiseOrder,
-        watch: &mut dyn FnMut(u32) -> bool,
+        watch: &mut dyn FnMut(OptimiseState) -> bool,
     ) -> Option<BestDesign> {
         let mut judge = Judge::new(figures, constraints, axes, order.greatest);
         let given = figures.space().given();
         let count = (FOR_EACH * axes.len()).max(FEWEST);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
         let begun: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
-        let (mut generation, mut worth) = settled_all(&judge, &begun, order.threads);
+        let mut is_stopped = false;
+        let mut go_on = |generations, best: Worth| {
+            let value = if order.greatest { -best.1 } else { best.1 };
+            let best = (best.0 == 0.0).then_some(value);
+            is_stopped = is_stopped || !watch(OptimiseState { generations, best });
+            !is_stopped
+        };
+        let from_start = &mut |_| go_on(0, NONE);
+        let (mut generation, mut worth) = settled_all(&judge, &begun, order.threads, from_start);
         let mut chance = SeededChance::new(order.seed ^ 0x5bd1_e995);
         let mut made = 0;
         let mut settled = false;
         let (mut last, mut stays) = (NONE, 0);
-        while made < order.generations && !settled && watch(made) {
+        while made < order.generations && !settled && go_on(made, best_of(&worth)) {
             let trials: Vec<Vec<f64>> = (0..generation.len())
                 .map(|i| trial(&generation, i, axes, &mut chance))
                 .collect();
-            let (trials, found) = settled_all(&judge, &trials, order.threads);
+            let best = best_of(&worth);
+            let meanwhile = &mut |_| go_on(made, best);
+            let (trials, found) = settled_all(&judge, &trials, order.threads, meanwhile);
+            if found.len() < worth.len() {
+                // It was stopped within a generation.
+                generation.extend(trials);
+                worth.extend(found);
+                break;
+            }
             for ((design, worth), (trial, found)) in generation
                 .iter_mut()
                 .zip(&mut worth)
@@ -94,7 +121,7 @@ impl BestDesign {
             }
             settled = lie_together(&generation, axes);
             made += 1;
-            let now = worth.iter().copied().fold(NONE, better);
+            let now = best_of(&worth);
             stays = if now == last { stays + 1 } else { 0 };
             last = now;
             if stays >= LONGEST_REST {
@@ -106,11 +133,12 @@ impl BestDesign {
                 .partial_cmp(&worth[b])
                 .unwrap_or(std::cmp::Ordering::Equal)
         })?;
+        let so_far = worth[best];
         let design = judge.judge(generation.swap_remove(best))?;
         let Polished {
             design,
             is_stationary,
-        } = polished(&mut judge, design);
+        } = polished(&mut judge, design, &mut || go_on(made, so_far));
         let (missed, value) = design.worth;
         Some(BestDesign {
             numbers: design.numbers,
@@ -123,11 +151,17 @@ impl BestDesign {
     }
 }
 
-/// Every design brought onto what is to be equal, and how good it is: found on several threads.
-fn settled_all(judge: &Judge, designs: &[Vec<f64>], threads: usize) -> (Vec<Vec<f64>>, Vec<Worth>) {
+/// Every design brought onto what is to be equal, and how good it is: found on several threads. Where `watch` answers
+/// false, those that were found until then.
+fn settled_all(
+    judge: &Judge,
+    designs: &[Vec<f64>],
+    threads: usize,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> (Vec<Vec<f64>>, Vec<Worth>) {
     let settle = |judge: &mut Judge, i: usize| judge.settled(designs[i].clone());
     let room = || judge.clone();
-    let found = parallel::each(designs.len(), threads, room, settle, &mut |_| true);
+    let found = parallel::each(designs.len(), threads, room, settle, watch);
     found.into_iter().unzip()
 }
 

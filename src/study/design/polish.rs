@@ -26,8 +26,13 @@ pub(super) struct Polished {
     pub(super) is_stationary: bool,
 }
 
-/// Goes on from a design to where no small step along the constraints betters it, if it comes there.
-pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
+/// Goes on from a design to where no small step along the constraints betters it, if it comes there before `watch`
+/// answers false.
+pub(super) fn polished(
+    judge: &mut Judge,
+    design: JudgedDesign,
+    watch: &mut dyn FnMut() -> bool,
+) -> Polished {
     let mut here = judge.onto(design, Some(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
@@ -39,6 +44,12 @@ pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
     };
     let mut is_stationary = false;
     for _ in 0..STEPS {
+        if !watch() {
+            return Polished {
+                design: here,
+                is_stationary: false,
+            };
+        }
         let hold = DesignHold::of(judge, &here, &slopes);
         is_stationary = here.worth.0 == 0.0 && hold.is_stationary(&here, &slopes);
         if is_stationary {
@@ -67,7 +78,7 @@ pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
         (here, slopes) = (better, after);
     }
     if !is_stationary && here.worth.0 == 0.0 {
-        return at_kink(judge, here);
+        return at_kink(judge, here, watch);
     }
     Polished {
         design: here,
@@ -76,12 +87,15 @@ pub(super) fn polished(judge: &mut Judge, design: JudgedDesign) -> Polished {
 }
 
 /// The same from a design at which slopes are not one: by those from all sides, nearer and nearer to it.
-fn at_kink(judge: &mut Judge, mut here: JudgedDesign) -> Polished {
+fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() -> bool) -> Polished {
     let mut is_stationary = false;
     for beside in BESIDE {
         for _ in 0..KINKS {
             let look = KinkLook::at(judge, &here, beside);
             is_stationary = matches!(look, KinkLook::Lowest);
+            if !watch() {
+                break;
+            }
             let KinkLook::Down(way) = look else {
                 break;
             };

@@ -3,7 +3,7 @@
 use super::{DesignFigures, DesignPlan, NoDesign};
 use crate::study::NoFigure;
 use std::ops::Range;
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread;
 
 /// Designs that are handed on together: as many as take about a millisecond.
@@ -103,19 +103,27 @@ impl DesignRun<'_> {
             .div_ceil(CHUNK);
         let threads = (self.threads.max(1) as u64).min(chunks);
         thread::scope(|scope| {
-            let mut lines: Vec<Receiver<Vec<DesignRow>>> = Vec::new();
-            for first in 0..threads {
-                let (to, from) = sync_channel(AHEAD);
-                lines.push(from);
-                let own = (first..chunks).step_by(usize::try_from(threads).unwrap_or(1));
-                scope.spawn(move || self.work(own, &to));
-            }
             // Each thread has every so many-th chunk, so that they come in turn.
-            for line in (0..chunks).zip(lines.iter().cycle()).map(|(_, line)| line) {
-                match line.recv() {
-                    Ok(rows) => take(rows)?,
-                    Err(_) => break,
-                }
+            let lines: Vec<_> = (0..threads)
+                .map(|first| {
+                    let (to, from) = sync_channel(AHEAD);
+                    let own = (first..chunks).step_by(usize::try_from(threads).unwrap_or(1));
+                    let work = move || self.work(own, &to);
+                    let begun = thread::Builder::new().spawn_scoped(scope, work);
+                    begun.is_ok().then_some(from)
+                })
+                .collect();
+            let mut figures = None;
+            for (chunk, line) in (0..chunks).zip(lines.iter().cycle()) {
+                let rows = match line {
+                    Some(line) => match line.recv() {
+                        Ok(rows) => rows,
+                        Err(_) => break,
+                    },
+                    // The system creates no thread for it: its chunks are done here.
+                    None => self.rows(chunk, figures.get_or_insert_with(|| self.figures.clone())),
+                };
+                take(rows)?;
             }
             Ok(())
         })
@@ -125,12 +133,19 @@ impl DesignRun<'_> {
     fn work(&self, chunks: impl Iterator<Item = u64>, to: &SyncSender<Vec<DesignRow>>) {
         let mut figures = self.figures.clone();
         for chunk in chunks {
-            let first = self.designs.start + chunk * CHUNK;
-            let last = first.saturating_add(CHUNK).min(self.designs.end);
-            let rows = (first..last).map(|k| DesignRow::of(self.plan.numbers(k), &mut figures));
-            if to.send(rows.collect()).is_err() {
+            if to.send(self.rows(chunk, &mut figures)).is_err() {
                 return;
             }
         }
+    }
+
+    /// The rows of a chunk.
+    fn rows(&self, chunk: u64, figures: &mut DesignFigures) -> Vec<DesignRow> {
+        let first = self.designs.start + chunk * CHUNK;
+        let last = first.saturating_add(CHUNK).min(self.designs.end);
+        let numbers = (first..last).map(|k| self.plan.numbers(k));
+        numbers
+            .map(|numbers| DesignRow::of(numbers, figures))
+            .collect()
     }
 }

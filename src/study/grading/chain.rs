@@ -230,7 +230,12 @@ impl SolutionChain {
         Some(())
     }
 
-    fn value(&self, subject: Subject, aspect: Aspect, values: &[[f64; 3]]) -> Option<f64> {
+    pub(super) fn value(
+        &self,
+        subject: Subject,
+        aspect: Aspect,
+        values: &[[f64; 3]],
+    ) -> Option<f64> {
         let order = match aspect.order() {
             Order::Position => 0,
             Order::Velocity => 1,

@@ -5,14 +5,19 @@
 
 mod chain;
 mod explained;
+mod misread;
+mod points;
 mod verdict;
 mod written;
 
 pub use chain::{ChainGroup, ChainSlot, ChainValues, SolutionChain};
+pub use misread::{MisreadValue, SheetScene};
+pub use points::LinkPoints;
 pub use verdict::{FigureVerdict, RoundedEarly};
 pub use written::WrittenFigure;
 
 use crate::quantity::{Quantity, known_unit, unit_factor};
+use points::{FacedVector, VectorSlot};
 use verdict::{FEWEST, Truth};
 
 /// A figure that is asked for.
@@ -39,6 +44,8 @@ pub struct AnswerKey {
     pub chain: Option<SolutionChain>,
     /// The variables of the chain in other assemblies.
     pub others: Vec<ChainValues>,
+    /// The points of each link: their motions are in proportion.
+    pub bodies: Vec<LinkPoints>,
 }
 
 /// What stands in the place of an answer.
@@ -59,11 +66,28 @@ pub enum GivenAnswer {
     },
 }
 
+impl GivenAnswer {
+    /// Returns the figure in the unit that was asked for.
+    fn figure(self) -> Option<WrittenFigure> {
+        match self {
+            GivenAnswer::Empty | GivenAnswer::Unreadable => None,
+            GivenAnswer::Figure(figure) | GivenAnswer::Converted { figure, .. } => Some(figure),
+        }
+    }
+}
+
 /// One way to read an answer, and what is to be said of it then.
 #[derive(Clone, Copy)]
 struct JudgedReading {
     written: WrittenFigure,
     verdict: FigureVerdict,
+}
+
+/// What was graded so far: what it tells of the variables, and of the points.
+#[derive(Default)]
+struct Faced {
+    slots: Vec<FacedSlot>,
+    vectors: Vec<FacedVector>,
 }
 
 /// What a figure that was graded tells of the variables.
@@ -80,11 +104,18 @@ struct FacedSlot {
 }
 
 impl AnswerKey {
+    /// Returns whether the figure of a column is asked for.
+    #[must_use]
+    pub fn asks(&self, column: &str) -> bool {
+        let mut asked = self.figures.iter().take(self.asked);
+        asked.any(|figure| figure.quantity.name == column)
+    }
+
     /// A verdict for every answer; answers that are missing are empty.
     #[must_use]
     pub fn graded(&self, answers: &[GivenAnswer]) -> Vec<FigureVerdict> {
         let mut verdicts: Vec<FigureVerdict> = Vec::with_capacity(self.figures.len());
-        let mut faced = Vec::new();
+        let mut faced = Faced::default();
         for (number, figure) in self.figures.iter().enumerate() {
             let answer = answers.get(number).copied().unwrap_or(GivenAnswer::Empty);
             let judged = match answer {
@@ -96,7 +127,8 @@ impl AnswerKey {
                 }
             };
             if let Ok(reading) = judged {
-                faced.extend(self.faced(number, figure, reading));
+                faced.slots.extend(self.faced(number, figure, reading));
+                faced.vectors.extend(faced_vector(number, figure, reading));
             }
             verdicts.push(judged.map_or_else(|verdict| verdict, |reading| reading.verdict));
         }
@@ -104,12 +136,7 @@ impl AnswerKey {
     }
 
     /// An answer as it is meant: of all that it may mean what is right, or nearest to that.
-    fn judged(
-        &self,
-        figure: &AskedFigure,
-        written: WrittenFigure,
-        faced: &[FacedSlot],
-    ) -> JudgedReading {
+    fn judged(&self, figure: &AskedFigure, written: WrittenFigure, faced: &Faced) -> JudgedReading {
         let judge = |written| JudgedReading {
             written,
             verdict: self.verdict(figure, written, faced),
@@ -134,7 +161,7 @@ impl AnswerKey {
         &self,
         figure: &AskedFigure,
         (own, face): (WrittenFigure, WrittenFigure),
-        faced: &[FacedSlot],
+        faced: &Faced,
     ) -> JudgedReading {
         let reading = self.judged(figure, own, faced);
         let unit = known_unit(&figure.quantity.unit);
@@ -159,10 +186,7 @@ impl AnswerKey {
         JudgedReading { written, verdict }: JudgedReading,
     ) -> Option<FacedSlot> {
         let (slot, more) = self.chain.as_ref()?.slot_of(&figure.quantity)?;
-        let mut meant = written;
-        if let FigureVerdict::OtherUnit(unit) = verdict {
-            meant = meant.times(unit_factor(unit, &figure.quantity.unit)?);
-        }
+        let meant = meant(figure, written, verdict)?;
         let mut value = meant.value;
         let mut half = 0.5 * meant.unit_of(FEWEST, i32::MAX);
         if figure.quantity.is_direction() {
@@ -174,7 +198,7 @@ impl AnswerKey {
             value,
             half,
             number: written.value,
-            is_sound: matches!(verdict, FigureVerdict::Right | FigureVerdict::Rounded(_)),
+            is_sound: is_sound(verdict),
         })
     }
 
@@ -182,7 +206,7 @@ impl AnswerKey {
         &self,
         figure: &AskedFigure,
         written: WrittenFigure,
-        faced: &[FacedSlot],
+        faced: &Faced,
     ) -> FigureVerdict {
         let truth = Truth::of(figure);
         if truth.is_out_of_reach(written) {
@@ -200,7 +224,13 @@ impl AnswerKey {
         if is_position && other() {
             return FigureVerdict::OtherAssembly;
         }
-        if let Some(explained) = self.explained(figure, written, faced) {
+        let by_points = self.follows_from_points(figure, written, &faced.vectors);
+        let is_followed = matches!(by_points, Some(FigureVerdict::Followed(_)));
+        let by_slots = match is_followed {
+            true => None,
+            false => self.explained(figure, written, &faced.slots),
+        };
+        if let Some(explained) = by_slots.or(by_points) {
             return explained;
         }
         if let Some(verdict) = truth.mistaken(written, &figure.quantity.unit) {
@@ -224,4 +254,40 @@ impl AnswerKey {
             })
         })
     }
+}
+
+/// What an answer tells of a point.
+fn faced_vector(
+    number: usize,
+    figure: &AskedFigure,
+    JudgedReading { written, verdict }: JudgedReading,
+) -> Option<FacedVector> {
+    let slot = VectorSlot::of(&figure.quantity)?;
+    let meant = meant(figure, written, verdict)?;
+    Some(FacedVector {
+        figure: number,
+        slot,
+        value: meant.value,
+        half: 0.5 * meant.unit_of(FEWEST, i32::MAX),
+        number: written.value,
+        is_sound: is_sound(verdict),
+    })
+}
+
+/// An answer in the unit that was asked for, where it stands in another.
+fn meant(
+    figure: &AskedFigure,
+    written: WrittenFigure,
+    verdict: FigureVerdict,
+) -> Option<WrittenFigure> {
+    match verdict {
+        FigureVerdict::OtherUnit(unit) => {
+            Some(written.times(unit_factor(unit, &figure.quantity.unit)?))
+        }
+        _ => Some(written),
+    }
+}
+
+fn is_sound(verdict: FigureVerdict) -> bool {
+    matches!(verdict, FigureVerdict::Right | FigureVerdict::Rounded(_))
 }

@@ -68,6 +68,7 @@ impl WrittenFigure {
             },
             may_be_thousands: exponent.is_none() && are_thousands(&typed.replace('.', ",")),
         };
+        let unit = unit.trim().trim_matches(['[', ']', '(', ')']);
         Some((written, unit.trim().to_owned()))
     }
 
@@ -128,7 +129,7 @@ fn unit_begins(text: &str) -> usize {
     };
     let mut letters = text
         .char_indices()
-        .filter(|(_, c)| c.is_alphabetic() || *c == '°');
+        .filter(|(_, c)| c.is_alphabetic() || matches!(c, '°' | '˚' | '[' | '('));
     let first = letters.find(|(at, c)| !(matches!(c, 'e' | 'E') && is_exponent(*at)));
     first.map_or(text.len(), |(at, _)| at)
 }
@@ -248,6 +249,8 @@ mod tests {
             ("15°/s", "°/s"),
             ("2.4e4mm/s", "mm/s"),
             ("7 ein", "ein"),
+            ("345,5 [derece]", "derece"),
+            ("345.5 (ca.)", "ca."),
             ("1e", "e"),
             ("7", ""),
         ] {

@@ -129,6 +129,8 @@ pub struct Cycle {
     joule: f64,
 }
 
+/// Peaks that are farther apart than this part of the way are two places.
+const APART: f64 = 1e-4;
 /// What rounding leaves, as a part of what cancels.
 const ROUNDING: f64 = 1e-12;
 /// Two pieces whose ends differ by less of the largest torque hang together.
@@ -370,10 +372,11 @@ impl Cycle {
     /// Takes a value that is larger than what is known.
     fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &SmoothPiece, t: f64) {
         let place = self.course.place(piece.way(t));
-        // What is as large on both ways is told of the first.
+        // What is as large in several places, or on both ways, is told of the first.
+        let apart = APART * self.course.length();
         let margin = |peak: Peak| {
-            let is_tie = place.back && !peak.back;
-            if is_tie {
+            let is_elsewhere = (place.at - peak.at).abs() > apart;
+            if (place.back && !peak.back) || is_elsewhere {
                 ROUNDING * peak.value.abs()
             } else {
                 0.0

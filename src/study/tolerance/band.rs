@@ -93,7 +93,11 @@ impl ToleranceStudy {
                 let pairs = nominal.iter().zip(worst);
                 let offsets = pairs.map(|(nominal, worst)| {
                     let (nominal, worst) = ((*nominal)?, worst?);
-                    Some([worst.low - nominal, worst.high - nominal])
+                    // What has no bound is drawn as far as machines were met.
+                    let end = |end: f64, met: f64| if end.is_finite() { end } else { met };
+                    let low = end(worst.low, worst.reached[0]);
+                    let high = end(worst.high, worst.reached[1]);
+                    Some([low - nominal, high - nominal])
                 });
                 offsets.collect()
             }

@@ -2,6 +2,7 @@
 
 use super::ToleranceStudy;
 use super::contributions::Slopes;
+use super::edge::EdgeSearch;
 use super::machines::{CornerEffort, of_all_corners, of_derivatives};
 use super::worst::{WorstCase, WorstKind};
 use crate::Ball;
@@ -14,11 +15,15 @@ pub(super) const MOST_LENGTHS: usize = 16;
 pub(super) const THOROUGH: CornerEffort = CornerEffort {
     middles: 9,
     tries: 100,
+    edges: true,
+    rays: 0,
 };
 /// The same while somebody waits.
 pub(super) const QUICK: CornerEffort = CornerEffort {
     middles: 9,
     tries: 8,
+    edges: false,
+    rays: 0,
 };
 
 impl ToleranceStudy {
@@ -30,6 +35,25 @@ impl ToleranceStudy {
 
     /// The worst case at a place of every figure that has a value there; the machines stand there.
     pub(super) fn worst(
+        &mut self,
+        at: f64,
+        nominal: &[Option<f64>],
+        slopes: Option<&Slopes>,
+        effort: CornerEffort,
+    ) -> Vec<Option<WorstCase>> {
+        let mut worst = self.worst_inside(at, nominal, slopes, effort);
+        if effort.edges {
+            let all = 0..self.off.limits.len();
+            let acting = all.filter(|&i| self.machines.varied.follows(i)).collect();
+            let figures = nominal.len();
+            EdgeSearch::new(&mut self.machines, &self.off, acting, figures)
+                .widen(nominal, &mut worst);
+        }
+        worst
+    }
+
+    /// The worst case where the tolerances reach no edge of assembly.
+    fn worst_inside(
         &mut self,
         at: f64,
         nominal: &[Option<f64>],

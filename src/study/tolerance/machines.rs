@@ -2,6 +2,7 @@
 
 use super::ToleranceFigure;
 use super::box_grid::BoxGrid;
+use super::edge::along_ray;
 use super::search::Search;
 use super::tolerance_box::ToleranceBox;
 use super::worst::{MetRange, WorstCase, WorstKind};
@@ -12,6 +13,12 @@ pub(super) trait Machines {
     /// Reads every figure of the machine in which everything is off by so much, `None` where it has none; whether the
     /// machine closes.
     fn make(&mut self, by: &[f64], values: &mut [Option<f64>]) -> bool;
+
+    /// Of the machine that was made last, how far each group is from the edge of assembly: not positive where it is the
+    /// first that is open. None where that is not known.
+    fn measures(&mut self) -> &[f64] {
+        &[]
+    }
 
     /// The class of the first loop of the machine that was made last.
     fn kind(&self) -> Option<LoopKind>;
@@ -24,6 +31,10 @@ pub(super) struct CornerEffort {
     pub(super) middles: usize,
     /// So many machines are made for each side, where a figure may be worse than on the grid, at either of its ends.
     pub(super) tries: usize,
+    /// Whether edges of assembly within the tolerances are looked for.
+    pub(super) edges: bool,
+    /// Towards so many machines that lack a figure it is followed, to see whether it grows beyond all bounds.
+    pub(super) rays: usize,
 }
 
 impl CornerEffort {
@@ -70,13 +81,21 @@ pub(super) fn of_all_corners(
         } else {
             WorstKind::Corners
         };
-        Some(WorstCase {
+        let mut worst = WorstCase {
             low,
             high,
             reached: [low, high],
             kind,
             fails,
-        })
+        };
+        let open = (0..found.len()).filter(|&place| found[place].is_nan());
+        for place in open.take(effort.rays) {
+            off.put(acting, &grid.levels(place), &mut by);
+            if let Some((furthest, is_unbounded)) = along_ray(machines, figure, nominal, &by) {
+                worst.extend(furthest, is_unbounded);
+            }
+        }
+        Some(worst)
     });
     worst.collect()
 }
@@ -91,7 +110,7 @@ pub(super) fn of_derivatives(
     nominal: &[Option<f64>],
     slopes: &[f64],
 ) -> Option<WorstCase> {
-    let way = off.way(slopes, acting);
+    let way = off.furthest(&acting_slopes(off, slopes, acting), &off.nothing());
     let mut met = MetRange::of(nominal[figure]?);
     let mut fails = false;
     let mut values = nominal.to_vec();
@@ -125,6 +144,16 @@ pub(super) fn of_derivatives(
         kind: WorstKind::Derivatives,
         fails,
     })
+}
+
+/// Slopes by pins and by these lengths alone.
+fn acting_slopes(off: &ToleranceBox, slopes: &[f64], acting: &[usize]) -> Vec<f64> {
+    let mut all = off.nothing();
+    let pins = off.lengths..slopes.len();
+    for number in acting.iter().copied().chain(pins) {
+        all[number] = slopes[number];
+    }
+    all
 }
 
 /// So often the way to a machine that does not close is halved.

@@ -11,6 +11,7 @@ mod band;
 mod box_grid;
 mod contributions;
 mod corners;
+mod edge;
 mod machines;
 mod place;
 mod samples;

@@ -60,6 +60,10 @@ impl Machines for MachinesAtPlace {
         true
     }
 
+    fn measures(&mut self) -> &[f64] {
+        self.varied.measures(self.at)
+    }
+
     fn kind(&self) -> Option<LoopKind> {
         self.varied.kind()
     }

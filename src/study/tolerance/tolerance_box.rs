@@ -5,6 +5,10 @@ use super::samples::Distribution;
 use crate::numeric::SeededChance;
 use crate::{CoordinateAxis, Length, Tolerances};
 
+/// Multipliers that are tried, and how large they are at most: in parts of what all slopes come to.
+const MULTIPLIERS: usize = 80;
+const LARGEST_MULTIPLIER: f64 = 1e6;
+
 /// Everything that may be off.
 #[derive(Clone, Debug)]
 pub(super) struct ToleranceBox {
@@ -54,11 +58,13 @@ impl ToleranceBox {
         }
     }
 
-    /// The corner that derivatives point to: pins on the circles that they can be on.
-    pub(super) fn way(&self, slopes: &[f64], acting: &[usize]) -> Vec<f64> {
-        let mut way = self.nothing();
-        for &length in acting {
-            way[length] = self.limits[length].copysign(slopes[length]);
+    /// The machine of the box that is furthest along these slopes; what has no slope stays as in `from`.
+    pub(super) fn furthest(&self, slopes: &[f64], from: &[f64]) -> Vec<f64> {
+        let mut way = from.to_vec();
+        for (i, (way, slope)) in way.iter_mut().zip(slopes).enumerate().take(self.lengths) {
+            if *slope != 0.0 {
+                *way = self.limits[i].copysign(*slope);
+            }
         }
         for pin in (self.lengths..self.limits.len()).step_by(2) {
             let [x, y] = [slopes[pin], slopes[pin + 1]];
@@ -69,6 +75,54 @@ impl ToleranceBox {
             }
         }
         way
+    }
+
+    /// The machine that is furthest along slopes among those of the box to which `level` does not change from `from`,
+    /// to first order: by the multiplier of that condition.
+    pub(super) fn furthest_level(&self, slopes: &[f64], level: &[f64], from: &[f64]) -> Vec<f64> {
+        let size = |slopes: &[f64]| {
+            let sizes = slopes
+                .iter()
+                .zip(&self.limits)
+                .map(|(slope, by)| (slope * by).abs());
+            sizes.sum::<f64>()
+        };
+        let scale = size(slopes) / size(level);
+        if !scale.is_finite() {
+            return self.furthest(slopes, from);
+        }
+        let aim = |multiplier: f64| {
+            let pairs = slopes.iter().zip(level);
+            let both: Vec<f64> = pairs
+                .map(|(slope, level)| slope + multiplier * level)
+                .collect();
+            self.furthest(&both, from)
+        };
+        let raised = |machine: &[f64]| {
+            let ways = machine.iter().zip(from).zip(level);
+            ways.map(|((to, from), level)| (to - from) * level)
+                .sum::<f64>()
+        };
+        // The larger the multiplier, the larger is the level.
+        let [mut low, mut high] = [-LARGEST_MULTIPLIER * scale, LARGEST_MULTIPLIER * scale];
+        for _ in 0..MULTIPLIERS {
+            let middle = f64::midpoint(low, high);
+            *(match raised(&aim(middle)) < 0.0 {
+                true => &mut low,
+                false => &mut high,
+            }) = middle;
+        }
+        let [below, above] = [low, high].map(aim);
+        let [down, up] = [raised(&below), raised(&above)];
+        let part = if up > down {
+            (-down / (up - down)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let pairs = below.iter().zip(&above);
+        pairs
+            .map(|(below, above)| below + part * (above - below))
+            .collect()
     }
 
     /// Draws what is off.

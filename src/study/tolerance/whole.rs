@@ -18,6 +18,8 @@ const MOST_LENGTHS: usize = 12;
 const EFFORT: CornerEffort = CornerEffort {
     middles: 7,
     tries: 20,
+    edges: false,
+    rays: 3,
 };
 /// The part of a tolerance by which differences are taken.
 const DIFFERENCE: f64 = 0.01;

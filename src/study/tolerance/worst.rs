@@ -3,11 +3,11 @@
 /// The least and the greatest that a figure can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstCase {
-    /// The least.
+    /// The least; minus infinity where it grows beyond all bounds.
     pub low: f64,
-    /// The greatest.
+    /// The greatest; infinity where it grows beyond all bounds.
     pub high: f64,
-    /// What machines were found to reach: the same, or where it is enclosed, further inside.
+    /// What machines were found to reach: the same, or where it is enclosed or unbounded, further inside.
     pub reached: [f64; 2],
     /// How they were found.
     pub kind: WorstKind,
@@ -30,6 +30,9 @@ pub enum WorstKind {
     /// By a search up to where the figure ceases to exist: not every corner has it. Nothing proves that there is no
     /// worse.
     AtEdge,
+    /// It grows beyond all bounds towards an edge of assembly: in one direction or in both. What is told of the other
+    /// direction is an estimate.
+    Unbounded,
     /// By the machines that the derivatives point to; nothing proves that there is no worse.
     Derivatives,
     /// By a machine made by chance, that goes further than all that was looked at before.
@@ -44,6 +47,7 @@ impl WorstKind {
             WorstKind::Corners | WorstKind::Enclosed => false,
             WorstKind::Searched
             | WorstKind::AtEdge
+            | WorstKind::Unbounded
             | WorstKind::Derivatives
             | WorstKind::Sampled => true,
         }
@@ -51,18 +55,45 @@ impl WorstKind {
 }
 
 impl WorstCase {
+    /// Takes in what was found at edges of assembly.
+    pub(super) fn extend(&mut self, furthest: [f64; 2], is_unbounded: [bool; 2]) {
+        let goes_further = furthest[0] < self.low || furthest[1] > self.high;
+        self.low = self.low.min(furthest[0]);
+        self.high = self.high.max(furthest[1]);
+        self.reached = [self.low, self.high];
+        match is_unbounded {
+            [false, false] if goes_further && !self.kind.is_estimate() => {
+                self.kind = WorstKind::AtEdge;
+            }
+            [false, false] => {}
+            [below, above] => {
+                self.kind = WorstKind::Unbounded;
+                if below {
+                    self.low = f64::NEG_INFINITY;
+                }
+                if above {
+                    self.high = f64::INFINITY;
+                }
+            }
+        }
+    }
+
     /// The same where machines were met that go further: then it is not the worst case that it was taken for.
     #[must_use]
     pub(super) fn widened(self, [low, high]: [f64; 2]) -> WorstCase {
         if self.low <= low && high <= self.high {
             return self;
         }
-        let (low, high) = (self.low.min(low), self.high.max(high));
+        let reached = [self.reached[0].min(low), self.reached[1].max(high)];
+        let kind = match self.kind == WorstKind::Unbounded {
+            true => self.kind,
+            false => WorstKind::Sampled,
+        };
         WorstCase {
-            low,
-            high,
-            reached: [low, high],
-            kind: WorstKind::Sampled,
+            low: self.low.min(low),
+            high: self.high.max(high),
+            reached,
+            kind,
             ..self
         }
     }

@@ -29,9 +29,11 @@ impl App {
             Key::PageDown => palette.move_by(page),
             Key::Home => palette.move_by(isize::MIN),
             Key::End => palette.move_by(isize::MAX),
-            _ if palette.line().edit(key) => palette.narrow(),
-            Key::Ctrl(_) => return None,
-            _ => {}
+            _ => match palette.line().change(key) {
+                Some(true) => palette.narrow(),
+                None if matches!(key, Key::Ctrl(_)) => return None,
+                Some(false) | None => {}
+            },
         }
         self.shell.message = None;
         Some(Effect::Show)

@@ -47,12 +47,15 @@ impl App {
                 help.accept();
                 help.scroll = 0;
             }
-            _ if !line.edit(key) => {
-                help.stay();
-                return None;
-            }
-            _ if is_topic => help.seek(false, columns, keymap),
-            _ => help.scroll = 0,
+            _ => match line.change(key) {
+                None => {
+                    help.stay();
+                    return None;
+                }
+                Some(false) => {}
+                Some(true) if is_topic => help.seek(false, columns, keymap),
+                Some(true) => help.scroll = 0,
+            },
         }
         Some(Effect::Show)
     }

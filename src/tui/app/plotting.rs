@@ -96,7 +96,11 @@ impl App {
                 }
             }
             Key::Enter if typing => list.set_typing(false),
-            _ if list.typed().is_some_and(|line| line.edit(key)) => list.narrow(),
+            _ if let Some(is_new) = list.typed().and_then(|line| line.change(key)) => {
+                if is_new {
+                    list.narrow();
+                }
+            }
             Key::Char('/') => list.set_typing(true),
             Key::Char('k') => list.move_by(-1),
             Key::Char('j') => list.move_by(1),

@@ -37,6 +37,11 @@ impl App {
         self.attend(self.now);
     }
 
+    /// Nowhere is a folder to keep edits in: this is said with the first edit.
+    pub(crate) fn recover_nowhere(&mut self) {
+        self.document.is_homeless = true;
+    }
+
     /// A scene was opened: its file is watched, and edits of earlier sessions are offered.
     pub(super) fn meet(&mut self) {
         self.watch();
@@ -87,6 +92,11 @@ impl App {
 
     /// After an edit: it is kept, or what was kept is dropped where nothing is unsaved any more.
     pub(super) fn keep(&mut self) {
+        if self.has_edits() && std::mem::take(&mut self.document.is_homeless) {
+            let said = words().edits_kept_nowhere().to_owned();
+            self.clerk
+                .give(|| Box::new(|app, _| app.shell.message = Some(said)));
+        }
         let Some(kept) = self.document.recovery.clone() else {
             return;
         };

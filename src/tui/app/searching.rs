@@ -41,9 +41,11 @@ impl App {
                 self.go_back(from);
             }
             Key::Enter => self.accept_search(),
-            _ if search.name.edit(key) => self.find(),
-            Key::Ctrl(_) => return None,
-            _ => {}
+            _ => match search.name.change(key) {
+                Some(true) => self.find(),
+                None if matches!(key, Key::Ctrl(_)) => return None,
+                Some(false) | None => {}
+            },
         }
         Some(Effect::Show)
     }

@@ -165,6 +165,12 @@ impl EditLine {
         true
     }
 
+    /// Takes a key that edits the line, and says whether the text changed; `None` for every other key.
+    pub(crate) fn change(&mut self, key: Key) -> Option<bool> {
+        let before = self.text.clone();
+        self.edit(key).then(|| self.text != before)
+    }
+
     pub(crate) fn clear(&mut self) {
         self.text.clear();
     }

@@ -40,15 +40,20 @@ struct GivenKey {
 /// Reads the section into the keymap.
 pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut Keymap) {
     reader.table("[keys]", "play = [\"space\", \"F5\"]", section);
-    let before = reader.found.len();
     let mut given = Vec::new();
     for (name, value) in section.entries() {
         let text = name.text;
         let Some(entry) = action_of(reader, text, name.span.clone()) else {
             continue;
         };
+        let before = reader.found.len();
         let keys = keys_of(reader, text, value);
-        if keys.is_empty() && is_needed(entry.action) && reader.found.len() == before {
+        let is_read = reader.found.len() == before;
+        if keys.is_empty() && !is_read {
+            // It keeps the keys that it has.
+            continue;
+        }
+        if keys.is_empty() && is_needed(entry.action) {
             reader.report(
                 Diagnostic::new(words().must_have_a_key(&quoted(text)))
                     .at(value.span.clone(), words().no_key_here())
@@ -62,7 +67,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
         );
     }
     // What could not be read would lead to clashes that nobody meant.
-    if reader.found.len() == before {
+    if !reader.has_errors() {
         tell_clashes(reader, keymap, &given);
     }
 }
@@ -76,7 +81,8 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
         reader.report(
             Diagnostic::new(words().unknown_action(&quoted(name)))
                 .at(place, words().unknown_action_here())
-                .help(near.unwrap_or_else(listed)),
+                .help(near.unwrap_or_else(listed))
+                .into_warning(),
         );
         return None;
     };
@@ -130,7 +136,8 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
         reader.report(
             fault(words().no_key_called(&quoted(text)), words().unknown_key())
                 .maybe_help(near)
-                .help(words().how_keys_are_called()),
+                .help(words().how_keys_are_called())
+                .into_warning(),
         );
         return None;
     };

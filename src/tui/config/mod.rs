@@ -38,6 +38,8 @@ pub struct Config {
     pub language: Option<Language>,
     /// How CSV files are written.
     pub csv: CsvDialect,
+    /// What was found that is not known here; the rest of the configuration holds.
+    pub warnings: Option<Diagnostics>,
     pub(crate) layout: LayoutName,
     pub(crate) keymap: Keymap,
 }
@@ -54,6 +56,7 @@ impl Default for Config {
             mouse: false,
             language: None,
             csv: CsvDialect::default(),
+            warnings: None,
             layout: LayoutName::default(),
             keymap: Keymap::default(),
         }
@@ -142,7 +145,7 @@ impl Config {
     /// Reads a configuration from the bytes of a file; `origin` is its name in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Everything found wrong, with its places; keys and actions that are not known here alone are warnings.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Config, Diagnostics> {
         match std::str::from_utf8(bytes) {
             Ok(text) => Config::parse(text, origin),
@@ -153,22 +156,25 @@ impl Config {
     /// Reads a configuration from a text; `origin` is the name of the file in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Everything found wrong, with its places; keys and actions that are not known here alone are warnings.
     pub fn parse(text: &str, origin: &str) -> Result<Config, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
         let mut config = Config::default();
         if let Some(root) = document::parse::<ConfigFile>(&mut reader, mend) {
+            let before = reader.found.len();
             reader.only(words().the_configuration(), &root);
+            let unknown = reader.found.iter_mut().skip(before);
+            unknown.for_each(|found| found.is_warning = true);
             if let Some(file) = root.get() {
                 config.take(&mut reader, file);
             }
         }
-        if reader.found.is_empty() {
-            Ok(config)
-        } else {
-            Err(reader.into_diagnostics(origin))
+        if reader.has_errors() {
+            return Err(reader.into_diagnostics(origin));
         }
+        config.warnings = (!reader.found.is_empty()).then(|| reader.into_diagnostics(origin));
+        Ok(config)
     }
 
     /// The language that a text asks for, whatever else is wrong with it.

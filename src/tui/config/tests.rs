@@ -201,9 +201,18 @@ fn faults_are_told_with_line_and_mend() {
             "",
         ),
     ] {
-        let faults = Config::parse(text, "config.toml").unwrap_err();
+        let (faults, can_start) = match Config::parse(text, "config.toml") {
+            Ok(config) => (config.warnings.unwrap(), true),
+            Err(faults) => (faults, false),
+        };
         assert_eq!(faults.items.len(), 1, "{text:?}: {faults}");
         let fault = &faults.items[0];
+        let is_unknown = message.contains("unknown") || message.contains("no key is called");
+        assert_eq!(
+            (fault.is_warning, can_start),
+            (is_unknown, is_unknown),
+            "{text:?}"
+        );
         assert_eq!(
             faults.position(fault).map(|(line, _)| line),
             Some(line),
@@ -214,6 +223,18 @@ fn faults_are_told_with_line_and_mend() {
         assert!(mends.contains(mend), "{text:?}: {faults}");
         assert!(faults.to_string().contains("config.toml:"), "{faults}");
     }
+}
+
+/// An action of which no key is known keeps those that it has.
+#[test]
+fn unknown_keys_leave_an_action_as_it_is() {
+    let text = "[keys]\nplay = \"F99\"\nnext = [\"F98\", \"F7\"]\nfly = \"F6\"\n";
+    let config = Config::parse(text, "t").unwrap();
+    let action = |key| config.keymap.action(key, View::Motion);
+    assert_eq!(action(Key::Char(' ')), Some(Action::Play));
+    assert_eq!(action(Key::Function(7)), Some(Action::NextPreset));
+    assert_eq!(action(Key::Char('n')), None);
+    assert_eq!(config.warnings.unwrap().items.len(), 3);
 }
 
 #[test]

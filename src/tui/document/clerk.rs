@@ -14,8 +14,8 @@ use std::io::{self, Error};
 use std::os::fd::{AsFd, BorrowedFd};
 use std::os::unix::net::UnixStream;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -160,14 +160,22 @@ impl<T: Client + 'static> Clerk<T> {
         };
         desk.patience = Instant::now() + GRACE;
         let tray = desk.out.clone();
+        let job: Arc<Mutex<Option<Job<T>>>> = Arc::new(Mutex::new(Some(Box::new(job))));
+        let given = Arc::clone(&job);
         let work = move || {
-            tray.serve(Apart::Search, Box::new(job));
+            if let Some(job) = taken(&given) {
+                tray.serve(Apart::Search, job);
+            }
         };
-        match thread::Builder::new().name("search".into()).spawn(work) {
-            Ok(_) => desk.searches += 1,
-            Err(error) => self
-                .done
-                .push_back(Box::new(move |client: &mut T, _| client.fail(&error))),
+        if thread::Builder::new()
+            .name("search".into())
+            .spawn(work)
+            .is_ok()
+        {
+            desk.searches += 1;
+        } else if let Some(job) = taken(&job) {
+            // The system creates no thread: it is done here.
+            self.done.push_back(job());
         }
     }
 
@@ -226,6 +234,10 @@ impl<T> fmt::Debug for Clerk<T> {
         let open = self.desk.as_ref().map(|desk| (desk.files, desk.searches));
         f.debug_struct("Clerk").field("open", &open).finish()
     }
+}
+
+fn taken<T>(job: &Mutex<Option<T>>) -> Option<T> {
+    job.lock().unwrap_or_else(PoisonError::into_inner).take()
 }
 
 fn rings(written: Result<usize, Errno>) -> bool {

@@ -38,6 +38,8 @@ pub(crate) struct Document {
     /// Where unsaved edits are kept, if they are: the folder, this run of the program, and the place of this
     /// scene.
     pub(crate) folder: Option<PathBuf>,
+    /// Whether there is no folder for it, and nobody has been told.
+    pub(crate) is_homeless: bool,
     pub(crate) session: SessionRun,
     pub(crate) recovery: Option<Kept>,
     /// Whether edits were taken up that were made on an older text than the file has.
@@ -54,6 +56,7 @@ impl Document {
             editor: Editor::new(scene),
             disk: None,
             folder: None,
+            is_homeless: false,
             session: SessionRun::begun(SystemTime::now()),
             recovery: None,
             older: false,

@@ -122,7 +122,11 @@ impl Doubt {
             Trouble::Exists => Some(Doubt::Exists),
             Trouble::Changed => Some(Doubt::Changed),
             Trouble::ReadOnly => Some(Doubt::ReadOnly),
-            Trouble::NoFile(_) | Trouble::Busy | Trouble::NoJournal | Trouble::Io(_) => None,
+            Trouble::NoFile(_)
+            | Trouble::Disturbed
+            | Trouble::Busy
+            | Trouble::NoJournal
+            | Trouble::Io(_) => None,
         }
     }
 

@@ -1,28 +1,35 @@
 //! All that lies between krank and the terminal: modes, keys, signals and bytes.
 //!
 //! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
-//! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
+//! linkages. One reader reads all that the terminal sends (`intake`, `keyboard`), one writer writes whole
 //! frames (`painter`), one guard puts the terminal back as it was found (`tty`).
 
 mod about;
 mod base64;
 pub(crate) mod clipboard;
+mod console;
+mod intake;
 mod keyboard;
 mod line;
 mod painter;
 mod rate_limit;
 mod sgr;
 mod signals;
+#[cfg(test)]
+mod slow_line;
 pub(crate) mod still;
 mod tty;
 #[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
 mod watch;
 
 pub use about::Terminal;
+pub(crate) use console::Console;
 #[cfg(test)]
 pub(crate) use keyboard::{Keyboard, TerminalInput};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
+#[cfg(test)]
+pub(crate) use slow_line::SlowLine;
 pub(crate) use tty::{Tty, Wake};
 
 use crossterm::QueueableCommand as _;

@@ -29,12 +29,14 @@ const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 const CAREFUL: Duration = Duration::from_millis(200);
 /// Between frames where it does not.
 const MUTE: Duration = Duration::from_millis(100);
-/// An answer that takes longer will not come, or the line is too slow for anything.
+/// A terminal that has not answered for so long does not answer at all. An answer that was given up may still come.
 const PATIENCE: Duration = Duration::from_secs(4);
 /// An answer that takes so many times what it should is lost: somebody typed into it, or the line is noisy.
 const TOO_LATE: f64 = 4.0;
 /// However quick a line is, a terminal may have something else to do for a moment.
 const LEAST_PATIENCE: Duration = Duration::from_millis(200);
+/// No lost answer stops the screen for longer, whatever the line was found to take while the machine was busy.
+const MOST_PATIENCE: Duration = Duration::from_secs(1);
 /// After so many lost answers one after the other no more is asked.
 const MOST_LOST: u32 = 3;
 /// An answer that comes later tells nothing of the line: it may be to another question, or to none.
@@ -72,7 +74,8 @@ enum Manner {
 struct FrameInFlight {
     at: Instant,
     bytes: usize,
-    /// Whether all of them were sent then; what was said before it may be drawn already.
+    /// Whether its answer tells of the line: all of them were sent then, and no older answer is to come. What was said
+    /// before it may be drawn already.
     is_whole: bool,
 }
 
@@ -90,6 +93,8 @@ pub(super) struct RateLimit {
     has_said: bool,
     /// Answers that were lost since the last one that came.
     lost: u32,
+    /// Until when an answer may be to a question that was given up: it tells nothing of the line.
+    doubtful: Option<Instant>,
     rate: LineRate,
 }
 
@@ -114,6 +119,7 @@ impl RateLimit {
             unasked: 0,
             has_said: false,
             lost: 0,
+            doubtful: None,
             rate: LineRate {
                 set,
                 measured: None,
@@ -130,7 +136,8 @@ impl RateLimit {
         let ask = self.manner != Manner::Mute && self.asked.is_none();
         if ask {
             let bytes = std::mem::take(&mut self.unasked) + QUESTION.len();
-            let is_whole = !std::mem::take(&mut self.has_said);
+            let is_doubtful = self.doubtful.is_some_and(|until| now < until);
+            let is_whole = !std::mem::take(&mut self.has_said) && !is_doubtful;
             self.asked = Some(FrameInFlight {
                 at: now,
                 bytes,
@@ -226,7 +233,7 @@ impl RateLimit {
         };
         let patience = (TOO_LATE * expected).max(LEAST_PATIENCE.as_secs_f64());
         let patience = patience * f64::from(1 << self.lost.min(MOST_LOST));
-        Duration::from_secs_f64(patience.min(PATIENCE.as_secs_f64()))
+        Duration::from_secs_f64(patience.min(MOST_PATIENCE.as_secs_f64()))
     }
 
     fn give_up(&mut self, now: Instant) {
@@ -239,6 +246,7 @@ impl RateLimit {
             return;
         }
         self.asked = None;
+        self.doubtful = Some(now + PATIENCE);
         self.lost += 1;
         if self.manner != Manner::Answers || self.lost >= MOST_LOST {
             self.manner = Manner::Mute;
@@ -475,7 +483,7 @@ mod tests {
             // It is asked again, and one that comes makes all good.
             assert!(rate_limit.send(100, ready));
             let later = rate_limit.ready_at().unwrap() - ready;
-            assert!(later >= (ready - now).min(PATIENCE), "{later:?}");
+            assert!(later >= (ready - now).min(MOST_PATIENCE), "{later:?}");
             rate_limit.answered(ready + MOMENT);
             assert_eq!(rate_limit.ready_at(), None);
             now = ready + MOMENT;
@@ -489,6 +497,47 @@ mod tests {
         line.frames(&mut rate_limit, 20, 3000);
         assert!(rate_limit.send(240, now));
         assert!(rate_limit.ready_at().unwrap() - now > Duration::from_millis(500));
+    }
+
+    /// On a busy machine an answer takes a second, and one that was then lost used to stop the screen for 4 s.
+    #[test]
+    fn lost_answer_stops_no_busy_screen_for_long() {
+        let mut rate_limit = RateLimit::new(None);
+        let mut now = Instant::now();
+        for _ in 0..3 {
+            rate_limit.send(PROBE, now);
+            now += Duration::from_millis(1500);
+            rate_limit.answered(now);
+        }
+        for _ in 0..5 {
+            rate_limit.send(100, now);
+            let ready = rate_limit.ready_at().unwrap_or(now);
+            assert!(ready - now <= MOST_PATIENCE, "{:?}", ready - now);
+            now = ready;
+        }
+    }
+
+    /// The answer to a question that was given up is none to the next: the line used to be thought a fast one.
+    #[test]
+    fn late_answer_makes_no_line_faster() {
+        let line = Line {
+            rate: 960.0,
+            way: 0.01,
+        };
+        let mut rate_limit = RateLimit::new(None);
+        line.frames(&mut rate_limit, 20, 3000);
+        let room = rate_limit.room();
+        let mut now = Instant::now();
+        rate_limit.send(240, now);
+        now = rate_limit.ready_at().unwrap();
+        assert!(rate_limit.send(240, now));
+        rate_limit.answered(now + MOMENT);
+        assert_eq!(rate_limit.room(), room);
+        // What comes after that is to be believed again.
+        now += PATIENCE;
+        rate_limit.send(240, now);
+        rate_limit.answered(now + Duration::from_millis(20));
+        assert!(rate_limit.room() > room);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
-use super::keyboard::{Keyboard, TerminalInput};
+use super::intake::{Arrival, FAREWELL, Intake, IntakeEnds, Parting, SharedIntake, is_gone};
+use super::keyboard::TerminalInput;
 use super::line::Wire;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
@@ -19,11 +20,12 @@ use crossterm::terminal::{
 use ratatui::layout::Size;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags, open};
-use rustix::io::{Errno, read, write};
+use rustix::io::{Errno, write};
 use rustix::termios::{OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr};
 use std::io;
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Text that is pasted comes marked as such.
@@ -34,11 +36,6 @@ const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1002l";
 /// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
 const CUT: &[u8] = b"\x18";
-
-/// How long a stalled line may hold up leaving.
-const FAREWELL: Duration = Duration::from_millis(500);
-/// What is read before a frame is drawn; a terminal's queue holds no more.
-const MOST_AT_ONCE: usize = 4096;
 
 /// What a terminal is taken for that reports no size: a serial console, mostly.
 const USUAL_SIZE: Size = Size::new(80, 24);
@@ -69,7 +66,8 @@ pub(crate) enum Wake {
 /// The terminal, taken over. Dropping it puts the terminal back.
 #[derive(Debug)]
 pub(crate) struct Tty {
-    keys: OwnedFd,
+    ends: IntakeEnds,
+    intake: Arc<SharedIntake>,
     screen: OwnedFd,
     /// The modes as they were found, and as they are set while it is held.
     found: Termios,
@@ -82,9 +80,7 @@ pub(crate) struct Tty {
     hung_up: bool,
     /// Whether the last frame was not written to its end.
     cut: bool,
-    signals: Signals,
     watch: Watch,
-    keyboard: Keyboard,
     rate_limit: RateLimit,
     /// What has come and was not asked for yet.
     wakes: Vec<Wake>,
@@ -102,9 +98,11 @@ impl Tty {
         let screen = terminal_of(io::stdout().as_fd()).ok_or(Error::NoScreen)?;
         let keys = terminal_of(io::stdin().as_fd()).or_else(controlling_terminal);
         let keys = keys.ok_or(Error::NoKeyboard)?;
+        let signals = Signals::new()?;
         let mut tty = Tty {
             found: tcgetattr(&keys).map_err(io::Error::from)?,
-            keys,
+            ends: IntakeEnds::of(keys.as_fd(), &signals)?,
+            intake: SharedIntake::watched(Intake::new(keys, signals)),
             screen,
             modern: capability.modern,
             mouse: false,
@@ -112,9 +110,7 @@ impl Tty {
             entered: false,
             hung_up: false,
             cut: false,
-            signals: Signals::new()?,
             watch: Watch::new(),
-            keyboard: Keyboard::default(),
             rate_limit: RateLimit::new(None),
             wakes: Vec::new(),
         };
@@ -128,7 +124,8 @@ impl Tty {
         self.rate_limit = RateLimit::new(Wire::of(&self.screen).and_then(Wire::rate));
         let mut raw = self.found.clone();
         raw.make_raw();
-        tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
+        self.prepare_parting();
+        tcsetattr(&self.ends.keys, OptionalActions::Now, &raw)?;
         // The painter clears.
         let mut bytes = Vec::new();
         queue(&mut bytes, EnterAlternateScreen);
@@ -148,6 +145,14 @@ impl Tty {
             return;
         }
         self.await_answer();
+        let bytes = self.parting();
+        let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
+        let _ = tcsetattr(&self.ends.keys, OptionalActions::Now, &self.found);
+        self.prepare_parting();
+    }
+
+    /// What puts the screen back as it was found.
+    fn parting(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         if self.cut {
             bytes.extend_from_slice(CUT);
@@ -168,8 +173,17 @@ impl Tty {
         queue(&mut bytes, MoveTo(0, 0));
         queue(&mut bytes, Show);
         queue(&mut bytes, LeaveAlternateScreen);
-        let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
-        let _ = tcsetattr(&self.keys, OptionalActions::Now, &self.found);
+        bytes
+    }
+
+    /// Lets the terminal be put back while the main thread computes.
+    fn prepare_parting(&self) {
+        let screen = self.screen.try_clone().ok().filter(|_| self.entered);
+        self.intake.lock().parting = screen.map(|screen| Parting {
+            screen,
+            modes: self.found.clone(),
+            bytes: self.parting(),
+        });
     }
 
     /// Stops the program until it is continued; does nothing where nobody could continue it.
@@ -181,8 +195,17 @@ impl Tty {
         self.leave();
         signals::stop()?;
         let woken_by = |n: &Notice| matches!(n, Notice::Continued | Notice::Suspend);
-        let others = self.signals.pending().into_iter().filter(|n| !woken_by(n));
-        self.wakes.extend(others.map(Wake::Notice));
+        let mut intake = self.intake.lock();
+        intake.collect()?;
+        let others = intake
+            .take()
+            .into_iter()
+            .filter_map(|arrival| match arrival {
+                Arrival::Notice(notice) if !woken_by(&notice) => Some(Wake::Notice(notice)),
+                Arrival::Notice(_) | Arrival::Input(..) => None,
+            });
+        self.wakes.extend(others);
+        drop(intake);
         self.enter()
     }
 
@@ -253,6 +276,7 @@ impl Tty {
             return Ok(());
         }
         self.mouse = wanted;
+        self.prepare_parting();
         self.say(if wanted { MOUSE_ON } else { MOUSE_OFF })
     }
 
@@ -266,6 +290,7 @@ impl Tty {
     /// The same for a still picture. What takes it away is sent on every way out.
     pub(crate) fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
         self.removal = still.removal;
+        self.prepare_parting();
         self.say(&still.bytes)
     }
 
@@ -275,8 +300,12 @@ impl Tty {
     }
 
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        let was_cut = self.cut;
         self.cut = true;
         self.cut = !self.write_until(bytes, None)?;
+        if self.cut != was_cut {
+            self.prepare_parting();
+        }
         Ok(())
     }
 
@@ -287,21 +316,26 @@ impl Tty {
             return;
         };
         while !self.hung_up && Instant::now() < until {
-            let mut inputs = Vec::new();
-            let read = self
-                .poll(Some(until), PollFlags::empty(), None)
-                .and_then(|told| self.read_keys(told.keys, &mut inputs));
-            if read.is_err() || inputs.contains(&TerminalInput::Answer) {
+            if self.poll(Some(until), PollFlags::empty(), None).is_err() {
                 return;
             }
             // Another signal changes nothing, nor does the scene's file: we are leaving.
-            self.signals.pending();
+            let mut intake = self.intake.lock();
+            let read = intake.collect();
+            let is_answer = |arrival| matches!(arrival, Arrival::Input(TerminalInput::Answer, _));
+            if read.is_err() || intake.take().into_iter().any(is_answer) {
+                return;
+            }
+            self.hung_up |= intake.hung_up;
+            drop(intake);
             self.watch.told();
         }
     }
 
     /// Writes, and says whether everything was written.
     fn write_until(&mut self, mut bytes: &[u8], deadline: Option<Instant>) -> io::Result<bool> {
+        // Not while the terminal is being put back.
+        drop(self.intake.lock());
         while !bytes.is_empty() && !self.hung_up {
             match write(&self.screen, bytes) {
                 Ok(n) => bytes = &bytes[n..],
@@ -338,7 +372,8 @@ impl Tty {
     ) -> io::Result<Vec<Wake>> {
         loop {
             let at_once = (!self.wakes.is_empty()).then(Instant::now);
-            let until = [deadline, self.keyboard.deadline(), at_once];
+            let unfinished = self.intake.lock().keyboard.deadline();
+            let until = [deadline, unfinished, at_once];
             let until = until.into_iter().flatten().min();
             let told = self.poll(until, PollFlags::empty(), bell)?;
             self.collect(told)?;
@@ -356,29 +391,23 @@ impl Tty {
 
     /// Takes in what signals and keys have come.
     fn collect(&mut self, told: Told) -> io::Result<()> {
-        self.hung_up |= gone(told.screen);
-        let notices = self.signals.pending().into_iter();
-        self.wakes.extend(notices.map(Wake::Notice));
+        self.hung_up |= is_gone(told.screen);
         if self.watch.told() {
             self.wakes.push(Wake::Written);
         }
-        let mut inputs = Vec::new();
-        self.read_keys(told.keys, &mut inputs)?;
-        let now = Instant::now();
-        if self
-            .keyboard
-            .deadline()
-            .is_some_and(|deadline| deadline <= now)
-        {
-            self.keyboard.give_up(&mut inputs);
-        }
-        for input in inputs {
-            self.wakes.push(match input {
-                TerminalInput::Key(key) => Wake::Key(key),
-                TerminalInput::Paste(text) => Wake::Paste(text),
-                TerminalInput::Mouse(mouse) => Wake::Mouse(mouse),
-                TerminalInput::Answer => {
-                    self.rate_limit.answered(now);
+        let mut intake = self.intake.lock();
+        intake.collect()?;
+        self.hung_up |= intake.hung_up;
+        let arrivals = intake.take();
+        drop(intake);
+        for arrival in arrivals {
+            self.wakes.push(match arrival {
+                Arrival::Notice(notice) => Wake::Notice(notice),
+                Arrival::Input(TerminalInput::Key(key), _) => Wake::Key(key),
+                Arrival::Input(TerminalInput::Paste(text), _) => Wake::Paste(text),
+                Arrival::Input(TerminalInput::Mouse(mouse), _) => Wake::Mouse(mouse),
+                Arrival::Input(TerminalInput::Answer, at) => {
+                    self.rate_limit.answered(at);
                     Wake::Room
                 }
             });
@@ -393,9 +422,26 @@ impl Tty {
         screen: PollFlags,
         bell: Option<BorrowedFd<'_>>,
     ) -> io::Result<Told> {
+        let has_come = self.intake.rest();
+        let until = if has_come {
+            Some(Instant::now())
+        } else {
+            until
+        };
+        let told = self.poll_ends(until, screen, bell);
+        self.intake.work();
+        told
+    }
+
+    fn poll_ends(
+        &self,
+        until: Option<Instant>,
+        screen: PollFlags,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Told> {
         let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
-        let keys = PollFd::new(&self.keys, PollFlags::IN);
-        let signals = PollFd::new(&self.signals, PollFlags::IN);
+        let keys = PollFd::new(&self.ends.keys, PollFlags::IN);
+        let signals = PollFd::new(&self.ends.signals, PollFlags::IN);
         let screen = PollFd::new(&self.screen, screen);
         // Where nothing is watched, the place is taken by what is waited on anyway.
         let or_signals = |fd: Option<_>| match fd {
@@ -406,7 +452,6 @@ impl Tty {
         let mut fds = [keys, signals, screen, watched, rings];
         match poll(&mut fds, timeout.as_ref()) {
             Ok(_) => Ok(Told {
-                keys: fds[0].revents(),
                 screen: fds[2].revents(),
                 bell: match bell {
                     Some(_) => fds[4].revents(),
@@ -417,36 +462,18 @@ impl Tty {
             Err(error) => Err(error.into()),
         }
     }
-
-    /// Reads once, which never blocks after a poll. The end of the file and an error of the device
-    /// mean that the terminal is gone.
-    fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<TerminalInput>) -> io::Result<()> {
-        if told.is_empty() {
-            return Ok(());
-        }
-        let mut buffer = [0; MOST_AT_ONCE];
-        match read(&self.keys, &mut buffer) {
-            Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
-            Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),
-            // Nothing to read, and yet poll returned: without this the loop would spin.
-            Err(Errno::AGAIN) => self.hung_up |= gone(told),
-            Err(Errno::INTR) => {}
-            Err(error) => return Err(error.into()),
-        }
-        Ok(())
-    }
 }
 
 impl Drop for Tty {
     fn drop(&mut self) {
         self.leave();
+        self.intake.leave();
     }
 }
 
-/// What poll says of both directions.
+/// What poll says of the screen and of the bell.
 #[derive(Clone, Copy, Debug)]
 struct Told {
-    keys: PollFlags,
     screen: PollFlags,
     bell: PollFlags,
 }
@@ -454,7 +481,6 @@ struct Told {
 impl Default for Told {
     fn default() -> Self {
         Told {
-            keys: PollFlags::empty(),
             screen: PollFlags::empty(),
             bell: PollFlags::empty(),
         }
@@ -467,11 +493,6 @@ fn ends(wake: &Wake) -> bool {
         wake,
         Wake::HungUp | Wake::Notice(Notice::End(_)) | Wake::Key(Key::Ctrl('c'))
     )
-}
-
-/// Whether what poll says means that the terminal is gone.
-fn gone(events: PollFlags) -> bool {
-    events.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
 }
 
 /// A descriptor of our own for the terminal behind `fd`, which never blocks; `None` if it is none.

@@ -3,6 +3,7 @@
 mod candidates;
 mod monkey;
 mod mouse;
+mod slow_line;
 mod tolerances;
 
 use super::app::{App, View};

@@ -156,6 +156,9 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "turns fully; the motion repeats after {period} {unit}";
         range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
+        range_errors(low: &str, high: &str) = "error of the lower end {low}, of the upper end {high}";
+        end_error(bound: &str, unit: &str) = "at most {bound} {unit}";
+        end_error_not_proved = "not proved";
         never_met(name: &str, low: &str, high: &str, unit: &str) =
             "never met: {name} from {low} to {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
@@ -166,6 +169,8 @@ catalogue! {
         equal_as_typed = "lengths count as equal where they are equal as typed";
         equal_within(tolerance: &str, unit: &str) =
             "lengths count as equal within {tolerance} {unit}: coordinates have been rounded";
+        ends_lined_up(at: &str, unit: &str, group: &str) =
+            "the links at {group} line up at {at} {unit}, where the range ends: it is not proved how the motion goes on";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
             "all but a change point or a dead point at {at} {unit}: the sine of the transmission angle at \
              {group} is {sine}; the motion keeps its assembly";

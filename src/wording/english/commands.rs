@@ -149,6 +149,7 @@ catalogue! {
         // How far a command has come.
         parts = "parts";
         rows = "rows";
+        best_so_far(value: &str) = "best {value}";
         done_of(done: &str, total: &str, what: &str) = "{done} of {total} {what}";
         seconds_left(seconds: f64) = "{seconds} s left";
         minutes_left(minutes: f64, seconds: f64) = "{minutes} min {seconds} s left";

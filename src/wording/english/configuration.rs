@@ -17,6 +17,13 @@ catalogue! {
         separator_is_decimal = "`separator` cannot be a comma where `decimal` is one";
         take_a_semicolon = "write \"semicolon\" or \"tab\"";
 
+        ignored(first: &str, more: usize) = {
+            match more {
+                0 => first.to_owned(),
+                _ => format!("{first}, and {more} more"),
+            }
+        };
+
         // Actions.
         unknown_action(name: &str) = "[keys]: unknown action {name}";
         unknown_action_here = "unknown action";
@@ -58,7 +65,8 @@ catalogue! {
 # ~/.config/krank/config.toml where that is not set. krank never writes it.
 #
 # Everything here is commented out and says what is built in: take away the # before a
-# line to change it. What is wrong is told with its line when krank starts.
+# line to change it. What is wrong is told with its line when krank starts; names that it
+# does not know are left out.
 
 ";
         for_a_ground(values: &str) = "for a ground: {values}";

@@ -108,6 +108,8 @@ starts proves nothing of designs that it has not found.";
              number behind / out";
         too_many_designs(most: &str) = "the grid has more than {most} designs: take fewer places, or --latin";
         no_part(text: &str) = "`{text}` is no part: write 3/64 for the third of 64";
+        disk_without_locks(file: &str) =
+            "{file}: this disk has no file locks; do not start a second study on it";
         resume_needs_file = "--resume goes on with a file of CSV: name it with -o";
         chart_needs_grid(most: &str) =
             "a chart is of a grid of one or two values, all of its parts, and at most {most} designs";
@@ -116,6 +118,9 @@ starts proves nothing of designs that it has not found.";
         designs = "designs";
         file_of_other_study(file: &str, line: u64) =
             "{file} is not of this study: line {line} is another one. Leave --resume out to write it anew";
+        row_was_changed(file: &str, line: u64) =
+            "line {line} of {file} is not what this study writes there: it was changed. Restore it, or leave \
+             --resume out to write the file anew";
         file_goes_on(file: &str, done: u64, all: u64) = "{file} has {done} of {all} designs already";
         designs_left_out(open: u64, unreadable: u64, all: u64) =
             "of {all} designs {open} do not assemble as the scene does, and {unreadable} make no scene: their rows say why";

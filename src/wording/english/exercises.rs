@@ -75,10 +75,20 @@ catalogue! {
              was wrong before.";
         first_that_differs(figure: &str, verdict: &str) = "The first that differs is {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "The first mistake is {figure}: {verdict}.";
+        value_misread(name: &str, given: &str, read: &str) =
+            "These answers are right for `{name}` = {read} in place of {given}: it may have been misread.";
         judged_besides = "These were not asked for, and are worth no point:";
-        strange_units(figures: &str) =
-            "Units that are not known, or measure something else, were taken for those that were asked for: {figures}.";
-        no_figures_of_scene(names: &str) = "No figures of this scene: {names}.";
+        strange_units(cells: &str) =
+            "Units that are not known, or measure something else: {cells}. An unknown unit counts as the one that was \
+             asked for.";
+        answers_unread(cells: &str) = "Answers that are no numbers: {cells}.";
+        answered_again(cells: &str) = "Answers that do not count, since a later row answers the same: {cells}.";
+        no_figures_of_scene(cells: &str) = "Rows that name no figure of this scene: {cells}.";
+        cell_of_line(line: u64, figure: &str, text: &str) = "{figure} [{text}] in line {line}";
+        decoded_as(encoding: &str) =
+            "The file is not UTF-8; it was read as {encoding}, which includes ISO 8859-9.";
+        file_decoded_as(file: &str, encoding: &str) =
+            "`{file}` is not UTF-8; it was read as {encoding}, which includes ISO 8859-9";
 
         // What the commands cannot do.
         no_exercise(seed: u64) =

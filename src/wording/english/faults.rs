@@ -142,6 +142,7 @@ catalogue! {
 
         // What stands before each part of a message.
         level_error = "error";
+        level_warning = "warning";
         level_note = "note";
         level_help = "help";
     }

@@ -8,6 +8,7 @@ catalogue! {
     trait FilesWords for English {
         // What stands where a file should.
         is_a_folder = "it is a folder";
+        pipe_without_writer = "it is a pipe to which nobody writes";
         is_a_pipe = "it is a pipe, not a file";
         is_a_socket = "it is a socket, not a file";
         is_a_device = "it is a device, not a file";
@@ -19,6 +20,8 @@ catalogue! {
         // Why a file is not written.
         exists_already = "there is such a file already";
         changed_on_disk = "it has changed on disk";
+        changed_while_it_grew =
+            "it was deleted, replaced or changed while rows were added to it; no more rows were written";
         is_read_only = "it is read-only";
         another_is_writing = "another program is writing there";
         no_journal = "it cannot be replaced, and no state folder keeps its old text while it is written";

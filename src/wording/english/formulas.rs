@@ -32,6 +32,7 @@ catalogue! {
         };
 
         number_too_large(number: &str) = "the number {number} is too large";
+        number_too_small(number: &str) = "the number {number} is too small";
         number_with_comma(head: &str, tail: &str) =
             "a comma stands between figures, and in a formula a number has a point: `{head}.{tail}`";
 

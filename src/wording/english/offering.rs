@@ -6,6 +6,8 @@ use std::fmt::Display;
 catalogue! {
     /// The offer of unsaved edits.
     trait OfferingWords for English {
+        edits_kept_nowhere =
+            "edits are not kept for recovery: set HOME or XDG_STATE_HOME to an absolute path";
         edits_not_kept(folder: &dyn Display, why: &dyn Display) =
             "edits are not kept for recovery: {folder}: {why}";
         others_have_edits = "others have edits of this scene: open it again to see";

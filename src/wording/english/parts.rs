@@ -132,7 +132,7 @@ catalogue! {
         not_joined_to_ground = "not joined to the ground";
         none_in_ground = "none of its points is in [ground]";
         put_into_ground = "put one of its points into [ground]: A = [0, 0]";
-        or_name_its_seat = "or name the link that its motor sits on: from = \"r2\"";
+        or_name_its_seat(link: &str) = "or name the link that its motor sits on: from = \"{link}\"";
         links_with_ground_point(names: &str) = "links with a ground point: {names}";
 
         input_called(name: &str) = "input {name}";

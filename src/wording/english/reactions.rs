@@ -92,7 +92,7 @@ catalogue! {
             "x and y from {point}, moments about it. The equations of motion:";
         motion_about_accelerated(point: &str) =
             "x and y from {point}, moments about it. The equations of motion, with the acceleration \
-             of {point} in m/s^2:";
+             of {point} in \u{e000}m/s^2:";
         guide_of(slide: &str) = "guide of {slide}";
         slider_of(slide: &str) = "slider of {slide}";
         pin_by(link: &str, point: &str, by: &str) = "{link} at {point} by {by}";

@@ -18,6 +18,18 @@ catalogue! {
         unknown_key_in(of: &str, key: &str) = "{of}: unknown key {key}";
         unknown_key_here = "unknown key";
         known_keys(names: &str) = "known keys: {names}";
+        no_gears_yet = "krank does not model gears yet";
+        no_cams_yet = "krank does not model cams yet";
+        no_belts_yet = "krank does not model belts and chains yet";
+        no_friction_yet = "krank does not model friction yet: its forces are those of frictionless joints";
+        no_contacts_yet = "krank does not model contacts yet";
+        motion_is_given =
+            "krank does not compute a motion from a force or torque: give the speed; loads stand in [[loads]]";
+        krank_reads_toml = "a scene is a TOML file: `krank help scene` describes it";
+        is_an_address = "this is an internet address, not a scene";
+        is_a_pmks_address = "this is the address of a PMKS+ mechanism, which krank does not read";
+        is_json = "this is JSON, not TOML";
+        is_json_of_pmks = "this is the JSON of a PMKS+ mechanism, which krank does not read";
 
         // Values.
         must_be(what: &str, wanted: &str, found: &str) = "{what} must be {wanted}, not {found}";
@@ -58,12 +70,14 @@ catalogue! {
         // What people mostly meant.
         comments_begin_with = "a comment begins with #";
         quote_the_name = "a name with ' in it is quoted: \"B'\" = [0, 0]";
-        decimals_have_a_point = "decimals are written with a point: 0.5";
+        has_decimal_comma(number: &str) = "the number `{number}` has a decimal comma";
+        decimals_have_a_point(number: &str) = "decimals are written with a point: {number}";
         write_key_and_value = "write key = value";
         quote_texts_and_names = "texts and names are quoted: \"A\"";
         separate_by_commas = "the values of a list are separated by commas: [0, 0]";
         quote_with_unit(number: &str, unit: &str) =
             "a number with a unit stands in quotes: \"{number} {unit}\"";
+        angle_alone(number: &str) = "angles are in degrees: write the number alone: {number}";
         number_alone_or_unit(number: &str) =
             "write the number alone: {number}; or in quotes, with a unit: \"{number} mm\"";
 

@@ -39,7 +39,7 @@ catalogue! {
         range_of_driver = "the stops of the driver `[low, high]`, in deg or of a driven slide in the scene's `unit`";
         link_and_from_where = "the link whose angle is limited, and the link from which it is seen";
         ends_of_an_angle = "its ends `[low, high]` in deg, less than a turn apart";
-        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; of a slide `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
+        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"` or `\"143.2 d/dk\"`; of a slide `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
         acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; of a slide `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
         motion_of_driver = "or how it moves over time, step by step: `[{ law = \"cycloidal\", to = 120, time = 0.5 }, { dwell = 0.2 }, { law = \"harmonic\", to = 0, time = 0.4 }]`";
         law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"` or `\"table\"`";

@@ -29,6 +29,14 @@ catalogue! {
              tolerances too; not proved";
         worst_at_edge =
             "estimated: searched up to where the figure ceases to exist; not proved";
+        worst_unbounded =
+            "it grows beyond all bounds towards an edge of assembly within the tolerances";
+        no_worst_case(why: &str) = "none: {why}";
+        worst_at_least(low: &str, below: &str) = "at least {low} ({below})";
+        worst_above(why: &str) = "greatest: none: {why}";
+        worst_at_most(high: &str, above: &str) = "at most {high} ({above})";
+        worst_below(why: &str) = "least: none: {why}";
+        worst_beside_unbounded = "the other end is estimated: searched along the edge; not proved";
         worst_by_derivatives =
             "estimated: solved where the derivatives point to; not proved";
         worst_sampled =

@@ -150,6 +150,9 @@ catalogue! {
         range_full(period: &dyn Display, unit: &str) =
             "tam döner; hareket {period} {unit} sonra yinelenir";
         range_limited(low: &str, high: &str, unit: &str) = "{low} .. {high} {unit}";
+        range_errors(low: &str, high: &str) = "alt ucun hatası {low}, üst ucun hatası {high}";
+        end_error(bound: &str, unit: &str) = "en çok {bound} {unit}";
+        end_error_not_proved = "kanıtlanmadı";
         never_met(name: &str, low: &str, high: &str, unit: &str) =
             "hiç ulaşılmıyor: {name}, {low} ile {high} {unit} arası";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
@@ -160,6 +163,9 @@ catalogue! {
         equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
         equal_within(tolerance: &str, unit: &str) =
             "farkı {tolerance} {unit} içinde kalan boylar eşit sayılır: koordinatlar yuvarlanmış";
+        ends_lined_up(at: &str, unit: &str, group: &str) =
+            "{group} uzuvları {at} {unit} konumunda bir doğru üzerine gelir ve aralık orada biter: hareketin nasıl \
+             sürdüğü kanıtlanamadı";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
             "neredeyse değişim ya da ölü konum: {at} {unit}, bağlama açısının sinüsü {sine}, {group}; \
              hareket montaj biçimini korur";

@@ -154,6 +154,7 @@ catalogue! {
         // How far a command has come.
         parts = "parça";
         rows = "satır";
+        best_so_far(value: &str) = "en iyi {value}";
         done_of(done: &str, total: &str, what: &str) = "{done} / {total} {what}";
         seconds_left(seconds: f64) = "{seconds} s kaldı";
         minutes_left(minutes: f64, seconds: f64) = "{minutes} dk {seconds} s kaldı";

@@ -17,6 +17,13 @@ catalogue! {
         separator_is_decimal = "`decimal` virgülken `separator` virgül olamaz";
         take_a_semicolon = "\"semicolon\" ya da \"tab\" yaz";
 
+        ignored(first: &str, more: usize) = {
+            match more {
+                0 => first.to_owned(),
+                _ => format!("{first}, ve {more} tane daha"),
+            }
+        };
+
         // Actions.
         unknown_action(name: &str) = "[keys]: bilinmeyen eylem {name}";
         unknown_action_here = "bilinmeyen eylem";
@@ -58,7 +65,8 @@ catalogue! {
 # ~/.config/krank/config.toml dosyasından okunur. krank onu hiç yazmaz.
 #
 # Buradaki her satır kapalıdır ve yerleşik olanı söyler: değiştirmek için satırın
-# başındaki # işaretini kaldır. Yanlış olan, krank açılırken satırıyla söylenir.
+# başındaki # işaretini kaldır. Yanlış olan, krank açılırken satırıyla söylenir; krank'ın
+# tanımadığı adlar atlanır.
 
 ";
         for_a_ground(values: &str) = "zemine göre: {values}";

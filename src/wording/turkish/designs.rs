@@ -107,6 +107,8 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         too_many_designs(most: &str) =
             "ızgarada {most} tasarımdan fazlası var: daha az yer verin ya da --latin kullanın";
         no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yazın";
+        disk_without_locks(file: &str) =
+            "{file}: bu diskte dosya kilidi yok; aynı dosyaya ikinci bir çalışma başlatma";
         resume_needs_file = "--resume bir CSV dosyasını sürdürür: dosyayı -o ile belirtin";
         chart_needs_grid(most: &str) =
             "çizim, bir ya da iki değerin ızgarasından, bütün parçalarıyla ve en çok {most} tasarımla yapılır";
@@ -115,6 +117,9 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         designs = "tasarım";
         file_of_other_study(file: &str, line: u64) =
             "{file} bu çalışmanın dosyası değil: {line}. satırı farklı. Baştan yazmak için --resume seçeneğini kaldırın";
+        row_was_changed(file: &str, line: u64) =
+            "{file} dosyasının {line}. satırı bu çalışmanın yazdığı değil: değiştirilmiş. Satırı geri getirin ya \
+             da baştan yazmak için --resume seçeneğini kaldırın";
         file_goes_on(file: &str, done: u64, all: u64) = "{file} içinde {all} tasarımın {done} tanesi hazır";
         designs_left_out(open: u64, unreadable: u64, all: u64) =
             "{all} tasarımın {open} tanesi sahnedeki gibi kurulamıyor, {unreadable} tanesi bir sahne vermiyor: nedeni \

@@ -74,10 +74,19 @@ catalogue! {
              önceki yanlışa göre doğru.";
         first_that_differs(figure: &str, verdict: &str) = "İlk ayrılan {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "İlk hata {figure}: {verdict}.";
+        value_misread(name: &str, given: &str, read: &str) =
+            "Bu cevaplar `{name}` {given} yerine {read} olsaydı doğruydu: yanlış okunmuş olabilir.";
         judged_besides = "Bunlar sorulmamıştı ve puan etmez:";
-        strange_units(figures: &str) =
-            "Bilinmeyen ya da başka bir şeyi ölçen birimler yerine sorulan birimler alındı: {figures}.";
-        no_figures_of_scene(names: &str) = "Bu sahnede olmayan değerler: {names}.";
+        strange_units(cells: &str) =
+            "Bilinmeyen ya da başka bir şeyi ölçen birimler: {cells}. Bilinmeyen birim yerine sorulan birim alındı.";
+        answers_unread(cells: &str) = "Sayı olmayan cevaplar: {cells}.";
+        answered_again(cells: &str) = "Sonraki bir satır aynısını cevapladığı için sayılmayan cevaplar: {cells}.";
+        no_figures_of_scene(cells: &str) = "Bu sahnenin hiçbir değerini söylemeyen satırlar: {cells}.";
+        cell_of_line(line: u64, figure: &str, text: &str) = "{line}. satırda {figure} [{text}]";
+        decoded_as(encoding: &str) =
+            "Dosya UTF-8 değil; ISO 8859-9'u da içeren {encoding} olarak okundu.";
+        file_decoded_as(file: &str, encoding: &str) =
+            "`{file}` UTF-8 değil; ISO 8859-9'u da içeren {encoding} olarak okundu";
 
         // What the commands cannot do.
         no_exercise(seed: u64) =

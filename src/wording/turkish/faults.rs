@@ -128,6 +128,7 @@ catalogue! {
 
         // What stands before each part of a message.
         level_error = "hata";
+        level_warning = "uyarı";
         level_note = "not";
         level_help = "yardım";
     }

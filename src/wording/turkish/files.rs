@@ -8,6 +8,7 @@ catalogue! {
     impl FilesWords for Turkish {
         // What stands where a file should.
         is_a_folder = "bu bir klasör";
+        pipe_without_writer = "bu, kimsenin yazmadığı bir boru";
         is_a_pipe = "bu bir boru, dosya değil";
         is_a_socket = "bu bir soket, dosya değil";
         is_a_device = "bu bir aygıt, dosya değil";
@@ -19,6 +20,8 @@ catalogue! {
         // Why a file is not written.
         exists_already = "böyle bir dosya zaten var";
         changed_on_disk = "diskte değişmiş";
+        changed_while_it_grew =
+            "satırlar eklenirken silindi, değiştirildi ya da yerine başka bir dosya kondu; başka satır yazılmadı";
         is_read_only = "salt okunur";
         another_is_writing = "oraya başka bir program yazıyor";
         no_journal = "değiştirilemiyor, yazılırken eski metnini saklayacak durum klasörü de yok";

@@ -31,6 +31,7 @@ catalogue! {
         };
 
         number_too_large(number: &str) = "{number} sayısı çok büyük";
+        number_too_small(number: &str) = "{number} sayısı çok küçük";
         number_with_comma(head: &str, tail: &str) =
             "virgül büyüklüklerin arasında durur, formülde sayının noktası olur: `{head}.{tail}`";
 

@@ -6,6 +6,8 @@ use std::fmt::Display;
 
 catalogue! {
     impl OfferingWords for Turkish {
+        edits_kept_nowhere =
+            "düzenlemeler kurtarma için saklanmıyor: HOME ya da XDG_STATE_HOME mutlak bir yol olmalı";
         edits_not_kept(folder: &dyn Display, why: &dyn Display) = {
             let why = parser::of_system(why);
             format!("değişiklikler kurtarma için saklanmıyor: {folder}: {why}")

@@ -146,7 +146,7 @@ catalogue! {
         not_joined_to_ground = "şaseye bağlı değil";
         none_in_ground = "hiçbir noktası [ground] içinde değil";
         put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
-        or_name_its_seat = "ya da motorunun üzerinde durduğu uzvu yaz: from = \"r2\"";
+        or_name_its_seat(link: &str) = "ya da motorunun üzerinde durduğu uzvu yaz: from = \"{link}\"";
         links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
 
         input_called(name: &str) = "giriş {name}";

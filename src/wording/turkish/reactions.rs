@@ -90,7 +90,7 @@ catalogue! {
         motion_about(point: &str) =
             "x ve y {point} noktasından, momentler ona göre. Hareket denklemleri:";
         motion_about_accelerated(point: &str) =
-            "x ve y {point} noktasından, momentler ona göre. {point} noktasının ivmesi m/s^2 olarak \
+            "x ve y {point} noktasından, momentler ona göre. {point} noktasının ivmesi \u{e000}m/s^2 olarak \
              hareket denklemleri:";
         guide_of(slide: &str) = "{slide} kılavuzu";
         slider_of(slide: &str) = "{slide} sürgüsü";

@@ -20,6 +20,18 @@ catalogue! {
         unknown_key_in(of: &str, key: &str) = "{of}: bilinmeyen anahtar {key}";
         unknown_key_here = "bilinmeyen anahtar";
         known_keys(names: &str) = "bilinen anahtarlar: {names}";
+        no_gears_yet = "krank henüz dişlileri modellemez";
+        no_cams_yet = "krank henüz kamları modellemez";
+        no_belts_yet = "krank henüz kayış ve zincirleri modellemez";
+        no_friction_yet = "krank henüz sürtünmeyi modellemez: kuvvetleri sürtünmesiz mafsallar içindir";
+        no_contacts_yet = "krank henüz temasları modellemez";
+        motion_is_given =
+            "krank bir kuvvetten ya da momentten hareket hesaplamaz: hızı ver; yükler [[loads]] içindedir";
+        krank_reads_toml = "sahne bir TOML dosyasıdır: `krank help scene` onu anlatır";
+        is_an_address = "bu bir internet adresi, sahne değil";
+        is_a_pmks_address = "bu bir PMKS+ mekanizmasının adresi; krank onu okumaz";
+        is_json = "bu JSON, TOML değil";
+        is_json_of_pmks = "bu bir PMKS+ mekanizmasının JSON'u; krank onu okumaz";
 
         // Values.
         must_be(what: &str, wanted: &str, found: &str) = "{what} {wanted} olmalı, {found} değil";
@@ -60,12 +72,14 @@ catalogue! {
         // What people mostly meant.
         comments_begin_with = "açıklama # ile başlar";
         quote_the_name = "içinde ' olan ad tırnağa alınır: \"B'\" = [0, 0]";
-        decimals_have_a_point = "ondalıklar noktayla yazılır: 0.5";
+        has_decimal_comma(number: &str) = "`{number}` sayısında ondalık virgülü var";
+        decimals_have_a_point(number: &str) = "ondalıklar noktayla yazılır: {number}";
         write_key_and_value = "anahtar = değer yaz";
         quote_texts_and_names = "metinler ve adlar tırnağa alınır: \"A\"";
         separate_by_commas = "bir listenin değerleri virgülle ayrılır: [0, 0]";
         quote_with_unit(number: &str, unit: &str) =
             "birimli sayı tırnak içinde durur: \"{number} {unit}\"";
+        angle_alone(number: &str) = "açılar derecedir: yalnız sayıyı yaz: {number}";
         number_alone_or_unit(number: &str) =
             "yalnız sayıyı yaz: {number}; ya da tırnak içinde, birimiyle: \"{number} mm\"";
 

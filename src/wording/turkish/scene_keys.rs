@@ -39,7 +39,7 @@ catalogue! {
         range_of_driver = "tahrikin dayamaları `[low, high]`, deg ya da itilen bir kızakta sahnenin `unit` biriminde";
         link_and_from_where = "açısı sınırlanan uzuv ve görüldüğü uzuv";
         ends_of_an_angle = "uçları `[low, high]`, deg olarak, araları bir turdan az";
-        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"`; kızakta `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
+        speed_of_driver = "`\"15 rad/s\"`, `\"90 deg/s\"`, `\"143.2 rpm\"` ya da `\"143.2 d/dk\"`; kızakta `\"50 mm/s\"` (`cm/s`, `m/s`, `in/s`)";
         acceleration_of_driver = "`\"2 rad/s^2\"`, `\"90 deg/s^2\"`; kızakta `\"5 mm/s^2\"` (`cm/s^2`, `m/s^2`, `in/s^2`)";
         motion_of_driver = "ya da zamana göre nasıl hareket ettiği, adım adım: `[{ law = \"cycloidal\", to = 120, time = 0.5 }, { dwell = 0.2 }, { law = \"harmonic\", to = 0, time = 0.4 }]`";
         law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"` ya da `\"table\"`";

@@ -29,6 +29,13 @@ catalogue! {
             "tahmin: bir boyla hem artıp hem azalıyor; en kötüsü toleransların içinde de arandı, \
              kanıtlanmadı";
         worst_at_edge = "tahmin: büyüklüğün var olduğu sınıra kadar arandı, kanıtlanmadı";
+        worst_unbounded = "toleranslar içindeki bir montaj sınırına doğru sınırsız büyüyor";
+        no_worst_case(why: &str) = "yok: {why}";
+        worst_at_least(low: &str, below: &str) = "en az {low} ({below})";
+        worst_above(why: &str) = "en büyüğü: yok: {why}";
+        worst_at_most(high: &str, above: &str) = "en çok {high} ({above})";
+        worst_below(why: &str) = "en küçüğü: yok: {why}";
+        worst_beside_unbounded = "öteki uç tahmin: sınır boyunca arandı, kanıtlanmadı";
         worst_by_derivatives = "tahmin: türevlerin gösterdiği yerde çözüldü, kanıtlanmadı";
         worst_sampled = "tahmin: bir örnek çözülenlerden daha ileri gidiyor, kanıtlanmadı";
         worst_does_not_close = "kapanan makineler için; hepsi kapanmıyor";

@@ -5,7 +5,14 @@ use std::collections::BTreeMap;
 use std::fs;
 
 /// Each is built for one kind of machine or another, or with a feature or without it, and never both.
-const TWINS: [&str; 5] = ["Canvas", "Output", "Pixels", "Progress", "Watch"];
+const TWINS: [&str; 6] = [
+    "Canvas",
+    "LockOutcome",
+    "Output",
+    "Pixels",
+    "Progress",
+    "Watch",
+];
 
 /// The type that a line of source begins to tell of, if it does; what belongs to another one stands further in.
 fn type_of(line: &str) -> Option<&str> {

@@ -1,7 +1,7 @@
 //! Numbers with a bound on their error.
 
-use super::U;
 use super::double::{two_product, two_sum};
+use super::{TWICE, U};
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -47,6 +47,13 @@ impl Ball {
         }
         let bound = bound * INFLATION + TINY;
         (bound < f64::MAX).then_some(bound)
+    }
+
+    /// A middle that is moved by what it left out, which two roundings and a product have spoilt.
+    #[inline]
+    fn shifted(mid: f64, shift: f64, radius: f64) -> Ball {
+        let (mid, lost) = two_sum(mid, shift);
+        Ball::new(mid, radius + lost.abs() + 4.0 * U * shift.abs())
     }
 
     /// Widened by `more` on both sides.
@@ -158,6 +165,24 @@ impl Number for Ball {
         Ball::new(self.mid * power_of_two, self.radius * power_of_two.abs())
     }
 
+    /// What the constant's double leaves out has a sign, and so has what the product rounds.
+    #[inline]
+    fn times(self, constant: Constant) -> Ball {
+        let Constant { hi, lo, radius, .. } = constant;
+        let (mid, lost) = two_product(self.mid, hi);
+        let radius = radius + TWICE * hi.abs();
+        let carried = self.radius * (hi.abs() + lo.abs() + radius) + self.mid.abs() * radius;
+        Ball::shifted(mid, lost + self.mid * lo, carried)
+    }
+
+    /// As of a product.
+    #[inline]
+    fn plus(self, constant: Constant) -> Ball {
+        let Constant { hi, lo, radius, .. } = constant;
+        let (mid, lost) = two_sum(self.mid, hi);
+        Ball::shifted(mid, lost + lo, self.radius + radius + TWICE * hi.abs())
+    }
+
     /// |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
     #[inline]
     fn sqrt(self) -> Ball {
@@ -232,23 +257,30 @@ impl Number for Ball {
     /// at most r / (n - s).
     fn degrees(direction: Vec2<Ball>) -> Ball {
         let Vec2 { x, y } = direction;
-        let mid = angle::degrees(Vec2::new(x.mid, y.mid));
         let length = x.mid.hypot(y.mid) * (1.0 - 4.0 * U);
         let across = (x.mid.abs() * y.radius + y.mid.abs() * x.radius) / length;
         let least = length - (x.radius + y.radius);
-        if !(least > 0.0) {
-            return Ball::new(mid, f64::INFINITY);
-        }
-        // The platform's atan2 is right to an ulp; then come the conversion and, below the x axis,
-        // the turn that is added. Along an axis there is nothing to round.
-        let rounding = if x.mid == 0.0 || y.mid == 0.0 {
-            0.0
+        let off = if least > 0.0 {
+            (across / least).to_degrees() * (1.0 + 4.0 * U)
         } else {
-            6.0 * U * mid + if y.mid < 0.0 { U * angle::TURN } else { 0.0 }
+            f64::INFINITY
         };
-        Ball::new(
-            mid,
-            (across / least).to_degrees() * (1.0 + 4.0 * U) + rounding,
-        )
+        // Along an axis there is nothing to round.
+        if !(off < f64::INFINITY) || x.mid == 0.0 || y.mid == 0.0 {
+            return Ball::new(angle::degrees(direction.nearest()), off);
+        }
+        // The platform's atan2 is right to an ulp.
+        let radians = y.mid.atan2(x.mid);
+        let radians = Ball::new(radians, 2.0 * half_ulp(radians));
+        let degrees = radians.times(Constant::DEGREES).widened(off);
+        if degrees.mid >= 0.0 {
+            return degrees;
+        }
+        let positive = degrees + Ball::exactly(angle::TURN);
+        if positive.mid < angle::TURN {
+            positive
+        } else {
+            Ball::new(0.0, degrees.largest())
+        }
     }
 }

@@ -59,6 +59,8 @@ fn is_exact(value: f64) -> bool {
 impl Constant {
     /// A degree in radians.
     pub(crate) const RADIAN: Constant = Constant::new(Double::RADIAN, 0.0);
+    /// A radian in degrees.
+    pub(crate) const DEGREES: Constant = Constant::new(Double::DEGREES, 0.0);
 
     /// A number that was given, in a scene or by a program.
     #[must_use]
@@ -126,16 +128,24 @@ impl Constant {
     }
 
     /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
-    /// twice the precision rounds it.
+    /// twice the precision rounds it; a decimal of 15 digits or more was rounded by whoever typed it, to half an ulp.
     pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         place.map(|v| {
             if !is_decimal {
                 return Constant::new(Double::exactly(v), 0.0);
             }
             let Decimal {
-                value, roundings, ..
+                value,
+                roundings,
+                is_long,
+                ..
             } = Decimal::of(v);
-            Constant::new(value, f64::from(roundings) * LOST * v.abs())
+            let typed = if is_long {
+                typed_radius(v) + value.lo.abs()
+            } else {
+                0.0
+            };
+            Constant::new(value, typed + f64::from(roundings) * LOST * v.abs())
         })
     }
 
@@ -205,6 +215,23 @@ impl Constant {
     /// A number that nobody gave, to twice the digits.
     pub(crate) fn known(value: Double) -> Constant {
         Constant::new(value, TWICE * value.hi.abs())
+    }
+
+    /// A number that is known to twice the digits, but for a few roundings, and is stored as a double next to it.
+    pub(crate) fn stored(hi: f64, value: Double) -> Constant {
+        Constant::new(value, 4.0 * LOST * value.hi.abs()).beside(hi)
+    }
+
+    /// The same number, seen from a double next to it.
+    #[must_use]
+    pub(crate) fn beside(self, hi: f64) -> Constant {
+        let rest = self.value() - Double::exactly(hi);
+        Constant {
+            hi,
+            lo: rest.hi,
+            radius: self.radius + rest.lo.abs(),
+            ..self
+        }
     }
 
     /// The stored value.

@@ -17,7 +17,7 @@ pub struct Decimal {
     /// Half a unit of the fifteenth digit.
     pub(crate) rounding: f64,
     /// Whether it has 15 digits or more: a number that long was rounded by whoever typed it.
-    pub(crate) is_long: bool,
+    pub is_long: bool,
     /// Whether a double holds it, or it has more than 15 digits and is the double that it reads as.
     pub is_double: bool,
 }
@@ -30,7 +30,7 @@ impl Decimal {
             value: Double::exactly(value),
             roundings: 0,
             rounding: 0.0,
-            is_long: false,
+            is_long: value != 0.0,
             is_double: value == 0.0,
         };
         let size = value.abs();

@@ -46,6 +46,20 @@ pub trait Number:
     #[must_use]
     fn scaled(self, power_of_two: f64) -> Self;
 
+    /// Times a constant.
+    #[inline(always)]
+    #[must_use]
+    fn times(self, constant: Constant) -> Self {
+        self * Self::of(constant)
+    }
+
+    /// Plus a constant.
+    #[inline(always)]
+    #[must_use]
+    fn plus(self, constant: Constant) -> Self {
+        self + Self::of(constant)
+    }
+
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;

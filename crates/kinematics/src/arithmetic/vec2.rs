@@ -90,6 +90,20 @@ impl<T: Number> Vec2<T> {
         Vec2::new(self.x, -self.y)
     }
 
+    /// Times a constant.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(self, constant: Constant) -> Vec2<T> {
+        self.map(|v| v.times(constant))
+    }
+
+    /// Plus a constant.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(self, constant: Vec2<Constant>) -> Vec2<T> {
+        Vec2::new(self.x.plus(constant.x), self.y.plus(constant.y))
+    }
+
     /// Times a power of two, exactly.
     #[inline(always)]
     #[must_use]

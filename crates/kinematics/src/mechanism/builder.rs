@@ -1,11 +1,12 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
+use super::ranks::NameRanks;
 use super::{
     Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
     LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
     TimedInput,
 };
-use crate::Vec2;
+use crate::{Double, Vec2};
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -28,7 +29,9 @@ pub struct Builder {
     metres: f64,
     misfit: f64,
     decimals: bool,
+    rounded: bool,
     converted_rates: bool,
+    typed_rates: Option<[Double; 2]>,
 }
 
 impl Default for Builder {
@@ -47,7 +50,9 @@ impl Default for Builder {
             metres: 1.0,
             misfit: 0.0,
             decimals: false,
+            rounded: false,
             converted_rates: false,
+            typed_rates: None,
         }
     }
 }
@@ -270,10 +275,23 @@ impl Builder {
     }
 
     /// Says that lengths and coordinates were typed as decimals: one of up to 15 digits then stands for
-    /// the decimal, not for the double next to it. It counts where lengths are compared: see
-    /// [`Motion::tolerance`](crate::solver::Motion::tolerance).
+    /// the decimal, not for the double next to it. It counts where lengths are compared, see
+    /// [`Motion::tolerance`](crate::solver::Motion::tolerance). Bounds of errors take one of up to 14 digits for the
+    /// decimal; whoever gives more has rounded it.
     pub fn decimals(&mut self) {
         self.decimals = true;
+    }
+
+    /// Says that some number which reads as a decimal of up to 14 digits was rounded from another one: bounds of errors
+    /// then cover half an ulp of every number.
+    pub fn rounded(&mut self) {
+        self.rounded = true;
+    }
+
+    /// Gives the driver's speed and acceleration to twice the digits, as they were typed: bounds of errors know then
+    /// what the doubles leave out of them.
+    pub fn typed_rates(&mut self, rates: [Double; 2]) {
+        self.typed_rates = Some(rates);
     }
 
     /// Says that the driver's speed and acceleration were given in another unit and converted: bounds of errors
@@ -305,7 +323,10 @@ impl Builder {
                     metres: self.metres,
                     misfit: self.misfit,
                     decimals: self.decimals,
+                    rounded: self.rounded,
                     converted_rates: self.converted_rates,
+                    ranks: NameRanks::default(),
+                    typed_rates: self.typed_rates,
                 }),
             }),
             _ => Err(Defects { list: defects }),

@@ -197,8 +197,9 @@ impl Mechanism {
     /// The same mechanism with another speed and acceleration of its driver.
     pub(crate) fn at_speed(&self, speed: f64, acceleration: f64) -> Mechanism {
         let mut changed = self.clone();
-        let driver = &mut Arc::make_mut(&mut changed.parts).driver;
-        (driver.speed, driver.acceleration) = (speed, acceleration);
+        let parts = Arc::make_mut(&mut changed.parts);
+        (parts.driver.speed, parts.driver.acceleration) = (speed, acceleration);
+        parts.typed_rates = None;
         changed
     }
 

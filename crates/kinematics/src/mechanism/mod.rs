@@ -13,6 +13,7 @@ mod lengths;
 mod limit;
 mod load;
 mod polar;
+mod ranks;
 mod spline;
 mod tolerances;
 
@@ -32,7 +33,7 @@ pub use spline::ClampedSpline;
 pub(crate) use spline::{SplineEnds, bends, cubic};
 pub use tolerances::Tolerances;
 
-use crate::Vec2;
+use crate::{Double, Vec2};
 use std::sync::Arc;
 
 macro_rules! id {
@@ -237,7 +238,10 @@ struct Parts {
     metres: f64,
     misfit: f64,
     decimals: bool,
+    rounded: bool,
     converted_rates: bool,
+    ranks: ranks::NameRanks,
+    typed_rates: Option<[Double; 2]>,
 }
 
 impl Mechanism {
@@ -329,6 +333,16 @@ impl Mechanism {
     #[must_use]
     pub fn has_decimals(&self) -> bool {
         self.parts.decimals
+    }
+
+    /// Whether all its numbers of up to 14 digits are the decimals that they read as: none was rounded to one.
+    pub(crate) fn is_typed(&self) -> bool {
+        self.parts.decimals && !self.parts.rounded
+    }
+
+    /// The driver's speed and acceleration as they were typed, in twice the digits, where that is known.
+    pub(crate) fn typed_rates(&self) -> Option<[Double; 2]> {
+        self.parts.typed_rates
     }
 
     /// Whether anything acts on it: a load, a weight, or what resists being accelerated.

@@ -8,7 +8,7 @@ pub struct Tolerances {
     /// Lengths, each as much longer or shorter at the most, in the scene's unit.
     pub lengths: Vec<(Length, f64)>,
     /// Pins, each at a point of a link: how far from the middle of its hole it can be, in any direction. A pin that
-    /// joins several links has one for each but the first.
+    /// joins several links is fixed in one of them, and has one for each of the others.
     pub clearances: Vec<(LinkId, PointId, f64)>,
 }
 

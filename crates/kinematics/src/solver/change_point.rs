@@ -11,7 +11,7 @@ use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::state::{LinkState, PointState, State};
 use crate::arithmetic::{Series, TERMS};
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, PointId, Vec2};
 
 /// The series takes the group's place no further than this from a change point, in radians or scaled
 /// lengths: from there on a dyad's own second derivatives are off by less than some 1e-11, its places
@@ -30,6 +30,8 @@ type Taylor = Vec<Vec2>;
 pub(super) struct Passage {
     /// The driver's coordinate, reduced to one period if there is one.
     pub at: f64,
+    /// What that has been rounded by.
+    rest: f64,
     /// The group.
     pub group: usize,
     /// Whether its sign changes there.
@@ -53,7 +55,9 @@ pub(super) struct Passages {
 }
 
 impl Passages {
-    pub(super) fn new(mut list: Vec<Passage>, start: f64, period: f64) -> Passages {
+    /// Reduces all to one period, if there is one.
+    pub(super) fn of_motion(self, start: f64, period: f64) -> Passages {
+        let Passages { mut list, .. } = self;
         for passage in &mut list {
             passage.at = reduced(passage.at, period);
         }
@@ -64,6 +68,37 @@ impl Passages {
             start,
             period,
         }
+    }
+
+    /// Adds those that are not yet known.
+    pub(super) fn add(&mut self, passages: Vec<Passage>) {
+        let known = self.list.len();
+        for passage in passages {
+            let is_same = |old: &Passage| old.group == passage.group && old.at == passage.at;
+            if !self.list[..known].iter().any(is_same) {
+                self.list.push(passage);
+            }
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Forgets all but the first few.
+    pub(super) fn truncate(&mut self, kept: usize) {
+        self.list.truncate(kept);
+    }
+
+    /// The passages from a number on.
+    pub(super) fn latest(&mut self, from: usize) -> &mut [Passage] {
+        self.list.get_mut(from..).unwrap_or_default()
+    }
+
+    /// Whether a group has a passage at a coordinate, within a distance in radians or scaled lengths.
+    pub(super) fn has(&self, engine: &Engine, (group, at): (usize, f64), within: f64) -> bool {
+        let mut ours = self.list.iter().filter(|p| p.group == group);
+        ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -123,7 +158,7 @@ impl Passages {
         if shorter.abs() <= SAME * passage.at.abs() {
             return 0.0;
         }
-        engine.difference(0.0, shorter)
+        engine.difference(passage.rest, shorter)
     }
 }
 
@@ -156,7 +191,7 @@ impl Passage {
     /// Keeps the motion of what a group places, as it stands in a state of series about `at`; `None`
     /// where too little of it is known.
     pub(super) fn new(
-        at: f64,
+        at: Double,
         (group, turns): (usize, bool),
         (points, links): (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
@@ -183,7 +218,8 @@ impl Passage {
             .chain(links.iter().map(|l| &l.1));
         let zone = zone(all, known)?;
         Some(Passage {
-            at,
+            at: at.hi,
+            rest: at.lo,
             group,
             turns,
             is_led: false,

@@ -1,6 +1,7 @@
 //! The assemblies beside the one that is followed: of a group, and of the whole mechanism.
 
 use super::assemble::{Assembler, Placement, Request, handedness};
+use super::coupled::{SAME, distance};
 use super::elements::Step;
 use super::engine::Engine;
 use super::fault::Fault;
@@ -39,7 +40,8 @@ pub struct Assemblies {
     pub list: Vec<Vec<(GroupId, Pick)>>,
     /// Which of them the solver follows.
     pub current: Option<usize>,
-    /// Whether that is all of them: there may be more than [`MOST_ASSEMBLIES`].
+    /// Whether the list was not cut at [`MOST_ASSEMBLIES`]. A coupled group may have assemblies that the search has
+    /// missed.
     pub is_complete: bool,
 }
 
@@ -74,7 +76,7 @@ impl Solver {
         let numbered = ways.iter().enumerate();
         numbered
             .map(|(i, way)| {
-                let is_current = present.is_in(self, group, way);
+                let is_current = present.is_in(self, group, &ways, i);
                 let mut state = present.state.clone();
                 state.state.signs.clone_from(&present.signs);
                 let taken = assembler.take(group, way, &mut engine, &mut state);
@@ -238,7 +240,7 @@ impl Solver {
         self.plan.groups.get(group)?;
         let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
         let key = steps.iter().find(|s| s.choice().is_some())?;
-        Some(if sign * handedness(key) > 0.0 {
+        Some(if sign * handedness(&self.mechanism, key) > 0.0 {
             Pick::Plus
         } else {
             Pick::Minus
@@ -253,7 +255,8 @@ impl Solver {
                 .enumerate()
                 .map(|(n, (ways, i))| (n, &ways[*i], *i))
         };
-        if chosen().all(|(n, way, _)| present.is_in(self, n, way)) {
+        let mut all = taken.iter().enumerate();
+        if all.all(|(n, (ways, i))| present.is_in(self, n, ways, *i)) {
             found.current = Some(found.list.len());
         }
         let picks = chosen().filter(|&(n, _, _)| self.plan.groups[n].has_choices());
@@ -322,22 +325,30 @@ impl Present {
         }
     }
 
-    /// Whether a group is in this way.
-    fn is_in(&self, solver: &Solver, group: usize, way: &Placement) -> bool {
-        match way {
+    /// Whether a group is in the i-th of its ways: of solutions in the nearest one, if it is near.
+    fn is_in(&self, solver: &Solver, group: usize, ways: &[Placement], i: usize) -> bool {
+        match &ways[i] {
             Placement::Only => true,
             Placement::Side(sign) => sign * self.signs[group] > 0.0,
-            Placement::Root(z) => self.has_root(&solver.engine, group, z),
+            Placement::Root(_) => {
+                let away = |way| self.distance(&solver.engine, group, way);
+                let own = away(&ways[i]);
+                let mut others = ways.iter().map(away);
+                own < SAME && others.all(|other| own <= other)
+            }
         }
     }
 
-    fn has_root(&self, engine: &Engine, group: usize, z: &[f64]) -> bool {
+    /// How far a group is from one of its solutions.
+    fn distance(&self, engine: &Engine, group: usize, way: &Placement) -> f64 {
         let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
         let index = steps.iter().find_map(Step::coupled);
-        let own = index.map(|i| &engine.program.coupled[i]);
-        own.is_some_and(|c| {
-            let numbers = &self.state.scratch.numbers[c.offset..c.offset + c.width()];
-            super::coupled::is_same(numbers, z)
-        })
+        match (index.map(|i| &engine.program.coupled[i]), way) {
+            (Some(own), Placement::Root(z)) => {
+                let numbers = &self.state.scratch.numbers[own.offset..own.offset + own.width()];
+                distance(numbers, z)
+            }
+            (None, _) | (_, Placement::Side(_) | Placement::Only) => f64::INFINITY,
+        }
     }
 }

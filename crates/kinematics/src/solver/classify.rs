@@ -97,45 +97,50 @@ impl DrivenLoop {
 /// The loop that the driven link closes with a dyad and the ground, if there is one.
 pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenLoop> {
     let steps = &engine.program.steps;
-    let (pin, pivot, crank) = steps.iter().find_map(|step| match *step {
-        Step::Spin(Spin {
-            point,
-            pivot,
-            local,
-        }) if closes(steps, point) => Some((point, pivot, local)),
-        _ => None,
-    })?;
     let scale = engine.frame.scale;
     let place = |p: PointId| engine.program.points[p.index()].nearest();
-    steps.iter().find_map(|step| match step {
-        Step::Circles(c) => {
-            let (coupler, follower) = arms(pin, [c.near, c.far])?;
-            let is_known = follower.pivot.index() < mechanism.points().len();
-            let is_ground = || mechanism.point(follower.pivot).ground.is_some();
-            (is_known && is_ground()).then(|| {
-                let frame = (place(follower.pivot) - place(pivot)).norm();
-                let [coupler, follower] = [coupler, follower].map(|arm| arm.length.hi);
-                four_bar([crank.nearest().norm(), coupler, follower, frame].map(|l| l * scale))
-            })
-        }
-        Step::CircleRail(c) if c.arm.pivot == pin => {
-            let away = place(pivot) - c.through.nearest();
-            let offset = c.along.nearest().cross(away).abs();
-            Some(slider_crank(
-                [crank.nearest().norm(), c.arm.length.hi, offset].map(|l| l * scale),
-            ))
-        }
+    let is_ground = |point: PointId| {
+        let is_known = point.index() < mechanism.points().len();
+        is_known && mechanism.point(point).ground.is_some()
+    };
+    // Of several loops the one of the lowest rank.
+    let mut found: Option<(usize, DrivenLoop)> = None;
+    let spins = steps.iter().filter_map(|step| match *step {
+        Step::Spin(spin) => Some(spin),
         _ => None,
-    })
-}
-
-/// Whether a dyad hangs on this point.
-fn closes(steps: &[Step], point: PointId) -> bool {
-    steps.iter().any(|step| match step {
-        Step::Circles(c) => arms(point, [c.near, c.far]).is_some(),
-        Step::CircleRail(c) => c.arm.pivot == point,
-        _ => false,
-    })
+    });
+    for Spin {
+        point,
+        pivot,
+        local,
+    } in spins
+    {
+        let crank = local.nearest().norm();
+        let loops = steps.iter().filter_map(|step| match step {
+            Step::Circles(c) => {
+                let (coupler, follower) = arms(point, [c.near, c.far])?;
+                is_ground(follower.pivot).then(|| {
+                    let frame = (place(follower.pivot) - place(pivot)).norm();
+                    let lengths = [crank, coupler.length.hi, follower.length.hi, frame];
+                    (coupler.link, four_bar(lengths.map(|l| l * scale)))
+                })
+            }
+            Step::CircleRail(c) if c.arm.pivot == point => {
+                let away = place(pivot) - c.through.nearest();
+                let offset = c.along.nearest().cross(away).abs();
+                let lengths = [crank, c.arm.length.hi, offset];
+                Some((c.arm.link, slider_crank(lengths.map(|l| l * scale))))
+            }
+            _ => None,
+        });
+        for (coupler, of) in loops {
+            let rank = mechanism.link_rank(coupler);
+            if found.is_none_or(|(least, _)| rank < least) {
+                found = Some((rank, of));
+            }
+        }
+    }
+    found.map(|(_, of)| of)
 }
 
 /// The two arms of a dyad, the one that hangs on `pin` first.

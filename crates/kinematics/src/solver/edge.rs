@@ -9,7 +9,28 @@ use super::demand::PlacedPart;
 use super::exact::Exact;
 use super::state::{Condition, LinkState, PointState, State, TravelState};
 use super::{Order, Solver, Workspace};
-use crate::{Double, Number};
+use crate::{Double, Lanes, Number};
+
+/// Where the square of the sine of a transmission angle is smaller than this, doubles lose three digits of what they
+/// know of a position, and six of its rates.
+const THIN: f64 = 1.0 / 1_048_576.0;
+
+impl State {
+    /// Whether any dyad is thin.
+    #[inline(always)]
+    pub(super) fn is_thin(&self) -> bool {
+        self.measures.iter().any(|&measure| measure < THIN)
+    }
+}
+
+impl State<Lanes> {
+    /// Whether any dyad is thin in any lane.
+    #[inline(always)]
+    pub(super) fn is_thin(&self) -> bool {
+        let mut lanes = self.measures.iter().flat_map(|measure| measure.0);
+        lanes.any(|measure| measure < THIN)
+    }
+}
 
 impl Solver {
     /// Solves anywhere; by what the motion says of its ends, and closely where doubles do not tell.
@@ -56,6 +77,27 @@ impl Solver {
         }
         work.state.condition = condition;
         condition
+    }
+
+    /// Finds what comes before the first coupled group of a state once more, to twice the digits, if these tell.
+    #[cold]
+    pub(super) fn refine(&self, at: f64, order: Order, work: &mut Workspace) {
+        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_told(at)) else {
+            return;
+        };
+        let Some(mut close) = work.close.take() else {
+            return;
+        };
+        let how = (&work.state.signs[..], None);
+        let meant = self.meant_coordinate(at);
+        if exact.run(exact.closed, meant, order, how, &mut close) == Condition::Ok {
+            exact.write(exact.closed, &close, &mut work.state);
+            let behind = exact.closed..self.engine.program.steps.len();
+            if self.engine.run_steps(behind, at, order, work) != Condition::Ok {
+                let _ = self.run_between(at, order, work);
+            }
+        }
+        work.close = Some(close);
     }
 
     /// Whether what the motion has kept stands in at a coordinate: a fold, or a series.

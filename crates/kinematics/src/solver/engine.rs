@@ -90,6 +90,11 @@ impl Engine {
         }
     }
 
+    /// The driver's speed and acceleration, in radians or scaled lengths.
+    pub(super) fn driver_rates(&self) -> [Constant; 2] {
+        self.driver_rates
+    }
+
     /// Room for an empty state, with the constants in it.
     pub(super) fn state<T: Number>(&self, slides: usize) -> Workspace<T> {
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
@@ -239,10 +244,11 @@ impl Engine {
         })
     }
 
-    /// As [`Engine::run`] close to a change point: there a dyad is placed by its passage.
+    /// As [`Engine::run_steps`] close to a change point: there a dyad is placed by its passage.
     #[inline(never)]
     pub(super) fn run_near(
         &self,
+        steps: std::ops::Range<usize>,
         at: f64,
         order: Order,
         passages: &Passages,
@@ -250,7 +256,7 @@ impl Engine {
     ) -> Condition {
         work.state.begin(at, order);
         work.state.condition = Condition::Ok;
-        for i in 0..self.program.steps.len() {
+        for i in steps {
             let condition = self.run_steps(i..i + 1, at, order, work);
             let Workspace { state, scratch, .. } = &mut *work;
             let near = self
@@ -471,7 +477,10 @@ fn driver_rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
         Input::Push(_) => frame.scale,
     };
     let given = [driver.speed, driver.acceleration];
-    rates(given, unit, mechanism.has_converted_rates())
+    match mechanism.typed_rates() {
+        Some(typed) => [0, 1].map(|i| Constant::stored(given[i], typed[i]).scaled(1.0 / unit)),
+        None => rates(given, unit, mechanism.has_converted_rates()),
+    }
 }
 
 /// A speed and an acceleration in units of a size; `are_converted` tells that they were given in others.

@@ -23,8 +23,9 @@ pub(super) struct Frame {
 /// What the numbers of a mechanism are taken for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum NumberReading {
-    /// For the doubles that they are, known to half an ulp of what was meant.
-    Given,
+    /// For the doubles that they are, known to half an ulp of what was meant; what parts two places of the ground is
+    /// rounded from the decimals, where they are such.
+    Given { decimals: bool },
     /// For what is meant, see [`Constant::meant`].
     Meant { decimals: bool },
 }
@@ -57,11 +58,17 @@ impl Frame {
         }
         let scale = power_of_two_below(longest);
         Frame {
-            origin: origin.map(Constant::given),
+            origin: if mechanism.is_typed() {
+                Constant::meant(origin, true)
+            } else {
+                origin.map(Constant::given)
+            },
             scale,
             far: furthest(mechanism) / scale,
             longest: longest / scale,
-            reading: NumberReading::Given,
+            reading: NumberReading::Given {
+                decimals: mechanism.has_decimals(),
+            },
         }
     }
 
@@ -105,7 +112,7 @@ impl Frame {
     /// A place of the scene, as it is taken.
     fn read(&self, place: Vec2) -> Vec2<Constant> {
         match self.reading {
-            NumberReading::Given => place.map(Constant::given),
+            NumberReading::Given { .. } => place.map(Constant::given),
             NumberReading::Meant { decimals } => Constant::meant(place, decimals),
         }
     }
@@ -131,7 +138,7 @@ impl Frame {
     /// The unit vector at an angle in degrees.
     pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
         match self.reading {
-            NumberReading::Given => Constant::given_unit(degrees),
+            NumberReading::Given { .. } => Constant::given_unit(degrees),
             NumberReading::Meant { decimals } => Constant::meant_unit(degrees, decimals),
         }
     }
@@ -145,7 +152,7 @@ impl Frame {
     pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
         match self.reading {
             // Scaled first: the smallest doubles know no half of an ulp.
-            NumberReading::Given => local.map(|v| Constant::given_in(v, self.scale)),
+            NumberReading::Given { .. } => local.map(|v| Constant::given_in(v, self.scale)),
             NumberReading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
     }
@@ -156,7 +163,7 @@ impl Frame {
             return self.local(member.local);
         }
         let place = match self.reading {
-            NumberReading::Given => member.given(),
+            NumberReading::Given { .. } => member.given(),
             NumberReading::Meant { decimals } => member.meant(decimals),
         };
         place.map(|v| self.inwards(v))
@@ -164,7 +171,17 @@ impl Frame {
 
     /// A place of the scene in the solver's frame; exact.
     pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
-        let away = self.read(place) - self.read(self.origin.nearest());
+        let origin = self.origin.nearest();
+        let read = self.read(place) - self.read(origin);
+        let away = match self.reading {
+            NumberReading::Given { decimals: true } => {
+                let meant = Constant::meant(place, true) - Constant::meant(origin, true);
+                // What was meant is as near to a double as the decimal is.
+                let off = |meant: Constant, read: Constant| meant.widened(2.0 * read.radius);
+                Vec2::new(off(meant.x, read.x), off(meant.y, read.y))
+            }
+            NumberReading::Given { decimals: false } | NumberReading::Meant { .. } => read,
+        };
         away.map(|v| self.inwards(v))
     }
 
@@ -182,7 +199,7 @@ impl Frame {
     /// A place of the solver in the scene's frame.
     #[inline]
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
-        Vec2::of(self.origin) + inner.scaled(self.scale)
+        inner.scaled(self.scale).plus(self.origin)
     }
 }
 

@@ -32,7 +32,8 @@ impl Solver {
             && {
                 self.choose_in_lanes(at, state);
                 self.engine.run_lanes(Lanes(at), order, state)
-            };
+            }
+            && !state.is_thin();
         if solved {
             state.condition = Condition::Ok;
         }

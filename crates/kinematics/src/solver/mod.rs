@@ -53,6 +53,7 @@ mod motion;
 mod network;
 mod order;
 mod plan;
+mod proved_run;
 mod rank;
 mod speed;
 mod state;
@@ -73,7 +74,7 @@ pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Resid
 pub use known::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
-pub use motion::{EndStop, Motion, NearMiss, Range};
+pub use motion::{EndStop, LinedUp, Motion, NearMiss, Range};
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub use state::Sliding;
@@ -222,11 +223,11 @@ impl Solver {
                 at,
             });
         }
-        let with = |ordering: &Ordering, near: &[(PointId, Vec2)]| {
+        let with = |ordering: &Ordering, at: f64, near: &[(PointId, Vec2)]| {
             let solver = Solver::with(&network, ordering, at, near, picks)?;
             rank::judged(&network, solver)
         };
-        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, near));
+        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, at, near));
         let whole = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
         whole.and_then(Solver::between_stops)
     }
@@ -329,7 +330,14 @@ impl Solver {
 
     /// Room for a state in any arithmetic.
     fn room<T: Number>(&self) -> Workspace<T> {
-        self.with_forces(self.engine.state(self.slides))
+        self.room_of(&self.engine)
+    }
+
+    /// The same with the constants of an engine, at the speed of this solver.
+    fn room_of<T: Number>(&self, engine: &Engine) -> Workspace<T> {
+        let mut work = engine.state(self.slides);
+        work.state.pass(self.engine.driver_rates());
+        self.with_forces(work)
     }
 
     /// Makes room for the forces, where anything acts.
@@ -368,6 +376,8 @@ impl Solver {
             );
         if !is_solved {
             self.solve_closely(at, order, work);
+        } else if work.state.is_thin() {
+            self.refine(at, order, work);
         }
         if self.follows_forces(work) {
             self.find_forces(order, work);
@@ -419,7 +429,8 @@ impl Solver {
         let passages = &self.motion.passages;
         passages.choose(&self.engine, at, &mut work.state.signs);
         if passages.is_near(&self.engine, at) {
-            self.engine.run_near(at, order, passages, work)
+            let steps = 0..self.engine.program.steps.len();
+            self.engine.run_near(steps, at, order, passages, work)
         } else {
             self.engine.run(at, order, work)
         }

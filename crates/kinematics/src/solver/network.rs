@@ -334,7 +334,10 @@ impl<'m> Network<'m> {
 
     fn list_rows(&mut self) {
         let mut rows = Vec::new();
-        for link in self.mechanism.link_ids() {
+        // Of equations that repeat each other the last ones are set aside.
+        let mut links: Vec<LinkId> = self.mechanism.link_ids().collect();
+        links.sort_by_key(|&link| self.mechanism.link_rank(link));
+        for link in links {
             for member in self
                 .joints(link)
                 .filter(|m| Some(m.point) != self.centre[link.index()])

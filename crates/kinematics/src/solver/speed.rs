@@ -56,7 +56,7 @@ impl Solver {
 
 impl<T: Number> State<T> {
     /// The driver has this speed and acceleration, in the solver's units.
-    fn pass(&mut self, [speed, acceleration]: [Constant; 2]) {
+    pub(super) fn pass(&mut self, [speed, acceleration]: [Constant; 2]) {
         self.rates = Rates::new(speed, acceleration);
         self.length_rates = self.rates.times(self.frame.scale);
     }

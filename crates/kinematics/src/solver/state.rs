@@ -74,10 +74,10 @@ pub(super) struct TravelState<T = f64> {
 
 /// What turns coefficients into rates: q', q'^2 and q'' of the driver, in radians or scaled lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Rates<T = f64> {
-    pub(super) speed: T,
-    pub(super) square: T,
-    pub(super) acceleration: T,
+pub(super) struct Rates {
+    pub(super) speed: Constant,
+    pub(super) square: Constant,
+    pub(super) acceleration: Constant,
 }
 
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
@@ -111,8 +111,8 @@ pub struct State<T = f64> {
     /// What the solver never places.
     pub(super) left_out: Option<Arc<Marks>>,
     /// For angles, and for lengths in the scene's unit.
-    pub(super) rates: Rates<T>,
-    pub(super) length_rates: Rates<T>,
+    pub(super) rates: Rates,
+    pub(super) length_rates: Rates,
     /// The driven link, whose angle is the driver's coordinate to the bit; none where its motor sits on another link.
     pub(super) driven: Option<LinkId>,
     /// Whether the driver's coordinate is an angle.
@@ -187,13 +187,13 @@ impl<T: Number> State<T> {
     /// The driver's speed: rad/s or length/s.
     #[must_use]
     pub fn driver_speed(&self) -> T {
-        self.rates.speed.scaled(self.driver_scale)
+        T::of(self.rates.speed).scaled(self.driver_scale)
     }
 
     /// The driver's acceleration: rad/s^2 or length/s^2.
     #[must_use]
     pub fn driver_acceleration(&self) -> T {
-        self.rates.acceleration.scaled(self.driver_scale)
+        T::of(self.rates.acceleration).scaled(self.driver_scale)
     }
 
     /// The position of a point.
@@ -215,7 +215,7 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn velocity(&self, point: PointId) -> Option<Vec2<T>> {
         self.has_point(point, Order::Velocity)
-            .then(|| self.points[point.index()].v * self.length_rates.speed)
+            .then(|| self.points[point.index()].v.times(self.length_rates.speed))
     }
 
     /// Its acceleration, per second squared.
@@ -225,7 +225,7 @@ impl<T: Number> State<T> {
         let rates = &self.length_rates;
         self.has_point(point, Order::Acceleration).then(|| {
             let point = &self.points[point.index()];
-            point.a * rates.square + point.v * rates.acceleration
+            point.a.times(rates.square) + point.v.times(rates.acceleration)
         })
     }
 
@@ -253,7 +253,7 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn omega(&self, link: LinkId) -> Option<T> {
         self.has_link(link, Order::Velocity)
-            .then(|| self.links[link.index()].w * self.rates.speed)
+            .then(|| self.links[link.index()].w.times(self.rates.speed))
     }
 
     /// Angular acceleration in rad/s^2.
@@ -291,10 +291,10 @@ impl<T: Number> State<T> {
         let TravelState { s, v, a, guide } = self.travels[slide.index()];
         Sliding {
             position: s.scaled(self.frame.scale),
-            rate: v * self.length_rates.speed,
+            rate: v.times(self.length_rates.speed),
             accel: self.length_rates.second(v, a),
             guide: guide.d,
-            omega: guide.w * self.rates.speed,
+            omega: guide.w.times(self.rates.speed),
             alpha: self.rates.second(guide.w, guide.a),
         }
     }
@@ -326,18 +326,19 @@ impl<T: Number + PartialEq> PartialEq for State<T> {
     }
 }
 
-impl<T: Number> Rates<T> {
-    pub(super) fn new(speed: Constant, acceleration: Constant) -> Rates<T> {
-        let speed = T::of(speed);
+impl Rates {
+    /// The square is that of the doubles, rounded, with what is left of it.
+    pub(super) fn new(speed: Constant, acceleration: Constant) -> Rates {
+        let square = speed * speed;
         Rates {
             speed,
-            square: speed * speed,
-            acceleration: T::of(acceleration),
+            square: square.beside(speed.hi * speed.hi),
+            acceleration,
         }
     }
 
     /// The same for a coordinate counted in units of this size, a power of two.
-    pub(super) fn times(self, unit: f64) -> Rates<T> {
+    pub(super) fn times(self, unit: f64) -> Rates {
         Rates {
             speed: self.speed.scaled(unit),
             square: self.square.scaled(unit),
@@ -347,8 +348,8 @@ impl<T: Number> Rates<T> {
 
     /// The second rate of a coordinate from its coefficients of first and second order.
     #[inline]
-    fn second(self, first: T, second: T) -> T {
-        second * self.square + first * self.acceleration
+    fn second<T: Number>(&self, first: T, second: T) -> T {
+        second.times(self.square) + first.times(self.acceleration)
     }
 }
 

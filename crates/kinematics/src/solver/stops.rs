@@ -11,9 +11,11 @@
 //! back again, more than twice as much as at both ends.
 
 use super::exact::Exact;
-use super::motion::EndStop;
+use super::motion::{EndStop, sign_change};
+use super::proved_run::ProvedRun;
 use super::state::{Condition, State};
 use super::{Demand, Fault, Order, Range, Solver, Workspace};
+use crate::arithmetic::{half_ulp, typed_radius};
 use crate::numeric::root;
 use crate::{Body, Double, Input, LimitId, LimitOf, Number, StrokeEnd, Vec2, angle};
 use std::f64::consts::TAU;
@@ -96,8 +98,20 @@ impl Solver {
             Range::Full { .. } => true,
             Range::Limited { low, high } => low <= end && end <= high,
         };
-        let stop = |at: f64, end| is_met(at).then_some(EndStop { limit: id, end, at });
-        Ok([stop(low, StrokeEnd::Least), stop(high, StrokeEnd::Greatest)])
+        let turned = |at: f64| if by == 0.0 { 0.0 } else { half_ulp(at) };
+        let stop = |at: f64, typed: f64, end| {
+            let bound = Some(typed_radius(typed) + turned(at));
+            is_met(at).then_some(EndStop {
+                limit: id,
+                end,
+                at,
+                bound,
+            })
+        };
+        Ok([
+            stop(low, limit.low, StrokeEnd::Least),
+            stop(high, limit.high, StrokeEnd::Greatest),
+        ])
     }
 
     /// The places at which the walk has been, from where the scene opens to where the motion ends or has come
@@ -237,9 +251,15 @@ impl<'s> LimitWatch<'s> {
                 found.min_by(|(_, a), (_, b)| (a[0].at * sense).total_cmp(&(b[0].at * sense)));
             if let Some((end, [inside, outside])) = first {
                 let at = self.end_between(end, inside, outside);
-                let at = self.whole.motion.own_end(at, SAME_END).unwrap_or(at);
+                let own = self.whole.motion.own_end(at, SAME_END);
+                let (at, bound) = own.unwrap_or_else(|| (at, self.bound(end, at)));
                 let limit = self.id;
-                return Some(EndStop { limit, end, at });
+                return Some(EndStop {
+                    limit,
+                    end,
+                    at,
+                    bound,
+                });
             }
             from = to;
         }
@@ -385,7 +405,7 @@ impl<'s> LimitWatch<'s> {
         close: &mut CloseState,
     ) -> Option<Double> {
         let order = Order::Position;
-        let close = match close {
+        let close: &State<Double> = match close {
             CloseState::Dyads(close) => {
                 self.solver.aim(at, &mut self.work);
                 let how = (
@@ -402,24 +422,48 @@ impl<'s> LimitWatch<'s> {
                 is_solved.then_some(&close.state)
             }
         }?;
+        self.inside(exact, end, close)
+    }
+
+    /// How far inside an end the coordinate is in a state, of an angle the sine of that.
+    fn inside<T: Number>(&self, exact: &Exact, end: StrokeEnd, state: &State<T>) -> Option<T> {
         let limit = self.whole.mechanism.limit(self.id);
         let (value, sign) = match end {
-            StrokeEnd::Least => (limit.low, Double::ONE),
-            StrokeEnd::Greatest => (limit.high, -Double::ONE),
+            StrokeEnd::Least => (limit.low, 1.0),
+            StrokeEnd::Greatest => (limit.high, -1.0),
         };
         let frame = &exact.engine.frame;
         let inside = match self.of {
             LimitOf::Driver | LimitOf::Table(_) => return None,
             LimitOf::Slide(slide) => {
-                let end = frame.local(Vec2::new(value, 0.0)).x.value();
-                close.travels[slide.index()].s - end
+                let end = T::of(frame.local(Vec2::new(value, 0.0)).x);
+                state.travels[slide.index()].s - end
             }
             LimitOf::Angle { link, from } => {
-                let end = Vec2::<Double>::of(frame.unit(value));
-                end.cross(seen(close, link, from).0)
+                let end = Vec2::<T>::of(frame.unit(value));
+                end.cross(seen(state, link, from).0)
             }
         };
-        Some(sign * inside)
+        Some(T::exactly(sign) * inside)
+    }
+
+    /// Bounds the error of the driver's coordinate at which an end is met.
+    fn bound(&mut self, end: StrokeEnd, at: f64) -> Option<f64> {
+        let exact = self.solver.exact.clone()?;
+        if self.solver.is_passing(at) {
+            return None;
+        }
+        let _ = self.solver.solve(at, Order::Position, &mut self.work);
+        self.solver.aim(at, &mut self.work);
+        let steps = exact.engine.program.steps.len();
+        // Far from the origin the typed decimals have other solutions than the doubles next to them.
+        let order = Order::Position;
+        let _ = exact.engine.run_steps(0..steps, at, order, &mut self.work);
+        let mut run = ProvedRun::new(&exact, self.solver.slides);
+        sign_change(&self.solver.engine, at, |place| {
+            let is_proved = run.run(steps, place, false, &self.work.state);
+            is_proved.then(|| self.inside(&exact, end, &run.sharp.state))?
+        })
     }
 }
 

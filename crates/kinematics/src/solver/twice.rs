@@ -26,7 +26,7 @@ impl Solver {
     pub fn solve_twice(&self, state: &State, order: Order, work: &mut Workspace<Double>) -> bool {
         let twice = &mut work.state;
         let order = order.min(state.order);
-        twice.begin(Double::exactly(state.at), order);
+        twice.begin(self.meant_coordinate(state.at), order);
         twice.condition = state.condition;
         if state.condition != Condition::Ok {
             twice.forget_forces();

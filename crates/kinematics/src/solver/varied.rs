@@ -199,6 +199,7 @@ impl Varied {
     /// change points and series beside them are those of exact lengths, and not of these. Allocates nothing.
     pub fn solve(&mut self, at: f64, order: Order) -> Condition {
         self.nominal.aim_varied(&self.engine, at, &mut self.work);
+        self.work.state.measures.fill(1.0);
         self.engine.run(at, order, &mut self.work)
     }
 
@@ -292,6 +293,17 @@ impl Varied {
     pub fn kind(&self) -> Option<LoopKind> {
         let found = classify(&self.engine, &self.nominal.mechanism);
         found.map(DrivenLoop::kind)
+    }
+
+    /// Of what [`Varied::solve`] found last, how far each group is from the edge of assembly: of a dyad the square of
+    /// the sine of its transmission angle. Not positive for the group that is open, if one is; that of a group behind
+    /// it, and of a coupled group that is open, is 1.
+    pub fn measures(&mut self, at: f64) -> &[f64] {
+        let is_closed = self.work.state.condition != Condition::NoAssembly;
+        if is_closed && !self.engine.program.coupled.is_empty() {
+            self.engine.measure_coupled(at, &mut self.work);
+        }
+        &self.work.state.measures
     }
 
     /// What [`Varied::solve`] found last.

@@ -6,6 +6,7 @@ use super::super::stages::{ProblemForm, Stage};
 use super::guess::Guesses;
 use super::problem::longest;
 use super::reduced::{ReducedLoop, figure};
+use crate::page::UNIT;
 use crate::report::error_text;
 use crate::study::{Bisection, SoughtKind};
 use crate::wording::words;
@@ -45,11 +46,11 @@ pub(super) fn halve(
         SoughtKind::Angle => "deg",
         SoughtKind::Length => f.unit,
     };
-    let [from, to] = [a, b].map(|v| format!("{} {unit}", f.angle(v)));
+    let [from, to] = [a, b].map(|v| format!("{} {UNIT}{unit}", f.angle(v)));
     let largest = longest(context).powi(2);
     let [low, high] = halved
         .ends
-        .map(|v| format!("{} {}^2", f.beside(v, largest), f.unit));
+        .map(|v| format!("{} {UNIT}{}^2", f.beside(v, largest), f.unit));
     let is_said = guesses.said(reduced.unknown).is_some();
     if !is_said {
         draft.page.text(least(context, &reduced));
@@ -75,7 +76,7 @@ pub(super) fn halve(
         true => finest.as_str(),
         false => finest.trim_end_matches('0'),
     };
-    let finest = format!("{finest} {unit}");
+    let finest = format!("{finest} {UNIT}{unit}");
     draft.page.text(words().halved_until(&finest));
     table(draft, context, &reduced, &halved, unit);
     conclude(context, draft, &reduced, &halved);

@@ -6,7 +6,9 @@ use super::super::sides::{Side, SideShape, Turns};
 use super::super::stages::LoopUnknown;
 use super::PositionMethod;
 use super::problem::{kind, longest, name};
+use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
+use crate::page::UNIT;
 use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::SoughtKind;
@@ -66,8 +68,8 @@ impl FromStr for Guess {
     fn from_str(text: &str) -> Result<Guess, GuessError> {
         let (name, value) = text.split_once('=').ok_or(GuessError)?;
         let (name, value) = (name.trim(), value.trim());
-        let number = value.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-        let unit = match &value[number.len()..] {
+        let number = value.trim_end_matches(|c: char| c.is_alphabetic() || c == '°');
+        let unit = match plain_unit(&value[number.len()..]).as_ref() {
             "" => None,
             "deg" => Some(GuessUnit::Degrees),
             "rad" => Some(GuessUnit::Radians),
@@ -272,7 +274,11 @@ pub(super) fn told(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> Stri
             SoughtKind::Angle => "deg",
             SoughtKind::Length => f.unit,
         };
-        format!("{} = {} {unit}", name(context, unknown), f.angle(value))
+        format!(
+            "{} = {} {UNIT}{unit}",
+            name(context, unknown),
+            f.angle(value)
+        )
     };
     values.iter().map(one).collect::<Vec<_>>().join(", ")
 }

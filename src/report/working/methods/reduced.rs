@@ -7,6 +7,7 @@ use super::super::polygon::Term;
 use super::super::sides::{SideShape, Turns};
 use super::super::solution::{DyadArm, Solution};
 use super::super::stages::{LoopUnknown, ProblemForm, Stage};
+use crate::page::UNIT;
 use crate::study::{SoughtKind, half_turn};
 use crate::wording::words;
 use crate::{Vec2, angle};
@@ -331,6 +332,6 @@ fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> 
 pub(super) fn figure(figures: Figures, kind: SoughtKind, value: f64) -> String {
     match kind {
         SoughtKind::Angle => format!("{} deg", figures.direction(value)),
-        SoughtKind::Length => format!("{} {}", figures.number(value), figures.unit),
+        SoughtKind::Length => format!("{} {UNIT}{}", figures.number(value), figures.unit),
     }
 }

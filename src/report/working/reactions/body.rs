@@ -3,6 +3,7 @@
 use super::super::draft::{Context, Draft};
 use super::super::figures::WrittenSum;
 use super::super::free_body::BodyForce;
+use crate::page::UNIT;
 use crate::wording::words;
 use crate::{LinkId, Vec2};
 
@@ -100,7 +101,11 @@ pub(super) fn write_known(
             terms += 1;
         }
     }
-    let value = format!("{} {}", f.beside(sum.value, sum.size), reckoning.unit());
+    let value = format!(
+        "{} {UNIT}{}",
+        f.beside(sum.value, sum.size),
+        reckoning.unit()
+    );
     match terms {
         0 | 1 => draft.page.equation([symbol.to_owned(), value]),
         _ => draft

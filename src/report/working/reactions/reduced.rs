@@ -7,8 +7,13 @@ use super::super::figures::{Figures, WrittenSum};
 use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
 use super::body::{GroupBody, KnownSum, Reckoning, write_known};
+use crate::page::UNIT;
 use crate::wording::words;
 use crate::{Body, PointId, Slider, Vec2};
+
+/// Metres behind a number, marked as a unit.
+const METRE: &str = " \u{e000}m";
+const METRE_SQUARED: &str = " \u{e000}m^2";
 
 /// Writes what can be found so; false where the group has none of these forms.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) -> bool {
@@ -153,7 +158,7 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
         sums[k] = write_known(context, draft, (link, &given), name, &equation.about);
         let (share, v) = shares(f, equation.reckoning, at, letters[k], metres);
         let unit = match equation.reckoning {
-            Reckoning::About(_) => " m",
+            Reckoning::About(_) => METRE,
             Reckoning::Along(_) => "",
         };
         write_vector(context, draft, letters[k], v, unit);
@@ -255,7 +260,7 @@ const DETERMINANT: &str = "Δ";
 /// An arm has a length, a unit vector none.
 fn unit_of_determinant(of: [Reckoning; 2]) -> &'static str {
     let arms = of.iter().filter(|of| matches!(of, Reckoning::About(_)));
-    ["", " m", " m^2"][arms.count()]
+    ["", METRE, METRE_SQUARED][arms.count()]
 }
 
 /// Two sums in which the force at the inner pin is all that is sought.
@@ -301,7 +306,9 @@ fn cramer(
     let lost = largest * other / value.abs();
     let sizes = (sums[0].size * other + sums[1].size * largest) / value.abs() * (1.0 + lost);
     for (name, formula, solved) in [("Fx", x, solved.x), ("Fy", y, solved.y)] {
-        let worked = draft.worked(name, &formula, |v| format!("{} N", f.beside(v, sizes)));
+        let worked = draft.worked(name, &formula, |v| {
+            format!("{} {UNIT}N", f.beside(v, sizes))
+        });
         let link = context.scene.link_name(body.link);
         let symbol = words().part_at(name, link, point_name(context, inner));
         draft.agree(&symbol, worked, solved, sizes);
@@ -383,7 +390,7 @@ fn balance<'a>(
     }
     let worked = -terms.iter().sum::<f64>();
     draft.agree(name, worked, solved, size);
-    let value = format!("{} {}", f.beside(worked, size), reckoning.unit());
+    let value = format!("{} {UNIT}{}", f.beside(worked, size), reckoning.unit());
     let sum = sum.text();
     match sum.contains(' ') {
         false => draft.page.equation([name.to_owned(), value]),
@@ -465,7 +472,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
                 Reckoning::Along(_) => 't',
             };
             let (share, v) = shares(f, equation.reckoning, at, letter, metres);
-            let unit_of_v = if letter == 'e' { " m" } else { "" };
+            let unit_of_v = if letter == 'e' { METRE } else { "" };
             draft.page.text(words().vector_is(letter, &equation.vector));
             write_vector(context, draft, letter, v, unit_of_v);
             let [x, y] = share;
@@ -476,13 +483,15 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             }
             let formula = -known / Expression::known(DETERMINANT, f.number(value), value);
             let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
-            let worked = draft.worked("N", &formula, |v| format!("{} N", f.beside(v, size)));
+            let worked = draft.worked("N", &formula, |v| format!("{} {UNIT}N", f.beside(v, size)));
             let solved = n.dot(single.force);
             draft.agree(&words().across(&single.name), worked, solved, size);
         }
         _ => {
             let formula = -known;
-            let worked = draft.found("M", &formula, |v| format!("{} N m", f.beside(v, sum.size)));
+            let worked = draft.found("M", &formula, |v| {
+                format!("{} {UNIT}N m", f.beside(v, sum.size))
+            });
             draft.agree("driver.torque", worked, single.couple, sum.size);
         }
     }

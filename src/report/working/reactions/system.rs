@@ -5,6 +5,7 @@ use super::super::figures::{WrittenSum, factor};
 use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
 use super::body::{GroupBody, Reckoning, known};
+use crate::page::UNIT;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
@@ -31,7 +32,7 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
     let sought = sought(context, bodies);
     draft.page.text(words().reactions_at_once(sought.len()));
     let rows = sought.iter().map(|one| {
-        let value = format!("{} {}", f.number(one.value), one.unit);
+        let value = format!("{} {UNIT}{}", f.number(one.value), one.unit);
         [one.symbol.clone(), one.told.clone(), value]
     });
     let rows: Vec<[String; 3]> = rows.collect();
@@ -212,7 +213,7 @@ fn alone(
         -1.0 => sum.text(),
         _ => format!("-({})/{}", sum.text(), factor(&f.number(share))),
     };
-    let value = format!("{} {}", f.beside(worked, size), one.unit);
+    let value = format!("{} {UNIT}{}", f.beside(worked, size), one.unit);
     draft.page.equation([one.symbol.clone(), formula, value]);
 }
 

@@ -24,6 +24,8 @@ const STRING_PATIENCE: Duration = Duration::from_millis(250);
 const PASTE_PATIENCE: Duration = Duration::from_secs(1);
 /// Before a Ctrl-C within a paste that a person has pressed: pasted bytes follow on each other's heels.
 const PRESSED: Duration = Duration::from_millis(50);
+/// Pasted bytes follow each other faster than this; a key that is held down comes thirty times a second.
+const HEELS: Duration = Duration::from_millis(25);
 /// No key that a person presses has more bytes.
 const LONGEST_KEY: usize = 8;
 /// A paste that takes longer has no end.
@@ -93,14 +95,27 @@ pub(crate) struct Keyboard {
     since: Option<Instant>,
     /// Whether what had come of a paste was given up: its rest may still come.
     overdue: bool,
+    /// Bytes that came alone within a paste: a key, unless the paste goes on at once.
+    alone: Vec<u8>,
     last_byte: Option<Instant>,
 }
 
 impl Keyboard {
     /// Takes bytes that came `now`, and appends what they mean.
     pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<TerminalInput>) {
+        if self.state == Unfinished::Paste && bytes == ANSWER {
+            // It comes between keys and between pieces of a paste, and belongs to neither.
+            inputs.push(TerminalInput::Answer);
+            return;
+        }
         if self.overdue && self.is_typed(bytes, now) {
             self.begin(Unfinished::Ground);
+        }
+        self.settle_alone(now, inputs);
+        if self.state == Unfinished::Paste && !self.overdue && self.comes_alone(bytes, now) {
+            self.alone.extend_from_slice(bytes);
+            self.last_byte = Some(now);
+            return;
         }
         for &byte in bytes {
             self.take(byte, now, inputs);
@@ -108,10 +123,39 @@ impl Keyboard {
         }
     }
 
+    /// Decides what bytes were that came alone within a paste: keys, if nothing followed them at once, and else a part
+    /// of the paste.
+    fn settle_alone(&mut self, now: Instant, inputs: &mut Vec<TerminalInput>) {
+        if self.alone.is_empty() {
+            return;
+        }
+        let bytes = std::mem::take(&mut self.alone);
+        let then = self.last_byte.unwrap_or(now);
+        if now.saturating_duration_since(then) >= HEELS {
+            self.pasted(inputs);
+            self.begin(Unfinished::Ground);
+        }
+        for byte in bytes {
+            self.take(byte, then, inputs);
+        }
+    }
+
+    /// Returns `true` if bytes within a paste may be a key: they are few, come after a pause, and do not end it.
+    fn comes_alone(&self, bytes: &[u8], now: Instant) -> bool {
+        let pause = self
+            .last_byte
+            .map(|then| now.saturating_duration_since(then));
+        let is_key = bytes.len() <= LONGEST_KEY && !bytes.contains(&CTRL_C);
+        let has_begun = |end: usize| self.held.ends_with(&PASTE_ENDS[..end]);
+        let ends = (1..PASTE_ENDS.len()).any(has_begun) || has_end(bytes);
+        is_key && pause >= Some(HEELS) && !ends
+    }
+
     /// When to call [`Keyboard::give_up`], if anything is held back.
     #[must_use]
     pub(crate) fn deadline(&self) -> Option<Instant> {
         let patience = match self.state {
+            _ if !self.alone.is_empty() => HEELS,
             Unfinished::Ground => return None,
             Unfinished::Escape => ESCAPE_PATIENCE,
             Unfinished::Csi
@@ -129,6 +173,10 @@ impl Keyboard {
     /// The rest did not come: a lone ESC was the key, of a paste is taken what there is, anything else is
     /// dropped.
     pub(crate) fn give_up(&mut self, inputs: &mut Vec<TerminalInput>) {
+        if let Some(then) = self.last_byte.filter(|_| !self.alone.is_empty()) {
+            self.settle_alone(then + HEELS, inputs);
+            return;
+        }
         match self.state {
             Unfinished::Escape => inputs.push(TerminalInput::Key(Key::Escape)),
             Unfinished::Paste => {
@@ -144,6 +192,7 @@ impl Keyboard {
     fn begin(&mut self, state: Unfinished) {
         self.state = state;
         self.held.clear();
+        self.alone.clear();
         self.overdue = false;
     }
 
@@ -153,10 +202,7 @@ impl Keyboard {
         let is_alone = self
             .last_byte
             .is_none_or(|then| now - then.min(now) >= PRESSED);
-        let has_end = bytes
-            .windows(PASTE_ENDS.len())
-            .any(|part| part == PASTE_ENDS);
-        is_alone && bytes.len() <= LONGEST_KEY && !has_end
+        is_alone && bytes.len() <= LONGEST_KEY && !has_end(bytes)
     }
 
     /// What has come of a paste is text.
@@ -361,6 +407,12 @@ impl Keyboard {
             self.held.truncate(self.held.len() - end.len());
         }
     }
+}
+
+/// Returns `true` if a paste ends within these bytes.
+fn has_end(bytes: &[u8]) -> bool {
+    let mut parts = bytes.windows(PASTE_ENDS.len());
+    parts.any(|part| part == PASTE_ENDS)
 }
 
 #[cfg(test)]

@@ -268,6 +268,79 @@ fn the_rest_of_a_paste_that_stalls_is_no_keys() {
     assert_eq!(inputs[1..], keys);
 }
 
+/// Keys used to vanish in a paste without an end for as long as one came every second.
+#[test]
+fn keys_are_heard_in_a_paste_without_an_end() {
+    for pause in [HEELS, PASTE_PATIENCE / 3] {
+        let mut keyboard = Keyboard::default();
+        let mut inputs = Vec::new();
+        let mut now = Instant::now();
+        keyboard.feed(b"\x1b[200~text", now, &mut inputs);
+        for (bytes, expected) in [(&b"g"[..], Key::Char('g')), (b"\x1b[A", Key::Up)] {
+            inputs.clear();
+            now += pause;
+            keyboard.feed(bytes, now, &mut inputs);
+            if keyboard.deadline().is_some() {
+                assert_eq!(keyboard.deadline(), Some(now + HEELS));
+                keyboard.give_up(&mut inputs);
+            }
+            assert_eq!(inputs.last(), Some(&TerminalInput::Key(expected)));
+        }
+        assert_eq!(keyboard.deadline(), None);
+    }
+}
+
+/// A key that is held down has no pause before the next one that would make a person wait.
+#[test]
+fn next_key_settles_one_that_came_alone() {
+    let mut keyboard = Keyboard::default();
+    let mut inputs = Vec::new();
+    let mut now = Instant::now();
+    keyboard.feed(b"\x1b[200~", now, &mut inputs);
+    for _ in 0..3 {
+        now += HEELS;
+        keyboard.feed(b".", now, &mut inputs);
+    }
+    let dot = TerminalInput::Key(Key::Char('.'));
+    assert_eq!(inputs, [dot.clone(), dot.clone(), dot]);
+}
+
+/// A paste over a slow line may come byte by byte, and stall anywhere.
+#[test]
+fn paste_that_stalls_before_any_byte_stays_one() {
+    let pasted = b"\x1b[200~qw\r\x1b[Aq\x1b[201~";
+    for stall in 6..pasted.len() {
+        let mut keyboard = Keyboard::default();
+        let mut inputs = Vec::new();
+        let mut now = Instant::now();
+        for (k, byte) in pasted.iter().enumerate() {
+            now += if k == stall {
+                PASTE_PATIENCE / 2
+            } else {
+                HEELS / 25
+            };
+            keyboard.feed(&[*byte], now, &mut inputs);
+        }
+        let text = "qw\r\x1b[Aq".to_owned();
+        assert_eq!(inputs, [TerminalInput::Paste(text)], "{stall}");
+    }
+}
+
+/// Answers of the terminal come at any time, also just before and behind a key.
+#[test]
+fn answers_do_not_hide_keys_in_a_paste_without_an_end() {
+    let mut keyboard = Keyboard::default();
+    let mut inputs = Vec::new();
+    let now = Instant::now();
+    keyboard.feed(b"\x1b[200~", now, &mut inputs);
+    keyboard.feed(ANSWER, now + HEELS, &mut inputs);
+    keyboard.feed(b"q", now + HEELS, &mut inputs);
+    keyboard.feed(ANSWER, now + HEELS, &mut inputs);
+    assert_eq!(inputs, [TerminalInput::Answer, TerminalInput::Answer]);
+    keyboard.give_up(&mut inputs);
+    assert_eq!(inputs[2..], key(Key::Char('q')));
+}
+
 proptest! {
     /// Whatever comes, in whatever pieces, Ctrl-C is heard afterwards and memory stays bounded.
     #[test]

@@ -1,8 +1,9 @@
 //! Where words stand in the manual, however wide the screen is that it is laid out for.
 
+use super::keys::rows_of;
 use super::page::lines_of;
 use super::text::finds;
-use crate::manual::{ManualLine, TOPICS, joined};
+use crate::manual::{ManualLine, TOPICS, Topic, joined, plain};
 use crate::tui::commands::keymap::Keymap;
 
 /// The next page and line where a passage with these words begins: from a line of a page on, in the pages that follow,
@@ -15,11 +16,19 @@ pub(super) fn next(
 ) -> Option<(usize, usize)> {
     (0..=TOPICS.len()).find_map(|step| {
         let topic = (page - 1 + step) % TOPICS.len();
+        if !has_all(wanted, &TOPICS[topic], keymap) {
+            return None;
+        }
         let lines = lines_of(&TOPICS[topic], columns, keymap);
         let from = if step == 0 { line } else { 0 };
         let found = (from..lines.len()).find(|&line| begins(wanted, &lines[line..]));
         found.map(|line| (topic + 1, line))
     })
+}
+
+/// Returns `true` if each of the words is somewhere in a topic: only then is laying it out worth its time.
+fn has_all(wanted: &str, topic: &Topic, keymap: &Keymap) -> bool {
+    finds(wanted, &[&plain(&topic.text(|| rows_of(keymap)))])
 }
 
 /// Whether a passage with all words begins in the first of these lines, and not only in one of those behind it.

@@ -58,7 +58,7 @@ impl Assembler<'_> {
             exact.write(end, &close, &mut work.state);
             (found == Condition::Ok).then(|| miss(&wanted, &work))
         };
-        let plus = side_of(engine, key, Pick::Plus)?;
+        let plus = side_of(self.network.mechanism, engine, key, Pick::Plus)?;
         let (plus, minus) = (miss_of(plus)?, miss_of(-plus)?);
         let differ = (plus - minus).abs() > TIE * (plus + minus);
         let nearer = if plus < minus {

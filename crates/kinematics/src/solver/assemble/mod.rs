@@ -21,7 +21,7 @@ use super::network::Network;
 use super::plan::{Group, Pick, Plan};
 use super::state::{Condition, State};
 use super::workspace::Workspace;
-use crate::{PointId, Vec2};
+use crate::{Mechanism, PointId, Vec2};
 
 /// Two ways whose distances from the rough places differ by less than this part are not told apart.
 const TIE: f64 = 1e-6;
@@ -165,7 +165,8 @@ impl Assembler<'_> {
             return match self.closing(key, engine, state) {
                 StepOutcome::Open | StepOutcome::Unclear => Vec::new(),
                 StepOutcome::Done | StepOutcome::Stretched => {
-                    let plus = side_of(engine, key, Pick::Plus).unwrap_or(1.0);
+                    let plus =
+                        side_of(self.network.mechanism, engine, key, Pick::Plus).unwrap_or(1.0);
                     vec![Placement::Side(plus), Placement::Side(-plus)]
                 }
             };
@@ -262,7 +263,8 @@ impl Assembler<'_> {
             return Ok(Placement::Only);
         };
         let picked = self.request.picks[number];
-        let picked = picked.map(|pick| side_of(engine, key, pick).ok_or(pick));
+        let mechanism = self.network.mechanism;
+        let picked = picked.map(|pick| side_of(mechanism, engine, key, pick).ok_or(pick));
         let in_doubles = self.closing(key, engine, state);
         // What is named as an end lies up to half an ulp beyond it, or before.
         let may_end = in_doubles == StepOutcome::Stretched && self.order != Order::Position;
@@ -440,8 +442,18 @@ impl Assembler<'_> {
 
     /// The rough places of points that a group places, in the solver's frame.
     fn wanted(&self, number: usize, engine: &Engine) -> Vec<(PointId, Vec2)> {
+        self.places(number, self.request.near, engine)
+    }
+
+    /// Of rough places those of points that a group places, in the solver's frame.
+    fn places(
+        &self,
+        number: usize,
+        near: &[(PointId, Vec2)],
+        engine: &Engine,
+    ) -> Vec<(PointId, Vec2)> {
         let points = &self.group(number).points;
-        let ours = self.request.near.iter().filter(|(p, _)| points.contains(p));
+        let ours = near.iter().filter(|(p, _)| points.contains(p));
         ours.map(|&(point, near)| (point, engine.frame.inner(near).nearest()))
             .collect()
     }
@@ -459,8 +471,8 @@ pub(super) fn steps_of(engine: &Engine, number: usize) -> std::ops::Range<usize>
 }
 
 /// The sign in the solver of a pick, `None` where a dyad has no such pick.
-fn side_of(engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
-    let own = handedness(&engine.program.steps[key]);
+fn side_of(mechanism: &Mechanism, engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
+    let own = handedness(mechanism, &engine.program.steps[key]);
     match pick {
         Pick::Plus => Some(own),
         Pick::Minus => Some(-own),
@@ -469,8 +481,8 @@ fn side_of(engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
 }
 
 /// What a dyad's sign in the solver is picked by: the solver counts a triangle from its shorter arm, a
-/// scene from its first link.
-pub(super) fn handedness(step: &Step) -> f64 {
+/// scene from its link of lower rank.
+pub(super) fn handedness(mechanism: &Mechanism, step: &Step) -> f64 {
     let mut links = Vec::new();
     if step.choice().is_some() {
         step.outputs(&[], &mut |part| {
@@ -480,7 +492,7 @@ pub(super) fn handedness(step: &Step) -> f64 {
         });
     }
     match links[..] {
-        [first, second] if second < first => -1.0,
+        [a, b] if mechanism.link_rank(b) < mechanism.link_rank(a) => -1.0,
         _ => 1.0,
     }
 }

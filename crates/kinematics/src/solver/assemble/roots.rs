@@ -1,7 +1,7 @@
 //! The ways of a coupled group: its solutions.
 
 use super::{Assembler, Halt, Placement, miss};
-use crate::solver::coupled::{Coupled, is_same};
+use crate::solver::coupled::Coupled;
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::plan::Pick;
@@ -9,8 +9,9 @@ use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 use crate::{PointId, Vec2};
 
-/// The grain of the order of solutions, in units of about the longest link and in degrees.
-const GRAIN: f64 = 1e-6;
+/// The grains of the order of solutions, in units of about the longest link and in degrees: the finer one orders
+/// those that lie within the coarser one.
+const GRAINS: [f64; 2] = [1e-6, 1e-9];
 /// Directions tried for a link of a coupled group of which too little is known.
 const TRIED_DIRECTIONS: usize = 12;
 /// Combinations of such directions at the most.
@@ -118,9 +119,7 @@ impl Assembler<'_> {
         });
         if !is_near && !wanted.is_empty() {
             for root in self.all_roots(number, engine, work) {
-                if !roots.iter().any(|other| is_same(other, &root)) {
-                    roots.push(root);
-                }
+                self.keep(number, root, &mut roots, engine, work);
             }
         }
         let subject = self.group(number).point.unwrap_or(PointId::new(0));
@@ -146,22 +145,54 @@ impl Assembler<'_> {
         Ok(Placement::Root(root))
     }
 
-    /// Every solution that a search without any start finds, in an order of their own.
+    /// Every solution that a search finds, in an order of their own: from the rough places, from those of the scene,
+    /// and without any.
     pub(super) fn all_roots(
         &self,
         number: usize,
         engine: &Engine,
         work: &mut Workspace,
     ) -> Vec<Vec<f64>> {
-        let roots = self.roots_near(number, &[], Care::Sparse, engine, work);
+        let mut roots = self.roots_near(number, &[], Care::Sparse, engine, work);
         let Some(group) = self.coupled_of(number, engine) else {
             return roots;
         };
+        let starts = [self.request.near, self.network.mechanism.start()];
+        let is_told_twice = starts[0] == starts[1];
+        for near in starts.into_iter().skip(usize::from(is_told_twice)) {
+            let wanted = self.places(number, near, engine);
+            if wanted.is_empty() {
+                continue;
+            }
+            for root in self.roots_near(number, &wanted, Care::Newton, engine, work) {
+                self.keep(number, root, &mut roots, engine, work);
+            }
+        }
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let Workspace { state, scratch, .. } = work;
         let mut roots = group.relatives(q, roots, state, scratch);
         roots.sort_by_key(|z| rank(group, z));
         roots
+    }
+
+    /// Adds a solution to a list that does not have it.
+    fn keep(
+        &self,
+        number: usize,
+        root: Vec<f64>,
+        roots: &mut Vec<Vec<f64>>,
+        engine: &Engine,
+        work: &mut Workspace,
+    ) {
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let Workspace { state, scratch, .. } = work;
+        let is_known = self.coupled_of(number, engine).is_some_and(|group| {
+            let mut known = roots.iter();
+            known.any(|other| group.is_one(q, [other, &root], state, scratch))
+        });
+        if !is_known {
+            roots.push(root);
+        }
     }
 
     /// The solutions to which Newton comes from rough places.
@@ -197,8 +228,8 @@ impl Assembler<'_> {
                 let settled =
                     settled && group.finish(q, crate::solver::elements::POSITION, state, scratch);
                 let z = group.open(scratch).z.to_vec();
-                if settled && !roots.iter().any(|other| is_same(other, &z)) {
-                    roots.push(z);
+                if settled {
+                    self.keep(number, z, &mut roots, engine, work);
                 }
             }
         }
@@ -293,19 +324,16 @@ impl Assembler<'_> {
 }
 
 /// By the directions of its links, from +x counter-clockwise, then by its joints: an order that depends
-/// on nothing but the solution. Finer than two solutions can lie together.
+/// on nothing but the solution.
 fn rank(group: &Coupled, z: &[f64]) -> Vec<i64> {
     let (joints, directions) = z.split_at(z.len() - 2 * group.turning().len());
-    let angles = directions.chunks_exact(2).map(|d| {
-        let angle = crate::angle::degrees(Vec2::new(d[0], d[1]));
-        #[expect(clippy::cast_possible_truncation, reason = "below 360 / GRAIN")]
-        let place = (angle / GRAIN).round() as i64;
-        place
-    });
+    let angles = directions.chunks_exact(2);
+    let angles = angles.map(|d| crate::angle::degrees(Vec2::new(d[0], d[1])));
+    let sizes: Vec<f64> = angles.chain(joints.iter().copied()).collect();
     #[expect(
         clippy::cast_possible_truncation,
         reason = "saturates far outside any linkage"
     )]
-    let joints = joints.iter().map(|v| (v / GRAIN).round() as i64);
-    angles.chain(joints).collect()
+    let places = |grain: f64| sizes.iter().map(move |v| (v / grain).round() as i64);
+    GRAINS.into_iter().flat_map(places).collect()
 }

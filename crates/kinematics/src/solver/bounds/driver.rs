@@ -2,7 +2,7 @@
 
 use super::errors::LinkError;
 use crate::arithmetic::{Decimal, Halves, Product, U, half_ulp, typed_radius};
-use crate::{Ball, Double, Vec2, angle};
+use crate::{Double, Vec2, angle};
 
 /// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
 const LEAST_DIGITS: f64 = 1e14;
@@ -17,27 +17,69 @@ const UNIT: f64 = 64.0 * U * U;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
-/// How far the driver's coordinate that was meant can be from the double that it was read as: one of more
+/// Where the driver's coordinate that was meant lies, seen from the double that it was read as: one of more
 /// than 15 digits is that double, one of fewer is the decimal that it reads back as.
-#[inline(always)]
-pub(super) fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
-    // A whole number is itself.
-    if at.abs() < MOST_DIGITS && at == at.trunc() {
-        return 0.0;
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::solver) struct AskedCoordinate {
+    /// How much more it is,
+    pub(in crate::solver) rest: f64,
+    /// and how far it can be from that.
+    pub(in crate::solver) radius: f64,
+}
+
+impl AskedCoordinate {
+    /// What is meant by a coordinate.
+    #[inline(always)]
+    pub(in crate::solver) fn of<const FUSED: bool>(at: f64) -> AskedCoordinate {
+        // A whole number is itself.
+        if at.abs() < MOST_DIGITS && at == at.trunc() {
+            return AskedCoordinate::default();
+        }
+        if at.abs() >= MOST_DIGITS {
+            return AskedCoordinate::within(typed_radius_of_many(at));
+        }
+        let Some(unit) = unit_of(at.abs()) else {
+            return AskedCoordinate::within(typed_radius(at));
+        };
+        // Both are whole and below 2^53: their quotient is what the decimal is read as.
+        let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
+        let whole = hi.round_ties_even();
+        if whole.abs() < MOST_DIGITS && whole / unit == at {
+            let rest = ((whole - hi) - lo) * (1.0 / unit);
+            let asked = AskedCoordinate {
+                rest,
+                radius: rest.abs() * (4.0 * U),
+            };
+            // Who gives 15 digits may have rounded them: the double counts as well.
+            let is_short = (whole * 0.1).round_ties_even() * 10.0 == whole;
+            if is_short {
+                asked
+            } else {
+                AskedCoordinate::within(asked.most())
+            }
+        } else {
+            AskedCoordinate::default()
+        }
     }
-    if at.abs() >= MOST_DIGITS {
-        return typed_radius_of_many(at);
+
+    /// Somewhere near.
+    #[inline(always)]
+    pub(super) fn within(radius: f64) -> AskedCoordinate {
+        AskedCoordinate { rest: 0.0, radius }
     }
-    let Some(unit) = unit_of(at.abs()) else {
-        return typed_radius(at);
-    };
-    // Both are whole and below 2^53: their quotient is what the decimal is read as.
-    let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
-    let whole = hi.round_ties_even();
-    if whole.abs() < MOST_DIGITS && whole / unit == at {
-        ((whole - hi) - lo).abs() * (1.0 / unit) * (1.0 + 4.0 * U)
-    } else {
-        0.0
+
+    /// How far it can be from the double.
+    #[inline(always)]
+    pub(super) fn most(self) -> f64 {
+        self.rest.abs() + self.radius
+    }
+
+    /// The coordinate in twice the digits, of which this is the double.
+    pub(in crate::solver) fn close(self, at: f64) -> Double {
+        Double {
+            hi: at,
+            lo: self.rest,
+        }
     }
 }
 
@@ -79,16 +121,23 @@ impl CrankDirection {
 
     /// At an angle in degrees. A long chain makes much of little: there it is found to all of these digits.
     #[inline(always)]
-    pub(super) fn at<const FUSED: bool>(at: Ball, is_long: bool) -> CrankDirection {
+    pub(super) fn at<const FUSED: bool>(
+        at: f64,
+        asked: AskedCoordinate,
+        is_long: bool,
+    ) -> CrankDirection {
         let (close, off) = if is_long {
-            (Double::unit(at.mid), Vec2::ZERO)
+            (Double::unit(at), Vec2::ZERO)
         } else {
-            angle::unit_closely::<FUSED>(at.mid)
+            angle::unit_closely::<FUSED>(at)
         };
+        let d = close.map(|v| v.hi);
+        let turn = asked.rest * RADIAN;
+        let rounding = turn.abs() * (turn.abs() + 8.0 * U);
         CrankDirection {
-            d: close.map(|v| v.hi),
-            low: close.map(|v| v.lo),
-            off: off.x + off.y + UNIT + at.radius * RADIAN,
+            d,
+            low: close.map(|v| v.lo) + d.perp() * turn,
+            off: off.x + off.y + UNIT + rounding + asked.radius * RADIAN,
         }
     }
 
@@ -102,6 +151,10 @@ impl CrankDirection {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
+        AskedCoordinate::of::<FUSED>(at).most()
+    }
 
     #[test]
     fn a_coordinate_is_meant_as_it_was_typed() {
@@ -120,6 +173,9 @@ mod tests {
         let off = asked_radius::<false>(39.3);
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
         assert_eq!(asked_radius::<false>(-39.3), off);
+        // The double is below 39.3.
+        let asked = AskedCoordinate::of::<false>(39.3);
+        assert!(asked.rest > 2.84e-15 && asked.radius < 1e-29, "{asked:?}");
         assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
         // 1e23 is no double, nor is the other; 1e22 is one.
         assert!(asked_radius::<false>(1e23) > 8e6);

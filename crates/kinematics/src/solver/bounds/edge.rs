@@ -23,7 +23,7 @@ impl Solver {
         if !is_dyads || state.condition != Condition::Ok || self.is_passing(state.at) {
             return false;
         }
-        let asked = work.errors.asked::<false>(state.at);
+        let asked = work.errors.asked::<false>(state.at, false).most();
         let (Some(exact), Some(edge)) = (&self.exact, &mut work.errors.edge) else {
             return false;
         };

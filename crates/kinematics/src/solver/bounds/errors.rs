@@ -4,7 +4,7 @@
 //! residuals say, to the first order. The rest is only known to be small: what no residual tells, such
 //! as what a typed coordinate of the driver is off by, and what is of the second order.
 
-use super::driver::asked_radius;
+use super::driver::AskedCoordinate;
 use super::influence::Influences;
 use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
@@ -57,6 +57,8 @@ pub(in crate::solver) struct Errors {
     feeds_sharp: bool,
     /// All steps in the numbers that are meant, for what is near to an end.
     pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
+    /// Whether numbers stand for the decimals that they were typed as.
+    pub(super) is_decimal: bool,
     /// How far the driver's coordinate can be from what was meant where it was not typed but follows from a time, in
     /// its own unit.
     pub(in crate::solver) driven: f64,
@@ -156,17 +158,20 @@ impl LinkError {
 }
 
 impl Errors {
-    /// Room for the errors of an engine's states, with those of its constants in it.
-    pub(super) fn new(engine: &Engine, sharp: Workspace<Sharp>) -> Errors {
-        let program = &engine.program;
+    /// Room for the errors of an engine's states: those of its constants, of which `meant` knows best what they are.
+    pub(super) fn new(engine: &Engine, meant: &Engine, sharp: Workspace<Sharp>) -> Errors {
+        let program = &meant.program;
+        let computed = &engine.program;
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
-        let points = program.points.iter().map(|&p| {
-            let shift = [p.map(|v| v.lo), Vec2::ZERO, Vec2::ZERO];
+        let way =
+            |v: Vec2<Constant>, from: Vec2| (v.map(Constant::value) - from.exactly()).nearest();
+        let points = program.points.iter().zip(&computed.points).map(|(&p, of)| {
+            let shift = [way(p, of.nearest()), Vec2::ZERO, Vec2::ZERO];
             PointError::new(shift, [size(off(p)), 0.0, 0.0])
         });
-        let links = program.links.iter().map(|&d| {
-            let [near, low] = [d.map(|v| v.hi), d.map(|v| v.lo)];
-            LinkError::of_way(near, low, size(off(d)))
+        let links = program.links.iter().zip(&computed.links).map(|(&d, of)| {
+            let near = of.nearest();
+            LinkError::of_way(near, way(d, near), size(off(d)))
         });
         Errors {
             points: points.collect(),
@@ -176,14 +181,20 @@ impl Errors {
             has_close_steps: program.steps.iter().any(|step| !step.has_residuals()),
             feeds_sharp: false,
             edge: None,
+            is_decimal: false,
             driven: 0.0,
         }
     }
 
-    /// How far the driver's coordinate can be from what was meant.
+    /// Where the driver's coordinate lies that was meant; close to an end of the motion its double may be meant as well.
     #[inline(always)]
-    pub(super) fn asked<const FUSED: bool>(&self, at: f64) -> f64 {
-        asked_radius::<FUSED>(at).max(self.driven)
+    pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> AskedCoordinate {
+        let asked = AskedCoordinate::of::<FUSED>(at);
+        if self.is_decimal && is_clear && self.driven == 0.0 {
+            asked
+        } else {
+            AskedCoordinate::within(asked.most().max(self.driven))
+        }
     }
 
     /// Before a state, and whether its forces are asked for.

@@ -12,8 +12,9 @@
 //! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
 //! and so are the forces, which are one pass backwards.
 //!
-//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
-//! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's
+//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and stored to half an
+//! ulp. What its double leaves out is known with its sign: residuals are found from the numbers that are meant. They are
+//! for the assembly that the figure is near to. They trust the platform's
 //! square root to be rounded correctly and its arctangent to an ulp.
 
 mod aim;
@@ -45,6 +46,7 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
+pub(super) use driver::AskedCoordinate;
 use driver::CrankDirection;
 use off::LinkOff;
 use places::Bodies;
@@ -59,12 +61,14 @@ impl Solver {
     /// Room for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
-        let mut enclosure = self.room();
-        let groups = self.engine.program.coupled.iter();
+        let engine = self.meant_engine();
+        let mut enclosure = self.room_of(engine);
+        let groups = engine.program.coupled.iter();
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
-        enclosure.errors = Errors::new(&self.engine, self.room());
+        enclosure.errors = Errors::new(&self.engine, engine, self.room_of(engine));
         enclosure.errors.edge = self.close_state().map(Box::new);
+        enclosure.errors.is_decimal = self.mechanism.has_decimals();
         enclosure
     }
 
@@ -77,15 +81,33 @@ impl Solver {
     pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
         let state = &mut work.state;
         let order = order.min(state.order);
+        let engine = self.meant_engine();
         let is_clear = self.motion.is_clear(state.at);
-        let proved = is_clear && self.engine.enclose_to(false, order, state, enclosure);
+        let proved = is_clear && engine.enclose_to(Vicinity::Clear, order, state, enclosure);
         if !proved {
-            let is_edge = self.look_at_edge(order, state, enclosure);
-            if is_edge || !is_clear {
-                self.engine.enclose_to(is_edge, order, state, enclosure);
+            if self.look_at_edge(order, state, enclosure) {
+                engine.enclose_to(Vicinity::Edge, order, state, enclosure);
+            } else if !is_clear {
+                engine.enclose_to(Vicinity::NearEnd, order, state, enclosure);
             }
         }
         self.enclose_forces(order, state, enclosure);
+    }
+
+    /// The steps with their numbers as they are known best: typed decimals to twice the digits, so that what their
+    /// doubles are off by is known with its sign.
+    fn meant_engine(&self) -> &Engine {
+        let exact = self.exact.as_ref().filter(|_| self.mechanism.is_typed());
+        exact.map_or(&self.engine, |exact| &exact.engine)
+    }
+
+    /// The coordinate that is meant: close to an end of the motion the double itself.
+    pub(super) fn meant_coordinate(&self, at: f64) -> Double {
+        if self.mechanism.has_decimals() && self.motion.is_clear(at) {
+            AskedCoordinate::of::<false>(at).close(at)
+        } else {
+            Double::exactly(at)
+        }
     }
 
     fn enclose_forces(&self, order: Order, state: &mut State, enclosure: &mut Workspace<Ball>) {
@@ -153,10 +175,21 @@ impl Dyad<'_> {
     }
 }
 
+/// Where a state is in its motion.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Vicinity {
+    /// No end of the range is near.
+    Clear,
+    /// One is, or may be.
+    NearEnd,
+    /// The steps have been run in twice the digits.
+    Edge,
+}
+
 /// The bounds of one state, to be found.
 struct Enclosing<'a> {
     engine: &'a Engine,
-    how: (bool, Order),
+    how: (Vicinity, Order),
     state: &'a State,
     work: &'a mut Workspace<Ball>,
 }
@@ -178,19 +211,19 @@ impl Fusing for &mut Enclosing<'_> {
 }
 
 impl Engine {
-    /// Encloses a state, by what its steps have come to in twice the digits where that is the `edge`; whether
-    /// all of it was proved.
+    /// Encloses a state, by what its steps have come to in twice the digits at the edge;
+    /// whether all of it was proved.
     fn enclose_to(
         &self,
-        is_edge: bool,
+        vicinity: Vicinity,
         order: Order,
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         work.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            let at = Ball::new(state.at, work.errors.asked::<false>(state.at));
-            work.state.begin(at, order);
+            let asked = work.errors.asked::<false>(state.at, false);
+            work.state.begin(Ball::new(state.at, asked.most()), order);
             return true;
         }
         // By the machine's vectors, and by fused multiplication and addition where it has that, to the same bits. Long
@@ -198,7 +231,7 @@ impl Engine {
         let is_long = work.errors.influences.is_long();
         let mut enclosing = Enclosing {
             engine: self,
-            how: (is_edge, order),
+            how: (vicinity, order),
             state,
             work,
         };
@@ -213,14 +246,14 @@ impl Engine {
     fn enclose_here<S: Simd, const FUSED: bool>(
         &self,
         simd: S,
-        (is_edge, order): (bool, Order),
+        (vicinity, order): (Vicinity, Order),
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let at = Ball::new(state.at, errors.asked::<FUSED>(state.at));
-        enclosure.begin(at, order);
+        let asked = errors.asked::<FUSED>(state.at, vicinity == Vicinity::Clear);
+        enclosure.begin(Ball::new(state.at, asked.most()), order);
         errors.begin(order == Order::Force);
         let order = match order {
             Order::Position => POSITION,
@@ -228,13 +261,13 @@ impl Engine {
             Order::Acceleration | Order::Force => ACCELERATION,
         };
         let heading = if self.turns {
-            CrankDirection::at::<FUSED>(at, errors.influences.matter::<FUSED>())
+            CrankDirection::at::<FUSED>(state.at, asked, errors.influences.matter::<FUSED>())
         } else {
             CrankDirection::NONE
         };
         let mut all = true;
         for step in &self.program.steps {
-            if is_edge && !matches!(step, Step::SlideReadout(_)) {
+            if vicinity == Vicinity::Edge && !matches!(step, Step::SlideReadout(_)) {
                 step.outputs(&self.program.coupled, &mut |part| {
                     errors.take_edge(part, state, enclosure);
                 });
@@ -285,7 +318,7 @@ impl Engine {
                 // What has no residuals of its own.
                 _ => {
                     let scratch = &mut work.scratch;
-                    self.enclose_closely((step, order), state, enclosure, errors, scratch)
+                    self.enclose_closely((step, order, asked), state, enclosure, errors, scratch)
                 }
             };
             if !proved {
@@ -299,7 +332,7 @@ impl Engine {
     /// Runs a step in twice the digits; whether it could be.
     fn enclose_closely(
         &self,
-        (step, order): (&Step, u8),
+        (step, order, asked): (&Step, u8, AskedCoordinate),
         state: &State,
         enclosure: &mut State<Ball>,
         errors: &mut Errors,
@@ -308,8 +341,7 @@ impl Engine {
         let Some(mut sharp) = errors.sharp.take() else {
             return false;
         };
-        let at = enclosure.at;
-        let exact = Sharp::new(Double::exactly(at.mid), at.radius);
+        let exact = Sharp::new(asked.close(state.at), asked.radius);
         let (q, _) = self.coordinate(exact);
         if let Some(group) = step.choice() {
             sharp.state.signs[group] = Sharp::exactly(state.signs[group]);

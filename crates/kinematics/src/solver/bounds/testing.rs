@@ -28,11 +28,11 @@ pub fn compare_bounds_without_vectors(solver: &Solver) -> u32 {
             continue;
         }
         let engine = &solver.engine;
-        let _ = engine.enclose_to(false, order, &work.state, &mut balls);
+        let _ = engine.enclose_to(Vicinity::Clear, order, &work.state, &mut balls);
         plain.state.condition = work.state.condition;
         plainly(&mut Enclosing {
             engine,
-            how: (false, order),
+            how: (Vicinity::Clear, order),
             state: &work.state,
             work: &mut plain,
         });

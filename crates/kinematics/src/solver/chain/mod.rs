@@ -394,9 +394,15 @@ impl<'n> Chain<'n> {
                     .filter(|&&l| self.knows(l) || scope.classes.contains(&self.network.class(l))),
             );
         }
-        scope.links.sort_unstable();
+        let mechanism = self.network.mechanism;
+        scope
+            .links
+            .sort_unstable_by_key(|&link| mechanism.link_rank(link));
         scope.links.dedup();
-        scope.slides.sort_unstable();
+        let rank = |slide: SlideId| mechanism.point_rank(mechanism.slide(slide).slider.point());
+        scope
+            .slides
+            .sort_unstable_by_key(|&slide| (rank(slide), slide));
         scope.slides.dedup();
         scope
     }
@@ -470,7 +476,12 @@ impl<'n> Chain<'n> {
         let kind = GroupKind::Coupled {
             unknowns: group.unknowns(),
         };
-        self.open_group(kind, points.first().copied());
+        let mechanism = self.network.mechanism;
+        let named = points
+            .iter()
+            .copied()
+            .min_by_key(|&point| mechanism.point_rank(point));
+        self.open_group(kind, named);
         self.push(Step::Coupled {
             index: self.program.coupled.len(),
         });

@@ -6,6 +6,7 @@
 //! equation: what one curve does not join another may.
 
 use super::{Coupled, Scratch};
+use crate::Vec2;
 use crate::numeric::root;
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -142,7 +143,11 @@ impl Tracer<'_> {
 
     /// The number of a solution, a new one's too.
     fn known(&mut self, z: Vec<f64>) -> usize {
-        let known = self.roots.iter().position(|other| is_same(other, &z));
+        let mut known = self.roots.iter();
+        let known = known.position(|other| {
+            let two = [&other[..], &z];
+            self.group.is_one(self.q, two, self.state, self.scratch)
+        });
         known.unwrap_or_else(|| {
             self.roots.push(z);
             self.roots.len() - 1
@@ -247,9 +252,38 @@ impl Tracer<'_> {
     }
 }
 
-/// Two solutions nearer than this, in units of about the longest link and in radians, are one.
-const SAME: f64 = 1e-6;
+/// Two solutions that are further apart than this, in units of about the longest link and in radians, are not one.
+pub(in crate::solver) const SAME: f64 = 1e-6;
+/// Halfway between two solutions that are not one the equations miss by more than this: the rounding of their terms.
+const HALFWAY: f64 = 4.0 * f64::EPSILON;
 
-pub(in crate::solver) fn is_same(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
+/// The largest difference of two solutions.
+pub(in crate::solver) fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, f64::max)
+}
+
+impl Coupled {
+    /// Whether two solutions are the same one but for rounding. Uses the room in the scratch.
+    pub(in crate::solver) fn is_one(
+        &self,
+        q: f64,
+        [a, b]: [&[f64]; 2],
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> bool {
+        if !(distance(a, b) < SAME) {
+            return false;
+        }
+        let room = self.open(scratch);
+        for (z, (a, b)) in room.z.iter_mut().zip(a.iter().zip(b)) {
+            *z = 0.5 * (a + b);
+        }
+        for d in room.z[2 * self.free..].chunks_exact_mut(2) {
+            let unit = Vec2::new(d[0], d[1]);
+            let unit = unit / unit.norm();
+            (d[0], d[1]) = (unit.x, unit.y);
+        }
+        self.gap(q, state, scratch) <= HALFWAY
+    }
 }

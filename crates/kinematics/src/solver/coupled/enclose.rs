@@ -16,21 +16,21 @@ use crate::solver::state::State;
 use crate::{Ball, Double, Number, Vec2};
 
 /// How much larger than the first step the box is that has to prove itself.
-const BOX: f64 = 2.0;
+pub(super) const BOX: f64 = 2.0;
 /// No row of I - R J may be larger than this in sum; with the box twice the step it then proves
 /// itself.
-const CONTRACTION: f64 = 0.5;
+pub(super) const CONTRACTION: f64 = 0.5;
 
 /// What a step of Newton for the length of a direction rounds.
-const UNIT: f64 = 64.0 * U * U;
+pub(super) const UNIT: f64 = 64.0 * U * U;
 
 /// The inverse R of the matrix, and what is left of I - R J, row by row.
-struct Inverse<'a> {
-    n: usize,
-    rows: &'a mut [f64],
-    left: &'a mut [f64],
+pub(super) struct Inverse<'a> {
+    pub(super) n: usize,
+    pub(super) rows: &'a mut [f64],
+    pub(super) left: &'a mut [f64],
     /// The largest of these.
-    most: f64,
+    pub(super) most: f64,
 }
 
 /// The inputs of a group, and the room for its equations: in balls for the matrix, in twice the digits for
@@ -182,7 +182,12 @@ impl Coupled {
 
 impl Inverse<'_> {
     /// Inverts a matrix, which is used up.
-    fn fill(&mut self, matrix: &mut [f64], pivots: &mut [usize], column: &mut [f64]) -> Option<()> {
+    pub(super) fn fill(
+        &mut self,
+        matrix: &mut [f64],
+        pivots: &mut [usize],
+        column: &mut [f64],
+    ) -> Option<()> {
         let n = self.n;
         lu::factor(matrix, pivots, n)?;
         for j in 0..n {
@@ -201,7 +206,7 @@ impl Inverse<'_> {
     }
 
     /// The largest component of |R| v.
-    fn most_step(&self, residuals: &[Sharp]) -> f64 {
+    pub(super) fn most_step(&self, residuals: &[Sharp]) -> f64 {
         let size = |r: Sharp| r.mid.hi.abs() + r.radius;
         let step = |i| -> f64 {
             let terms = self.row(i).iter().zip(residuals);
@@ -214,7 +219,7 @@ impl Inverse<'_> {
     }
 
     /// One component of the step that the residuals ask for; `around` bounds all of them.
-    fn step(&self, i: usize, residuals: &[Sharp], around: f64) -> Sharp {
+    pub(super) fn step(&self, i: usize, residuals: &[Sharp], around: f64) -> Sharp {
         let (mut step, mut terms, mut fuzz) = (0.0, 0.0, 0.0);
         for (r, v) in self.row(i).iter().zip(residuals) {
             step -= r * v.mid.hi;
@@ -226,7 +231,7 @@ impl Inverse<'_> {
     }
 
     /// How large I - R J can be in every row, J any matrix of a matrix of balls.
-    fn measure(&mut self, matrix: &[Ball]) {
+    pub(super) fn measure(&mut self, matrix: &[Ball]) {
         let n = self.n;
         let rounding = (n as f64 + 2.0) * U;
         self.most = 0.0;

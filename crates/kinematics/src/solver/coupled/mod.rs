@@ -6,6 +6,7 @@ mod comparison;
 mod curve_tracing;
 mod enclose;
 mod equations;
+mod exact_fold;
 mod exchange;
 
 mod levenberg_marquardt;
@@ -17,7 +18,7 @@ mod twice;
 mod unfolding;
 
 pub(super) use comparison::Closing;
-pub(super) use curve_tracing::is_same;
+pub(super) use curve_tracing::{SAME, distance};
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
@@ -28,7 +29,8 @@ use super::network::{ClassId, Network};
 use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::Maker;
-pub(super) use singular::{Correction, Crossing};
+pub(super) use exact_fold::{ExactFold, FoldResiduals};
+pub(super) use singular::{Correction, Crossing, Fold};
 
 /// More corrections than quadratic convergence needs from anywhere near.
 const CORRECTIONS: usize = 24;

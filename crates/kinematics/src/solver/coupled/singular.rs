@@ -23,6 +23,7 @@
 
 use super::series::Null;
 use super::{Coupled, Room, Scratch};
+use crate::Number;
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 use std::ops::Range;
@@ -30,8 +31,8 @@ use std::ops::Range;
 /// What Newton's method for a fold carries from step to step besides z: the null vector, and the
 /// vector that normalises it.
 pub(in crate::solver) struct Fold {
-    v: Vec<f64>,
-    c: Vec<f64>,
+    pub(super) v: Vec<f64>,
+    pub(super) c: Vec<f64>,
 }
 
 /// What Newton's method for a crossing carries: the null vector v, the particular tangent p, and by
@@ -144,25 +145,39 @@ impl Coupled {
     ) -> Option<Correction> {
         let n = self.unknowns();
         let mut room = self.open(scratch);
-        let local = Local::new(self, q, state, &mut room);
-        let (z, by_q, v) = (0, n, n + 1);
+        let system = self.fold_system(&fold.v, &fold.c, q, state, &mut room);
+        let (size, change) = system.solved()?;
+        self.shift(room.z, &change[..n]);
+        add(&mut fold.v, &change[n + 1..]);
+        Some(Correction {
+            size,
+            dq: change[n],
+        })
+    }
+
+    /// The equations of a fold at the z of the room, and their derivatives by z, q and v.
+    pub(super) fn fold_system<T: Number>(
+        &self,
+        v: &[T],
+        c: &[T],
+        q: T,
+        state: &State<T>,
+        room: &mut Room<'_, T>,
+    ) -> System<T> {
+        let n = self.unknowns();
+        let local = Local::new(self, q, state, room);
+        let (z, by_q, by_v) = (0, n, n + 1);
         let mut system = System::new(2 * n + 1);
         system.right[..n].copy_from_slice(&local.misfit);
         system.block(0, z, &local.matrix, n);
         system.column(0, by_q, &local.by_q);
-        system.add_right(n, &local.times_matrix(&fold.v));
-        system.block(n, z, &local.bent(self, &fold.v, q, state, &mut room), n);
-        system.column(n, by_q, &local.times_mixed(&fold.v));
-        system.block(n, v, &local.matrix, n);
-        system.row(2 * n, v, &fold.c);
-        system.right[2 * n] = dot(&fold.c, &fold.v) - 1.0;
-        let (size, change) = system.solved()?;
-        self.shift(room.z, &change[z..z + n]);
-        add(&mut fold.v, &change[v..]);
-        Some(Correction {
-            size,
-            dq: change[by_q],
-        })
+        system.add_right(n, &local.times_matrix(v));
+        system.block(n, z, &local.bent(self, v, q, state, room), n);
+        system.column(n, by_q, &local.times_mixed(v));
+        system.block(n, by_v, &local.matrix, n);
+        system.row(2 * n, by_v, c);
+        system.right[2 * n] = dot(c, v) - T::exactly(1.0);
+        system
     }
 
     /// A start for [`Coupled::approach_crossing`], from a state close to one.
@@ -261,7 +276,13 @@ impl Coupled {
     }
 
     /// The second rates of the equations with z' = `first` and z'' = 0.
-    fn second_rates(&self, first: &[f64], q: f64, state: &State, room: &mut Room<'_>) -> Vec<f64> {
+    fn second_rates<T: Number>(
+        &self,
+        first: &[T],
+        q: T,
+        state: &State<T>,
+        room: &mut Room<'_, T>,
+    ) -> Vec<T> {
         room.first.copy_from_slice(first);
         self.rates(q, state, room, 2);
         room.right.to_vec()
@@ -269,43 +290,43 @@ impl Coupled {
 }
 
 /// The equations of a group at one place with their derivatives, matrices by rows.
-pub(super) struct Local {
+pub(super) struct Local<T = f64> {
     n: usize,
     /// F.
-    misfit: Vec<f64>,
+    misfit: Vec<T>,
     /// J, the derivative by z, and that by q.
-    matrix: Vec<f64>,
-    by_q: Vec<f64>,
+    matrix: Vec<T>,
+    by_q: Vec<T>,
     /// r = R(0), the second derivative by q.
-    still: Vec<f64>,
+    still: Vec<T>,
     /// L, the second derivative by z and q.
-    mixed: Vec<f64>,
+    mixed: Vec<T>,
     /// R(e) of the unit vectors, one after another.
-    units: Vec<Vec<f64>>,
+    units: Vec<Vec<T>>,
 }
 
-impl Local {
-    pub(super) fn new(group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> Local {
+impl<T: Number> Local<T> {
+    pub(super) fn new(group: &Coupled, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Local<T> {
         let n = group.unknowns();
         group.residuals(q, state, room);
         let misfit = room.right.to_vec();
-        room.first.fill(0.0);
-        room.second.fill(0.0);
+        room.first.fill(T::default());
+        room.second.fill(T::default());
         group.rates(q, state, room, 1);
         let by_q = room.right.to_vec();
         group.jacobian(q, state, room);
         let matrix = room.matrix.to_vec();
-        let mut unit = vec![0.0; n];
+        let mut unit = vec![T::default(); n];
         let still = group.second_rates(&unit, q, state, room);
-        let (mut units, mut mixed) = (Vec::new(), vec![0.0; n * n]);
+        let (mut units, mut mixed) = (Vec::new(), vec![T::default(); n * n]);
         for j in 0..n {
-            unit[j] = -1.0;
+            unit[j] = T::exactly(-1.0);
             let back = group.second_rates(&unit, q, state, room);
-            unit[j] = 1.0;
+            unit[j] = T::exactly(1.0);
             let forth = group.second_rates(&unit, q, state, room);
-            unit[j] = 0.0;
+            unit[j] = T::default();
             for i in 0..n {
-                mixed[i * n + j] = 0.25 * (forth[i] - back[i]);
+                mixed[i * n + j] = (forth[i] - back[i]).scaled(0.25);
             }
             units.push(forth);
         }
@@ -320,11 +341,11 @@ impl Local {
         }
     }
 
-    fn times_matrix(&self, v: &[f64]) -> Vec<f64> {
+    fn times_matrix(&self, v: &[T]) -> Vec<T> {
         self.matrix.chunks(self.n).map(|row| dot(row, v)).collect()
     }
 
-    fn times_mixed(&self, v: &[f64]) -> Vec<f64> {
+    fn times_mixed(&self, v: &[T]) -> Vec<T> {
         self.mixed.chunks(self.n).map(|row| dot(row, v)).collect()
     }
 
@@ -332,21 +353,22 @@ impl Local {
     fn bent(
         &self,
         group: &Coupled,
-        v: &[f64],
-        q: f64,
-        state: &State,
-        room: &mut Room<'_>,
-    ) -> Vec<f64> {
+        v: &[T],
+        q: T,
+        state: &State<T>,
+        room: &mut Room<'_, T>,
+    ) -> Vec<T> {
         let n = self.n;
         let alone = group.second_rates(v, q, state, room);
-        let mut bent = vec![0.0; n * n];
+        let mut bent = vec![T::default(); n * n];
         let mut sum = v.to_vec();
         for j in 0..n {
-            sum[j] += 1.0;
+            sum[j] += T::exactly(1.0);
             let both = group.second_rates(&sum, q, state, room);
             sum[j] = v[j];
             for i in 0..n {
-                bent[i * n + j] = 0.5 * (both[i] - alone[i] - self.units[j][i] + self.still[i]);
+                let both = both[i] - alone[i] - self.units[j][i] + self.still[i];
+                bent[i * n + j] = both.scaled(0.5);
             }
         }
         bent
@@ -354,40 +376,42 @@ impl Local {
 }
 
 /// A linear system that is put together from blocks: all of them are added.
-pub(super) struct System {
+pub(super) struct System<T = f64> {
     pub(super) n: usize,
-    pub(super) matrix: Vec<f64>,
-    right: Vec<f64>,
+    pub(super) matrix: Vec<T>,
+    pub(super) right: Vec<T>,
 }
 
-impl System {
-    fn new(n: usize) -> System {
+impl<T: Number> System<T> {
+    fn new(n: usize) -> System<T> {
         System {
             n,
-            matrix: vec![0.0; n * n],
-            right: vec![0.0; n],
+            matrix: vec![T::default(); n * n],
+            right: vec![T::default(); n],
         }
     }
 
-    fn block(&mut self, row: usize, column: usize, block: &[f64], width: usize) {
+    fn block(&mut self, row: usize, column: usize, block: &[T], width: usize) {
         for (i, values) in block.chunks(width).enumerate() {
             let from = (row + i) * self.n + column;
             add(&mut self.matrix[from..from + width], values);
         }
     }
 
-    fn row(&mut self, row: usize, column: usize, values: &[f64]) {
+    fn row(&mut self, row: usize, column: usize, values: &[T]) {
         self.block(row, column, values, values.len());
     }
 
-    fn column(&mut self, row: usize, column: usize, values: &[f64]) {
+    fn column(&mut self, row: usize, column: usize, values: &[T]) {
         self.block(row, column, values, 1);
     }
 
-    fn add_right(&mut self, row: usize, values: &[f64]) {
+    fn add_right(&mut self, row: usize, values: &[T]) {
         add(&mut self.right[row..row + values.len()], values);
     }
+}
 
+impl System {
     /// The correction that takes `right` away, with its largest component.
     fn solved(mut self) -> Option<(f64, Vec<f64>)> {
         let mut pivots = vec![0; self.n];
@@ -399,8 +423,8 @@ impl System {
     }
 }
 
-fn add(to: &mut [f64], values: &[f64]) {
-    for (to, value) in to.iter_mut().zip(values) {
+fn add<T: Number>(to: &mut [T], values: &[T]) {
+    for (to, &value) in to.iter_mut().zip(values) {
         *to += value;
     }
 }

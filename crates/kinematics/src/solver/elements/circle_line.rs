@@ -9,8 +9,8 @@
 use super::line::{Chord, GuideAt};
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, GuideLine, POSITION, StepOutcome, TwoAssemblies,
-    VELOCITY,
+    ACCELERATION, Arm, Backwards, Dyad, Element, GuideLine, POSITION, StepOutcome, Stretching,
+    TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -168,11 +168,23 @@ impl TwoAssemblies for CircleLine {
         self.place::<T, { POSITION }>(&guide, s, e, [h0, T::default()], state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let guide = self.line.at(state);
         let pivot = state.points[self.arm.pivot.index()];
         let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
         Some(guide.n.dot(pivot.v - guide.q.v) - turning)
+    }
+
+    /// Seen from the guide.
+    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+        let guide = self.line.at(state);
+        let pivot = state.points[self.arm.pivot.index()];
+        let s = guide.t.dot(pivot.p - guide.q.p);
+        Some(Stretching {
+            toward: guide.n,
+            v: pivot.v - guide.velocity(s),
+            a: pivot.a - guide.acceleration(s, 0.0),
+        })
     }
 
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {

@@ -3,7 +3,8 @@
 use super::line::Chord;
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, StepOutcome, TwoAssemblies, VELOCITY,
+    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, StepOutcome, Stretching, TwoAssemblies,
+    VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -168,9 +169,18 @@ impl TwoAssemblies for CircleRail {
         self.place::<T, { POSITION }>(along, d, [h0, T::default()], state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let v = state.points[self.arm.pivot.index()].v;
-        Some(self.along.nearest().cross(v))
+        Some(Vec2::of(self.along).cross(v))
+    }
+
+    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+        let pivot = state.points[self.arm.pivot.index()];
+        Some(Stretching {
+            toward: self.along.nearest().perp(),
+            v: pivot.v,
+            a: pivot.a,
+        })
     }
 
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {

@@ -2,8 +2,8 @@
 
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
-    VELOCITY, triangle_reserve,
+    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, Stretching,
+    TwoAssemblies, VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -232,8 +232,26 @@ impl TwoAssemblies for Cylinder {
     }
 
     /// Its own reach changes.
-    fn stretch_rate(&self, _state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, _state: &State<T>) -> Option<T> {
         None
+    }
+
+    /// Both the distance of its pivots and its own arm change: these are the two components.
+    fn stretching(&self, q: f64, state: &State) -> Option<Stretching> {
+        let of = self.triangle(q, state);
+        let (local, along) = (self.local(q), self.along.nearest());
+        let [near, far] = [self.pivot, self.far.pivot].map(|p| state.points[p.index()]);
+        let (dv, da) = (far.v - near.v, far.a - near.a);
+        let input = self.input(q);
+        let (d, rho) = (of.d2.sqrt(), of.rho);
+        let arm = local.dot(along) / rho;
+        let is_inner = of.inner < of.outer;
+        let longer = if rho < self.far.length.hi { 1.0 } else { -1.0 };
+        Some(Stretching {
+            toward: Vec2::new(1.0, if is_inner { longer } else { -1.0 }),
+            v: Vec2::new(of.u.dot(dv) / d, arm * input.w),
+            a: Vec2::new(of.u.dot(da) / d, arm * input.a),
+        })
     }
 
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T {

@@ -1,7 +1,7 @@
 //! The dyads with two assemblies, and what can be asked of each of them.
 
 use super::through::{FEW, Height, InSeries, Snap, between, squared};
-use super::{CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Swing};
+use super::{CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Stretching, Swing};
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
 use crate::solver::state::State;
@@ -51,9 +51,19 @@ pub(super) trait TwoAssemblies {
 
     /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
     /// to a positive factor: zero where the stretch is extreme. `None` where its own reach changes.
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
+    fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
         Some((b.p - a.p).dot(b.v - a.v))
+    }
+
+    /// How it is being stretched, by the rates of what it stands on.
+    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+        let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
+        Some(Stretching {
+            toward: b.p - a.p,
+            v: b.v - a.v,
+            a: b.a - a.a,
+        })
     }
 
     /// How far it is from the extremes of its reach, as a length: negative where it is open.
@@ -121,8 +131,13 @@ impl Dyad<'_> {
     }
 
     /// See [`TwoAssemblies::stretch_rate`].
-    pub(in crate::solver) fn stretch_rate(self, state: &State) -> Option<f64> {
+    pub(in crate::solver) fn stretch_rate<T: Number>(self, state: &State<T>) -> Option<T> {
         each!(self, d => d.stretch_rate(state))
+    }
+
+    /// See [`TwoAssemblies::stretching`].
+    pub(in crate::solver) fn stretching(self, q: f64, state: &State) -> Option<Stretching> {
+        each!(self, d => d.stretching(q, state))
     }
 
     /// By how much it misses to close; 0 where it closes.

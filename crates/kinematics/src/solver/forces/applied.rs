@@ -87,7 +87,7 @@ fn closing<T: Number>(
     state: &State<T>,
 ) -> (T, T) {
     // A driver that stands is taken for one that goes forward.
-    let stands = state.rates.speed.nearest() == 0.0;
+    let stands = state.rates.speed.hi == 0.0;
     let rate = if stands {
         state.travels[slide.index()].v
     } else {
@@ -177,10 +177,10 @@ impl Acting {
                 let weight = Vec2::of(self.gravity) * m;
                 forces.push(TorquePart::Gravity, mass.com, weight, state);
             }
-            let a = com.a * rates.square + com.v * rates.acceleration;
+            let a = com.a.times(rates.square) + com.v.times(rates.acceleration);
             forces.push(TorquePart::Inertia, mass.com, -(a * (m * unit)), state);
             let link = &state.links[mass.link.index()];
-            let alpha = link.a * rates.square + link.w * rates.acceleration;
+            let alpha = link.a.times(rates.square) + link.w.times(rates.acceleration);
             let couple = -(alpha * T::of(mass.inertia)) / unit;
             forces.twist(TorquePart::Inertia, mass.link, couple, state);
         }

@@ -2,12 +2,12 @@
 //! on beyond it with all that is singular there.
 
 use super::NearMiss;
-use super::junction::Junction;
+use super::junction::{Junction, Standing};
 use super::walk::Walker;
+use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;
-use crate::solver::change_point::Passage;
-use crate::solver::elements::{Dyad, REACH_SLACK, StepOutcome};
+use crate::solver::elements::{Dyad, REACH_SLACK, StepOutcome, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
@@ -15,18 +15,29 @@ use crate::solver::state::Condition;
 const GAP: f64 = 1e-28;
 /// A change point is passed in one step from this much before it to this much beyond, in radians or
 /// scaled lengths: far enough for the dyad to have digits on both sides.
-pub(super) const PASSING: f64 = 1e-3;
+const PASSING: f64 = 1e-3;
 /// Where links turn too fast for that - an antiparallelogram that is almost a square turns its follower
 /// hundreds of times as fast as its crank, and several of them in a row many times more - closer by.
 const CLOSER: f64 = 0.1;
-/// So often.
-const APPROACHES: i32 = 5;
+/// So often: closest by, the series alone tell where everything is.
+const APPROACHES: i32 = 11;
 /// How far beyond a place the other assembly is held against what was set aside, and what is no rounding
 /// of a misfit there.
 const LED: f64 = 1e-4;
 const LEAST_MISS: f64 = 1e-9;
-/// An extreme of a dyad's stretch belongs to a limit if it is this close to it.
-const EXTREME: f64 = 1e-3;
+/// An extreme of a dyad's stretch belongs to a limit if it is at most this close to it, in radians or scaled
+/// lengths: it is sought from the first of these distances on, each wider than the last.
+const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
+/// A dyad whose measure is more than this at a limit is not what ends or passes there.
+const LARGE: f64 = 1e-3;
+
+/// A place ahead at which a dyad is stretched to an extreme of its reach.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ReachExtreme {
+    pub(super) step: usize,
+    pub(super) at: Double,
+}
+
 /// Where two solutions of a coupled group cross.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
@@ -39,7 +50,7 @@ pub(super) struct Change {
 }
 
 /// Distances at which a place is passed, closer and closer.
-fn approaches() -> impl Iterator<Item = f64> {
+pub(super) fn approaches() -> impl Iterator<Item = f64> {
     (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k))
 }
 
@@ -47,6 +58,10 @@ impl Walker<'_> {
     /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
+        self.unproved.clear();
+        if let Some(extreme) = self.ahead.take().filter(|e| e.at.hi == limit) {
+            return self.pass_extreme(extreme.step, extreme.at);
+        }
         let stretched = self.stretched(limit);
         if stretched.is_empty() {
             return self.cross(limit);
@@ -54,13 +69,29 @@ impl Walker<'_> {
         // Those of the plan's first group are sure: what later ones do depends on the side it is on.
         stretched.into_iter().find_map(|(step, at)| {
             let at = self.exactly(step, at)?;
-            let junction = self.junction(at, None)?;
-            if junction.is_miss() {
-                self.step_over(&junction)
-            } else {
-                self.pass_through(&junction)
-            }
+            self.pass_extreme(step, at)
         })
+    }
+
+    /// Goes on beyond a place at which a dyad's reach is extreme.
+    fn pass_extreme(&mut self, step: usize, at: Double) -> Option<f64> {
+        let junction = self.junction(at, None);
+        let beyond = junction.and_then(|junction| self.pass_junction(&junction));
+        if beyond.is_none()
+            && let Some(Standing::Singular { .. }) = self.standing_at(step, at)
+        {
+            let group = self.engine.group_of(step);
+            self.unproved.extend(group.map(GroupId::new));
+        }
+        beyond
+    }
+
+    fn pass_junction(&mut self, junction: &Junction) -> Option<f64> {
+        if junction.is_miss() {
+            self.step_over(junction)
+        } else {
+            self.pass_through(junction)
+        }
     }
 
     /// Goes on past a near miss: on the side on which the motion came.
@@ -77,17 +108,26 @@ impl Walker<'_> {
 
     /// Passes a place in one step, from as far before as it can be to the same beyond.
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
-        let mut passages = self.passages(junction)?;
-        let beyond = approaches().find_map(|by| self.pass_at(junction, by))?;
-        for passage in &mut passages {
-            passage.is_led = self.is_led(passage.group, junction.at.hi);
-        }
-        let is_new = |p: &Passage| {
-            let is_same = |old: &Passage| old.group == p.group && old.at == p.at;
-            !self.passages.iter().any(is_same)
+        let passages = self.passages(junction)?;
+        let known = self.passages.len();
+        self.passages.add(passages);
+        let Some(beyond) = approaches().find_map(|by| self.pass_at(junction, by)) else {
+            self.passages.truncate(known);
+            return None;
         };
-        let new: Vec<Passage> = passages.into_iter().filter(is_new).collect();
-        self.passages.extend(new);
+        let groups: Vec<usize> = self
+            .passages
+            .latest(known)
+            .iter()
+            .map(|p| p.group)
+            .collect();
+        let led: Vec<bool> = groups
+            .into_iter()
+            .map(|group| self.is_led(group, junction.at.hi))
+            .collect();
+        for (passage, is_led) in self.passages.latest(known).iter_mut().zip(led) {
+            passage.is_led = is_led;
+        }
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
@@ -114,7 +154,7 @@ impl Walker<'_> {
         let before = engine.moved(at, -self.sense * by);
         let beyond = engine.moved(at, self.sense * by);
         self.aim_at(before);
-        if engine.run(before, Order::Acceleration, &mut self.state) != Condition::Ok {
+        if self.run(before, Order::Acceleration) != Condition::Ok {
             return None;
         }
         let saved = self.state.clone();
@@ -161,27 +201,52 @@ impl Walker<'_> {
 
     /// The dyads that are stretched to an extreme of their reach close to a limit, and where.
     fn stretched(&mut self, limit: f64) -> Vec<(usize, f64)> {
-        let steps = 0..self.engine.program.steps.len();
-        steps
-            .filter_map(|step| Some((step, self.extreme(step, limit)?)))
-            .collect()
+        let flat = self.flat(limit);
+        let found = flat
+            .into_iter()
+            .filter_map(|step| Some((step, self.extreme(step, limit)?)));
+        found.collect()
+    }
+
+    /// The dyads that are all but in line at a limit, up to the first that is open there.
+    fn flat(&mut self, limit: f64) -> Vec<usize> {
+        let engine = self.engine;
+        let mut flat = Vec::new();
+        self.aim_at(limit);
+        for (step, of) in engine.program.steps.iter().enumerate() {
+            let condition = self.run_some(step..step + 1, limit, Order::Position);
+            let is_flat = |group: usize| self.state.measures[group].abs() < LARGE;
+            flat.extend(of.choice().filter(|&group| is_flat(group)).map(|_| step));
+            if condition == Condition::NoAssembly {
+                break;
+            }
+        }
+        flat
     }
 
     /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
     fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
-        let (a, b) = (
-            self.engine.moved(limit, -EXTREME),
-            self.engine.moved(limit, EXTREME),
-        );
-        let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
-        let finest = self.engine.finest();
-        let at = root((a, rates.0), (b, rates.1), finest, |at| {
-            self.stretch_rate(step, at)
-        });
-        let at = at.ok()?;
+        let at = EXTREMES.into_iter().find_map(|by| {
+            let a = self.engine.moved(limit, -by);
+            let b = self.engine.moved(limit, by);
+            let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
+            self.most_stretched(step, (a, rates.0), (b, rates.1))
+        })?;
         self.stretch_rate(step, at)?;
         self.is_stretched(step, group, at).then_some(at)
+    }
+
+    /// Where a dyad's stretch is extreme between two places at which its rates differ in sign.
+    pub(super) fn most_stretched(
+        &mut self,
+        step: usize,
+        a: (f64, f64),
+        b: (f64, f64),
+    ) -> Option<f64> {
+        let finest = self.engine.finest();
+        let at = root(a, b, finest, |at| self.stretch_rate(step, at));
+        at.ok()
     }
 
     /// Whether a dyad's arms may be in line, within the rounding of the given lengths and coordinates:
@@ -199,17 +264,22 @@ impl Walker<'_> {
         placed == StepOutcome::Stretched || has_no_gap || is_rounding
     }
 
-    /// A dyad's rate of stretch, from its inputs: it may be open itself.
+    /// The sign and size of a dyad's rate of stretch; 0 where nothing moves.
     pub(super) fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
+        Some(self.stretching(step, at)?.rate().unwrap_or(0.0))
+    }
+
+    /// How a dyad is being stretched, from its inputs: it may be open itself.
+    pub(super) fn stretching(&mut self, step: usize, at: f64) -> Option<Stretching> {
         self.aim_at(at);
-        let inputs = self
-            .engine
-            .run_steps(0..step, at, Order::Velocity, &mut self.state);
-        if inputs == Condition::NoAssembly {
+        let engine = self.engine;
+        if self.run_some(0..step, at, Order::Acceleration) == Condition::NoAssembly {
             return None;
         }
-        let engine = self.engine;
+        let (q, _) = engine.coordinate(at);
         engine.place_dyad(&engine.program.steps[step], at, &mut self.state.state);
-        engine.program.steps[step].dyad()?.stretch_rate(&self.state)
+        engine.program.steps[step]
+            .dyad()?
+            .stretching(q, &self.state)
     }
 }

@@ -1,6 +1,6 @@
 //! Change points of coupled groups: where two solutions cross, exactly where, and on beyond it.
 
-use super::change::{Change, PASSING};
+use super::change::{Change, approaches};
 use super::walk::Walker;
 use crate::Double;
 use crate::solver::Order;
@@ -11,6 +11,8 @@ use crate::solver::workspace::Workspace;
 
 /// Newton's steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
+/// So many ways across are tried, each a tenth as wide as the last.
+const WAYS: usize = 4;
 /// Corrections end at their rounding, in units of about the longest link.
 const SETTLED: f64 = 1e-13;
 /// What the equations may be opened by for the branches to meet where doubles alone tell, in units of about the
@@ -23,9 +25,22 @@ impl Walker<'_> {
     /// Goes on beyond a limit at which a coupled group has crossing solutions: the coordinate that was
     /// reached.
     pub(super) fn cross(&mut self, limit: f64) -> Option<f64> {
+        // A motion that is shorter than the widest way across still has its anchors.
+        let anchors = self.anchors.clone();
+        approaches().take(WAYS).find_map(|by| {
+            let passed = self.cross_at(limit, by);
+            if passed.is_none() {
+                self.anchors.clone_from(&anchors);
+            }
+            passed
+        })
+    }
+
+    /// As [`Walker::cross`], from a distance before the limit to the same beyond.
+    fn cross_at(&mut self, limit: f64, by: f64) -> Option<f64> {
         let engine = self.engine;
-        let before = engine.moved(limit, -self.sense * PASSING);
-        let beyond = engine.moved(limit, self.sense * PASSING);
+        let before = engine.moved(limit, -self.sense * by);
+        let beyond = engine.moved(limit, self.sense * by);
         // Closer by, the derivatives in an anchor have lost their digits.
         self.anchors.forget_beyond(engine, before, self.sense);
         self.aim_at(before);
@@ -42,7 +57,7 @@ impl Walker<'_> {
                 return None;
             }
             let reached = self.state.clone();
-            let change = self.crossing(step, limit, &saved)?;
+            let change = self.crossing(step, (limit, by), &saved)?;
             self.state.clone_from(&saved);
             self.anchors.push(engine, before, &mut self.state);
             self.state.clone_from(&reached);
@@ -66,16 +81,23 @@ impl Walker<'_> {
         let Some(step) = steps.find(|&i| engine.group_of(i) == Some(group)) else {
             return false;
         };
-        let before = engine.moved(at, -self.sense * PASSING);
-        self.anchors
-            .aim_from_before(engine, before, self.sense, &mut self.state);
-        let condition = engine.run(before, Order::Acceleration, &mut self.state);
-        let saved = self.state.clone();
-        condition == Condition::Ok && self.crossing(step, at, &saved).is_some()
+        approaches().take(WAYS).any(|by| {
+            let before = engine.moved(at, -self.sense * by);
+            self.anchors
+                .aim_from_before(engine, before, self.sense, &mut self.state);
+            let condition = engine.run(before, Order::Acceleration, &mut self.state);
+            let saved = self.state.clone();
+            condition == Condition::Ok && self.crossing(step, (at, by), &saved).is_some()
+        })
     }
 
     /// Where the solutions of a coupled group cross close to a limit.
-    fn crossing(&mut self, step: usize, limit: f64, before: &Workspace) -> Option<Change> {
+    fn crossing(
+        &mut self,
+        step: usize,
+        (limit, by): (f64, f64),
+        before: &Workspace,
+    ) -> Option<Change> {
         let engine = self.engine;
         let index = engine.program.steps[step].coupled()?;
         let group = &engine.program.coupled[index];
@@ -106,7 +128,7 @@ impl Walker<'_> {
                 break;
             }
         }
-        let is_here = engine.difference(limit, at).abs() < PASSING;
+        let is_here = engine.difference(limit, at).abs() < by;
         let z = group.open(&mut self.state.scratch).z.to_vec();
         let crossing = crossing.filter(|_| is_here)?;
         let met = match crossing.unfolding.abs() {

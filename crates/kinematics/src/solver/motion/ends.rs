@@ -3,9 +3,10 @@
 //! A walk ends where doubles end: within some roundings of the lengths of a dyad's reach, or of the
 //! place where a coupled group folds. Before the first coupled group everything is decided in twice the
 //! digits, from the numbers that are meant: the end is the double nearest to where the first dyad comes to its
-//! limit. Behind that the limit of a dyad is the zero of its measure in doubles, and of a coupled group that
-//! of the system of a fold.
+//! limit. Behind that the limit of a dyad is the zero of its measure, and of a coupled group that of the system of
+//! a fold: found in doubles, and corrected from the typed decimals ([`super::proved_ends`]).
 
+use super::proved_ends::BoundedEnd;
 use super::walk::Walker;
 use super::{Folded, Stretched};
 use crate::Double;
@@ -30,11 +31,12 @@ const SAME_FOLD: f64 = 1e-6;
 
 impl Walker<'_> {
     /// The limit at which the motion ends, to the last digit; `state` is the last one before it.
-    pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> f64 {
+    pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> BoundedEnd {
         self.state.clone_from(state);
-        if let Some(end) = self.exact.and_then(|exact| self.end_exactly(exact, limit)) {
+        if let Some((step, end)) = self.exact.and_then(|exact| self.end_exactly(exact, limit)) {
             self.stretched.push(end);
-            return end.at;
+            let bound = self.bound_of_reach(step, end.group, end.at);
+            return BoundedEnd { at: end.at, bound };
         }
         let refined = self.ending_step(limit).and_then(|step| {
             if let Some(index) = self.engine.program.steps[step].coupled() {
@@ -44,9 +46,12 @@ impl Walker<'_> {
             }
         });
         // A start within rounding of a limit belongs to the motion.
-        let refined = refined.unwrap_or(limit);
-        if self.ahead(refined) < 0.0 {
-            self.start
+        let refined = refined.unwrap_or(BoundedEnd::unproved(limit));
+        let before = -self.ahead(refined.at);
+        if before > 0.0 {
+            let bound = refined.bound.map(|bound| bound + before);
+            let at = self.start;
+            BoundedEnd { at, bound }
         } else {
             refined
         }
@@ -57,7 +62,7 @@ impl Walker<'_> {
     }
 
     /// Distances from a limit, growing from none.
-    fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
+    pub(super) fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
         let ulp = self.ulp(limit).max(f64::MIN_POSITIVE);
         let most = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();
         let growing = (0..NEAR_NOUGHT).map(move |k| ulp * (f64::from(k).exp2() - 1.0));
@@ -67,7 +72,7 @@ impl Walker<'_> {
     // ---- dyads before the first coupled group
 
     /// The double that is nearest to where the first dyad comes to its limit, next to where a walk ended.
-    fn end_exactly(&self, exact: &Exact, limit: f64) -> Option<Stretched> {
+    fn end_exactly(&self, exact: &Exact, limit: f64) -> Option<(usize, Stretched)> {
         let mut state: State<Double> = exact.state(self.state.travels.len());
         let signs = self.state.signs.iter();
         state.signs = signs.map(|&s| Double::exactly(s)).collect();
@@ -101,7 +106,7 @@ impl Walker<'_> {
         let is_nought = nearest.abs() < f64::EPSILON * self.engine.finest()
             && exact.stops(0.0, &mut state) == Some(step);
         let at = if is_nought { 0.0 } else { nearest };
-        Some(Stretched { at, group })
+        Some((step, Stretched { at, group }))
     }
 
     // ---- dyads behind a coupled group
@@ -121,8 +126,11 @@ impl Walker<'_> {
     }
 
     /// Where a dyad's measure is zero, next to a limit; other steps have none.
-    fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<f64> {
+    fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<BoundedEnd> {
         let group = self.engine.program.steps[step].choice()?;
+        if let Some(end) = self.exact_reach(step, group, limit) {
+            return Some(end);
+        }
         let by = self.sense * self.ulp(limit);
         let mut around = (2..DOUBLINGS).map(|k| by * f64::from(k).exp2());
         // Where the arms miss each other by a hair the motion ends before and begins again behind.
@@ -137,7 +145,7 @@ impl Walker<'_> {
         let at = root(inside, outside, 0.0, |at| {
             self.measure_behind(step, group, at)
         });
-        at.ok()
+        at.ok().map(BoundedEnd::unproved)
     }
 
     /// A dyad's measure, negative beyond its reach.
@@ -156,7 +164,13 @@ impl Walker<'_> {
 
     /// The fold of a coupled group that is next to a limit: Newton on {F = 0, J v = 0, c.v = 1}. Keeps
     /// the state there, since the group's own matrix is singular.
-    fn fold(&mut self, step: usize, index: usize, limit: f64, state: &Workspace) -> Option<f64> {
+    fn fold(
+        &mut self,
+        step: usize,
+        index: usize,
+        limit: f64,
+        state: &Workspace,
+    ) -> Option<BoundedEnd> {
         let group = &self.engine.program.coupled[index];
         self.state.clone_from(state);
         let mut fold = group.fold(&mut self.state.scratch)?;
@@ -181,7 +195,12 @@ impl Walker<'_> {
             return None;
         }
         let z = group.open(&mut self.state.scratch).z.to_vec();
+        let found = self.exact_fold((step, index), fold, at);
+        let is_here = |end: &BoundedEnd| self.engine.difference(at, end.at).abs() < SAME_FOLD;
+        let found = found.filter(|(end, _)| is_here(end));
+        let (end, z) = found.unwrap_or((BoundedEnd::unproved(at), z));
+        let at = end.at;
         self.folds.push(Folded { at, index, z });
-        Some(at)
+        Some(end)
     }
 }

@@ -1,16 +1,23 @@
-//! Limits between the samples of a walk: the zeros of a group's measure.
+//! Limits between the samples of a walk: extremes of a dyad's reach, and the zeros of other groups' measures.
 
-use super::walk::{SAMPLES, Walker};
+use super::change::ReachExtreme;
+use super::junction::Standing;
+use super::walk::{SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
+use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;
+use crate::solver::elements::Stretching;
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;
-/// A measure below this part of its largest, some u, touches zero.
-const TOUCH: f64 = 1e-14;
+/// A measure below this part of its largest, the square of a rounding, touches zero.
+const TOUCH: f64 = 1e-28;
+/// A dyad that comes closer than this to its limit is looked at in twice the digits: doubles tell its
+/// measure that well, unless what it stands on is itself as near to a limit.
+const UNSURE: f64 = 1e-6;
 /// A measure that goes down to less than this part of its largest, and not to zero, is a near miss: a
 /// sine below 0.032, which is a transmission angle of 1.8 degrees. A gap of some 5e-4 of a link, 0.05 mm
 /// in 100, is as much as workshops leave open; without it the motion would end there, or could change
@@ -18,29 +25,36 @@ const TOUCH: f64 = 1e-14;
 const NEAR: f64 = 1e-3;
 /// Sections that narrow a minimum down to the square root of the rounding.
 const GOLDEN_SECTIONS: usize = 44;
+/// Two extremes of one dyad that are this close are one, in radians or scaled lengths.
+const SAME: f64 = 1e-14;
+/// A speed below this part of those on both sides is none.
+const STILL: f64 = 1e-7;
+
+/// A dyad between the last two samples.
+#[derive(Clone, Copy)]
+struct Stretch {
+    step: usize,
+    group: usize,
+    from: (f64, Stretching),
+    to: (f64, Stretching),
+}
 
 impl Walker<'_> {
-    /// A limit that the last three samples have stepped over: the zero of a measure that has a
-    /// minimum between them. What lies behind the start is for the walk the other way.
+    /// The first limit that the last samples have stepped over. What lies behind the start is for the walk the
+    /// other way.
     pub(super) fn limit_passed(&mut self) -> Option<f64> {
-        let [(a, first), (m, middle), (b, last)] = &self.seen[..] else {
-            return None;
-        };
-        let (a, m, b) = (*a, *m, *b);
-        let dips = (0..first.len()).filter(|&g| {
-            let is_lowest = middle[g] < first[g] && middle[g] <= last[g];
-            is_lowest && middle[g] < SUSPICIOUS
-        });
-        let dips: Vec<usize> = dips.collect();
-        if dips.is_empty() {
+        let stretches = self.stretches();
+        let dips = self.dips();
+        if stretches.is_empty() && dips.is_empty() {
             return None;
         }
         let saved = self.state.clone();
         let told = self.misses.len();
-        let limits: Vec<f64> = dips
+        let first = self.first_extreme(stretches);
+        let limits = dips
             .into_iter()
-            .filter_map(|group| self.limit_of(group, [a, m, b]))
-            .collect();
+            .filter_map(|(group, samples)| self.limit_of(group, samples));
+        let limits: Vec<f64> = limits.chain(first).collect();
         self.state = saved;
         let first = limits
             .into_iter()
@@ -57,6 +71,150 @@ impl Walker<'_> {
         first
     }
 
+    // ---- dyads
+
+    /// The dyads whose reach has an extreme between the last two samples, as far as it can be their limit.
+    fn stretches(&self) -> Vec<Stretch> {
+        let [.., a, b] = &self.seen[..] else {
+            return Vec::new();
+        };
+        let pairs = a.stretchings.iter().zip(&b.stretchings);
+        let all = pairs.filter_map(|(&(step, from), &(_, to))| {
+            let group = self.engine.program.steps[step].choice()?;
+            let lowest = a.measures[group].min(b.measures[group]);
+            let stretch = Stretch {
+                step,
+                group,
+                from: (a.at, from?),
+                to: (b.at, to?),
+            };
+            (lowest < SUSPICIOUS && stretch.has_extreme()).then_some(stretch)
+        });
+        all.collect()
+    }
+
+    /// The first extreme of a reach that is a limit; those that are close to one are noted.
+    fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
+        self.ahead = None;
+        let mut found: Vec<(Stretch, f64)> = Vec::new();
+        for stretch in stretches {
+            let extremes = self.extremes(&stretch);
+            found.extend(extremes.into_iter().map(|at| (stretch, at)));
+        }
+        found.retain(|(stretch, at)| {
+            let place = (stretch.group, *at);
+            self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
+        });
+        found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
+        found
+            .into_iter()
+            .find_map(|(stretch, at)| self.limit_at(&stretch, at))
+    }
+
+    /// Where the reach of a dyad is extreme between two samples. Where what moves it turns back, so does its
+    /// rate: the parts before and behind that are looked at one by one.
+    fn extremes(&mut self, stretch: &Stretch) -> Vec<f64> {
+        let &Stretch { step, from, to, .. } = stretch;
+        let [a, b] = [from, to].map(|(at, s)| (at, s.rate().unwrap_or(0.0)));
+        let Some((back, still)) = self.turning_back(stretch) else {
+            return self.most_stretched(step, a, b).into_iter().collect();
+        };
+        let sense = self.sense;
+        let [before, behind] = [-sense, sense].map(|side| (back, still.rate_beside(side)));
+        let first = self.most_stretched(step, a, before);
+        let last = self.most_stretched(step, behind, b);
+        let mut all: Vec<f64> = first.into_iter().chain([back]).chain(last).collect();
+        all.dedup();
+        all
+    }
+
+    /// Where the motion that stretches a dyad turns back between two samples, and how it does.
+    fn turning_back(&mut self, stretch: &Stretch) -> Option<(f64, Stretching)> {
+        let &Stretch { step, from, to, .. } = stretch;
+        let (v, w) = (from.1.v, to.1.v);
+        if !stretch.turns_back() {
+            return None;
+        }
+        let along = |s: Stretching| s.v.dot(v - w);
+        let ends = [from, to].map(|(at, s)| (at, along(s)));
+        let finest = self.engine.finest();
+        let back = root(ends[0], ends[1], finest, |at| {
+            self.stretching(step, at).map(along)
+        });
+        let back = back.ok()?;
+        let there = self.stretching(step, back)?;
+        let is_still = there.v.norm() <= STILL * v.norm().max(w.norm());
+        is_still.then_some((back, there))
+    }
+
+    /// The limit that an extreme of a dyad's reach is, or that comes just before it.
+    fn limit_at(&mut self, stretch: &Stretch, at: f64) -> Option<f64> {
+        let &Stretch { step, group, .. } = stretch;
+        let measure = self.measure(group, at);
+        let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
+        if measure.abs() < UNSURE {
+            match self.exact_extreme(step, at) {
+                Some((at, Standing::Singular { .. })) => {
+                    self.ahead = Some(ReachExtreme { step, at });
+                    return Some(at.hi);
+                }
+                Some((at, Standing::Regular)) => {
+                    self.note_miss(group, measure.max(0.0).sqrt(), at.hi);
+                    return None;
+                }
+                Some((at, Standing::Missing { sine })) => {
+                    let seen = if measure > 0.0 { measure.sqrt() } else { sine };
+                    self.note_miss(group, seen, at.hi);
+                    return None;
+                }
+                None if !is_open && self.is_stretched(step, group, at) => return Some(at),
+                None => {}
+            }
+        }
+        if is_open {
+            return Some(self.edge(group, stretch.from.0, at));
+        }
+        if measure < NEAR * self.peaks[group] {
+            self.note_miss(group, measure.sqrt(), at);
+        }
+        None
+    }
+
+    /// Where a dyad's reach is extreme, and how it stands there, in twice the digits; `None` where that cannot
+    /// be told.
+    fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
+        let at = self.exactly(step, at)?;
+        Some((at, self.standing_at(step, at)?))
+    }
+
+    fn note_miss(&mut self, group: usize, sine: f64, at: f64) {
+        let group = GroupId::new(group);
+        self.misses.push(NearMiss { group, sine, at });
+    }
+
+    // ---- other groups
+
+    /// The groups that are no dyads whose measure has a small minimum among the last three samples.
+    fn dips(&self) -> Vec<(usize, [f64; SAMPLES])> {
+        let [first, middle, last] = &self.seen[..] else {
+            return Vec::new();
+        };
+        let is_dyad = |group: usize| {
+            let mut dyads = last.stretchings.iter();
+            dyads.any(|&(step, s)| {
+                s.is_some() && self.engine.program.steps[step].choice() == Some(group)
+            })
+        };
+        let value = |sample: &WalkSample, group: usize| sample.measures[group];
+        let dips = (0..first.measures.len()).filter(|&g| {
+            let lowest = value(middle, g);
+            let is_lowest = lowest < value(first, g) && lowest <= value(last, g);
+            is_lowest && lowest < SUSPICIOUS && !is_dyad(g)
+        });
+        dips.map(|group| (group, [first.at, middle.at, last.at]))
+            .collect()
+    }
+
     /// The zero of one group's measure that a minimum between three samples touches or crosses.
     fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
         let lowest = self.lowest(group, samples);
@@ -65,9 +223,7 @@ impl Walker<'_> {
         if !is_open {
             let touches = self.touches(group, lowest, measure);
             if !touches && measure < NEAR * self.peaks[group] {
-                let (sine, at) = (measure.sqrt(), lowest);
-                let group = GroupId::new(group);
-                self.misses.push(NearMiss { group, sine, at });
+                self.note_miss(group, measure.sqrt(), lowest);
             }
             return touches.then_some(lowest);
         }
@@ -80,7 +236,7 @@ impl Walker<'_> {
     /// A group's measure between the last samples, negative where the mechanism does not exist.
     fn measure(&mut self, group: usize, at: f64) -> f64 {
         self.aim_at(at);
-        let condition = self.engine.run(at, Order::Position, &mut self.state);
+        let condition = self.run(at, Order::Position);
         if condition == Condition::Ok && self.is_coupled(group) {
             self.engine.measure_coupled(at, &mut self.state);
         }
@@ -94,12 +250,9 @@ impl Walker<'_> {
         }
     }
 
-    /// The coordinate of the smallest measure between two samples: for a dyad where its stretch is
-    /// extreme; else by golden section, at once the sample between them if that touches zero.
+    /// The coordinate of the smallest measure between two samples by golden section, at once the sample
+    /// between them if that touches zero.
     fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
-        if let Some(lowest) = self.most_stretched(group, a, b) {
-            return lowest;
-        }
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         if self.measure(group, middle) < TOUCH * self.peaks[group] {
             return middle;
@@ -126,26 +279,12 @@ impl Walker<'_> {
         if self.is_coupled(group) {
             return measure < NEAR * self.peaks[group] && self.crosses(group, at);
         }
-        let mut steps = self.engine.program.steps.iter();
-        let dyad = steps.position(|step| step.choice() == Some(group));
-        measure < TOUCH * self.peaks[group] || dyad.is_some_and(|i| self.is_stretched(i, group, at))
+        measure < TOUCH * self.peaks[group]
     }
 
     fn is_coupled(&self, group: usize) -> bool {
         let mut coupled = self.engine.program.coupled.iter();
         coupled.any(|c| c.group == group)
-    }
-
-    /// Where a dyad's stretch is extreme, if it is between two coordinates.
-    fn most_stretched(&mut self, group: usize, a: f64, b: f64) -> Option<f64> {
-        let mut steps = self.engine.program.steps.iter();
-        let step = steps.position(|step| step.choice() == Some(group))?;
-        let (rate_a, rate_b) = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
-        let finest = self.engine.finest();
-        let at = root((a, rate_a), (b, rate_b), finest, |at| {
-            self.stretch_rate(step, at)
-        });
-        at.ok()
     }
 
     /// The last coordinate on the way from `good` to `bad` at which a measure is positive.
@@ -162,5 +301,18 @@ impl Walker<'_> {
                 bad = middle
             }
         }
+    }
+}
+
+impl Stretch {
+    /// Whether the relative velocity turns back between the samples.
+    fn turns_back(&self) -> bool {
+        self.from.1.v.dot(self.to.1.v) < 0.0
+    }
+
+    /// Whether there may be an extreme between the samples; one at the first of them was met before.
+    fn has_extreme(&self) -> bool {
+        let [from, to] = [self.from.1, self.to.1].map(|s| s.rate().unwrap_or(0.0));
+        self.turns_back() || from != 0.0 && (to == 0.0 || (from < 0.0) != (to < 0.0))
     }
 }

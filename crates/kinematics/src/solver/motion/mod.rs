@@ -6,10 +6,12 @@ mod crossing;
 mod ends;
 mod junction;
 mod limits;
+mod proved_ends;
 mod stopped;
 mod walk;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub(super) use proved_ends::sign_change;
 pub use stopped::EndStop;
 
 use super::angle_turn;
@@ -20,7 +22,8 @@ use super::fault::Fault;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
-use walk::{MOST_TURNS, PUSH_REACH, WalkEnd, Walker};
+use proved_ends::BoundedEnd;
+use walk::{MOST_TURNS, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,11 +94,23 @@ pub struct NearMiss {
     pub at: f64,
 }
 
+/// An end of the range at which the two assemblies of a group meet, and a passage is not proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinedUp {
+    /// The group.
+    pub group: GroupId,
+    /// The driver's coordinate, in degrees or the scene's length unit.
+    pub at: f64,
+}
+
 /// The whole motion of a mechanism, found once.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The driver's range.
     pub range: Range,
+    /// The error of the lower and the upper end of the range at most, in degrees or in the scene's length unit:
+    /// zero for an end that no group sets, `None` for one whose error is not proved.
+    pub range_bounds: [Option<f64>; 2],
     /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
     /// unit: there are two, or none.
     pub dead_points: Vec<f64>,
@@ -105,6 +120,8 @@ pub struct Motion {
     pub change_points: Vec<f64>,
     /// Where the motion comes close to a change point or a dead point, and passes by.
     pub near_misses: Vec<NearMiss>,
+    /// The ends of the range at which assemblies meet, and a passage is not proved.
+    pub lined_up: Vec<LinedUp>,
     /// By how much lengths may differ that count as equal, where a ground point has coordinates of 15
     /// digits or more: what these have been rounded by, in the scene's length unit. 0 where all are
     /// shorter: lengths are equal, then, or they are not.
@@ -223,7 +240,10 @@ pub(super) fn explore<'e>(
         peaks: state.measures.clone(),
         start,
         sense: 1.0,
-        passages: Vec::new(),
+        passages: Passages::default(),
+        ahead: None,
+        unproved: Vec::new(),
+        lined_up: Vec::new(),
         samples: Vec::new(),
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
@@ -233,30 +253,32 @@ pub(super) fn explore<'e>(
     };
     walker.check_fit()?;
     let up = walker.walk()?;
-    let (range, period) = match up {
-        WalkEnd::Closed(turns) => {
+    let (range, period, range_bounds) = match up.end() {
+        Err(turns) => {
             let period = angle_turn(turns);
-            (Range::Full { period }, period)
+            (Range::Full { period }, period, [Some(0.0); 2])
         }
-        WalkEnd::Limit(high) | WalkEnd::Cut(high) => {
+        Ok(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
-            let low = match walker.walk()? {
-                WalkEnd::Limit(low) | WalkEnd::Cut(low) => low,
-                WalkEnd::Closed(turns) => start - angle_turn(turns),
-            };
-            (Range::Limited { low, high }, 0.0)
+            let low = walker.walk()?.end();
+            let low = low.unwrap_or_else(|turns| BoundedEnd::exact(start - angle_turn(turns)));
+            let bounds = [low, high].map(|end| end.bound);
+            let [low, high] = [low, high].map(|end| end.at);
+            (Range::Limited { low, high }, 0.0, bounds)
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
-    let passages = Passages::new(walker.passages, start, period);
+    let passages = walker.passages.of_motion(start, period);
     let dead_points = dead_points(range, engine, start);
     Ok(Motion {
         near_misses: near_misses(walker.misses, range, engine),
+        lined_up: walker.lined_up,
         tolerance: exact.map_or(0.0, |exact| exact.rounding) * engine.frame.scale,
         samples: walker.samples,
         misfits: walker.misfits,
         range,
+        range_bounds,
         whole: range,
         stops: Vec::new(),
         clear: clear(range, &dead_points, engine),

@@ -15,6 +15,8 @@ pub struct EndStop {
     pub end: StrokeEnd,
     /// The driver's coordinate there, in degrees or in the scene's length unit.
     pub at: f64,
+    /// Its error at most; `None` where that is not proved.
+    pub bound: Option<f64>,
 }
 
 impl Motion {
@@ -30,8 +32,12 @@ impl Motion {
         let low = down.map_or(first, |stop| stop.at);
         let high = up.map_or(last, |stop| stop.at);
         self.range = Range::Limited { low, high };
+        for (bound, stop) in self.range_bounds.iter_mut().zip([down, up]) {
+            *bound = stop.map_or(*bound, |stop| stop.bound);
+        }
         self.stops = [down, up].into_iter().flatten().collect();
         self.dead_points.retain(|&at| at == low || at == high);
+        self.lined_up.retain(|end| end.at == low || end.at == high);
         // At a stop the mechanism is as solvable as before it.
         let [from, to] = self.clear;
         self.clear = [from.max(low.next_down()), to.min(high.next_up())];
@@ -51,13 +57,14 @@ impl Motion {
         self.near_misses.sort_by(|a, b| a.at.total_cmp(&b.at));
     }
 
-    /// The end that the motion has without stops, if a coordinate lies within some roundings of it.
-    pub(in crate::solver) fn own_end(&self, at: f64, roundings: f64) -> Option<f64> {
+    /// The end that the motion has without stops, with its bound, if a coordinate lies within some roundings of it.
+    pub(in crate::solver) fn own_end(&self, at: f64, roundings: f64) -> Option<(f64, Option<f64>)> {
         let Range::Limited { low, high } = self.whole else {
             return None;
         };
         let room = roundings * self.finest.max(f64::EPSILON * at.abs());
-        [low, high].into_iter().find(|end| (at - end).abs() <= room)
+        let mut ends = [low, high].into_iter().zip(self.range_bounds);
+        ends.find(|(end, _)| (at - end).abs() <= room)
     }
 
     /// Places of the whole motion that lie in the range, each as often as it comes round.

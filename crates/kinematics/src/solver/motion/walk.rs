@@ -1,15 +1,20 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
-use super::{Folded, NearMiss, Stretched};
+use super::change::ReachExtreme;
+use super::proved_ends::BoundedEnd;
+use super::{Folded, LinedUp, NearMiss, Stretched};
 use crate::Double;
-use crate::solver::change_point::Passage;
+use crate::solver::change_point::Passages;
+use crate::solver::elements::Stretching;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::fault::Fault;
+use crate::solver::plan::GroupId;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
+use std::ops::Range;
 
 /// No link turns more than this (as the length of the change of its unit vector) in one step.
 const TURN_STEP: f64 = 0.2;
@@ -38,12 +43,32 @@ pub(super) const SAMPLES: usize = 3;
 /// How near z must come to its start for the motion to have closed.
 const CLOSED: f64 = 1e-7;
 
+/// A state of the walk.
+pub(super) struct WalkSample {
+    /// The driver's coordinate.
+    pub(super) at: f64,
+    pub(super) measures: Vec<f64>,
+    /// How every dyad is being stretched, by its step.
+    pub(super) stretchings: Vec<(usize, Option<Stretching>)>,
+}
+
 /// How a walk ended.
 pub(super) enum WalkEnd {
     Closed(usize),
-    Limit(f64),
+    Limit(BoundedEnd),
     /// Followed no further.
     Cut(f64),
+}
+
+impl WalkEnd {
+    /// The end of the range, or the number of turns after which the motion has closed.
+    pub(super) fn end(self) -> Result<BoundedEnd, usize> {
+        match self {
+            WalkEnd::Closed(turns) => Err(turns),
+            WalkEnd::Limit(end) => Ok(end),
+            WalkEnd::Cut(at) => Ok(BoundedEnd::exact(at)),
+        }
+    }
 }
 
 /// Someone who follows the motion from its start, in one direction.
@@ -54,13 +79,19 @@ pub(super) struct Walker<'e> {
     pub(super) closely: Option<(&'e Exact, State<Double>)>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
-    /// The last few states, by coordinate and measures.
-    pub(super) seen: Vec<(f64, Vec<f64>)>,
+    /// The last few states.
+    pub(super) seen: Vec<WalkSample>,
     /// The largest value of every measure so far, at most 1: what is small is small against this.
     pub(super) peaks: Vec<f64>,
     pub(super) start: f64,
     pub(super) sense: f64,
-    pub(super) passages: Vec<Passage>,
+    pub(super) passages: Passages,
+    /// The extreme that was found last, at the limit that it is.
+    pub(super) ahead: Option<ReachExtreme>,
+    /// The groups whose assemblies meet at the limit ahead, as far as that is known.
+    pub(super) unproved: Vec<GroupId>,
+    /// The ends at which groups are lined up.
+    pub(super) lined_up: Vec<LinedUp>,
     /// The coordinates that have been reached.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
@@ -96,6 +127,10 @@ impl Walker<'_> {
             (PUSH_REACH / PUSH_STEP) as usize
         };
         let first_z = self.state.scratch.numbers.clone();
+        let opened = self.state.clone();
+        if self.run(start, Order::Acceleration) != Condition::Ok {
+            self.state = opened;
+        }
         self.look_behind(step);
         let (mut from, mut closed, mut k) = (start, None, 1);
         while k <= most {
@@ -104,7 +139,10 @@ impl Walker<'_> {
             if let Err(stop) = stop {
                 let limit = match stop {
                     Stop::Limit(limit) => limit,
-                    Stop::Barrier { good, bad } => self.bisect(good, bad),
+                    Stop::Barrier { good, bad } => {
+                        let limit = self.bisect(good, bad);
+                        self.approach(limit).unwrap_or(limit)
+                    }
                 };
                 // What lies beyond a closed turn has been met at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
@@ -113,7 +151,13 @@ impl Walker<'_> {
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
-                    return Ok(WalkEnd::Limit(self.refined(limit, &last)));
+                    let limit = self.refined(limit, &last);
+                    let groups = std::mem::take(&mut self.unproved).into_iter();
+                    self.lined_up.extend(groups.map(|group| LinedUp {
+                        group,
+                        at: limit.at,
+                    }));
+                    return Ok(WalkEnd::Limit(limit));
                 };
                 // The steps between have been taken on the wrong side.
                 (from, closed) = (beyond, None);
@@ -135,8 +179,12 @@ impl Walker<'_> {
     }
 
     /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.
-    fn run(&mut self, at: f64, order: Order) -> Condition {
-        let condition = self.engine.run(at, order, &mut self.state);
+    pub(super) fn run(&mut self, at: f64, order: Order) -> Condition {
+        let condition = if self.passages.is_near(self.engine, at) {
+            self.run_some(0..self.engine.program.steps.len(), at, order)
+        } else {
+            self.engine.run(at, order, &mut self.state)
+        };
         match &mut self.closely {
             Some((exact, close)) if condition != Condition::Ok => {
                 let state = &mut self.state.state;
@@ -147,6 +195,16 @@ impl Walker<'_> {
                 found
             }
             _ => condition,
+        }
+    }
+
+    /// Runs some steps, in doubles.
+    pub(super) fn run_some(&mut self, steps: Range<usize>, at: f64, order: Order) -> Condition {
+        let engine = self.engine;
+        if self.passages.is_near(engine, at) {
+            engine.run_near(steps, at, order, &self.passages, &mut self.state)
+        } else {
+            engine.run_steps(steps, at, order, &mut self.state)
         }
     }
 
@@ -193,10 +251,25 @@ impl Walker<'_> {
             self.seen.rotate_left(1);
             self.seen.pop();
         }
-        self.seen.push((at, self.state.measures.clone()));
+        let sample = WalkSample {
+            at,
+            measures: self.state.measures.clone(),
+            stretchings: self.stretchings(at),
+        };
+        self.seen.push(sample);
         for (peak, measure) in self.peaks.iter_mut().zip(&self.state.measures) {
             *peak = peak.max(*measure).min(1.0);
         }
+    }
+
+    /// How every dyad is being stretched in the state.
+    fn stretchings(&self, at: f64) -> Vec<(usize, Option<Stretching>)> {
+        let (q, _) = self.engine.coordinate(at);
+        let steps = self.engine.program.steps.iter().enumerate();
+        let dyads = steps.filter_map(|(i, step)| Some((i, step.dyad()?)));
+        dyads
+            .map(|(i, dyad)| (i, dyad.stretching(q, &self.state)))
+            .collect()
     }
 
     /// Whether every group is where it was at the start.
@@ -329,6 +402,30 @@ impl Walker<'_> {
             }
         }
         good
+    }
+
+    /// Goes from the last sample towards a limit, half of the way at a time, for what lies close before it:
+    /// the first limit that is found. Where states depend on the path, narrowing down did that.
+    fn approach(&mut self, limit: f64) -> Option<f64> {
+        if self.has_path() {
+            return None;
+        }
+        let (at_end, walked) = (self.state.clone(), self.samples.len());
+        let mut from = self.seen.last()?.at;
+        let mut found = None;
+        while found.is_none() {
+            let next = from + 0.5 * (limit - from);
+            if next == from || next == limit || self.run(next, Order::Acceleration) != Condition::Ok
+            {
+                break;
+            }
+            self.note(next);
+            found = self.limit_passed();
+            from = next;
+        }
+        self.samples.truncate(walked);
+        self.state = at_end;
+        found
     }
 
     fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {

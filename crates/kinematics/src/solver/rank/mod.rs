@@ -76,11 +76,21 @@ pub(super) fn reopened(
     fault: Fault,
     at: f64,
     near: &[(PointId, Vec2)],
-    open: impl Fn(&Ordering, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
+    open_at: impl Fn(&Ordering, f64, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
 ) -> Result<Solver, Fault> {
     let structure = order::ordering(network, &[]).ok();
     if !fault.asks_for_the_rank(structure.as_ref()) {
         return Err(fault);
+    }
+    let open = |ordering: &Ordering, near: &[(PointId, Vec2)]| open_at(ordering, at, near);
+    if let (Fault::Singular { elements, .. }, Some(ordering)) = (&fault, &structure)
+        && ordering.set_aside.is_empty()
+        && verdict::beside(network, at).any(|at| open_at(ordering, at, near).is_ok())
+    {
+        return Err(Fault::Singular {
+            elements: elements.clone(),
+            is_here_only: true,
+        });
     }
     if verdict::is_too_large(network) {
         return by_trial(network, structure, |ordering| open(ordering, near)).ok_or(fault);
@@ -104,7 +114,7 @@ pub(super) fn reopened(
         let ordering = order::ordering(network, &set_aside);
         tried.push(set_aside);
         let Ok(ordering) = ordering else { continue };
-        match opened(&ordering, at, near, &verdict, &open) {
+        match opened(&ordering, at, near, &verdict, open) {
             Ok(solver) => return Ok(solver),
             Err(again) => fault = better(fault, again),
         }

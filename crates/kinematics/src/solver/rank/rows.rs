@@ -148,7 +148,8 @@ impl<'n> Rows<'n> {
         equations.map(|e| (e.miss, self.terms(&e, at))).collect()
     }
 
-    /// The derivatives, each row of unit length; the last column is the driver's.
+    /// The derivatives, each row of unit length; the last column is the driver's. Columns of directions are those
+    /// of angles times the arm of their links: a short link turns as surely as a long one.
     pub(super) fn matrix(&self, at: f64, pose: &RankPose) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.rows.len(), self.width + 1);
         for (i, (_, terms)) in self.linear(at, pose).into_iter().enumerate() {
@@ -160,7 +161,50 @@ impl<'n> Rows<'n> {
                 matrix.row_mut(i).unscale_mut(norm);
             }
         }
+        for (column, arm) in self.arms() {
+            matrix.column_mut(column).scale_mut(self.lever / arm);
+        }
         matrix
+    }
+
+    /// The columns of directions of which only the arms of links depend, each with the longest of these.
+    fn arms(&self) -> Vec<(usize, f64)> {
+        let mut arms = vec![0.0_f64; self.class_column.len()];
+        for row in &self.rows {
+            let (class, arm) = match *row {
+                ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
+                    let centre = self.network.centre(link);
+                    let from = centre.map_or(Vec2::ZERO, |centre| self.local(link, centre));
+                    let arm = self.local(link, end) - from;
+                    (self.network.class(link), arm.norm())
+                }
+                // A guide has any arm.
+                ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
+                    let body = self.network.body(self.network.mechanism.slide(slide).on);
+                    (self.network.class(body), f64::INFINITY)
+                }
+                ScalarEquation::Elbow(turned) => {
+                    for body in self.network.elbow(turned) {
+                        arms[self.network.class(body).0] = f64::INFINITY;
+                    }
+                    continue;
+                }
+            };
+            arms[class.0] = arms[class.0].max(arm);
+        }
+        let driven = arms.iter().enumerate();
+        let driven = driven
+            .filter(|&(class, _)| {
+                let is_given = self.network.is_given(ClassId(class));
+                is_given && self.class_column[class].is_none() && ClassId(class) != GROUND
+            })
+            .map(|(_, arm)| *arm)
+            .fold(0.0, f64::max);
+        let own = self.class_column.iter().zip(&arms);
+        let own = own.filter_map(|(column, arm)| Some(((*column)?, *arm)));
+        own.chain([(self.width, driven)])
+            .filter(|(_, arm)| arm.is_finite() && *arm > 0.0)
+            .collect()
     }
 
     /// Moves a pose by a step of all columns but the driver's.

@@ -24,6 +24,8 @@ const PLACES: [f64; 4] = [0.03, -0.03, 0.11, -0.11];
 const LOOKED_AT: usize = 2;
 /// Unknowns of a coupled group that is looked at whenever a mechanism opens, at the most.
 const MOST_IN_A_GROUP: usize = 150;
+/// What rounding turns a row by at the most, in radians.
+const ROUNDED: f64 = 1e-8;
 /// From pose to pose on the way to a place further off, and how many of these there may be: some turns.
 const STRIDE: f64 = 0.05;
 const MOST_STRIDES: f64 = 1000.0;
@@ -170,6 +172,12 @@ impl<'n> Whole<'n> {
     }
 }
 
+/// Coordinates of the driver beside another one.
+pub(super) fn beside(network: &Network<'_>, at: f64) -> impl Iterator<Item = f64> {
+    let rows = Rows::new(network, network.frame, Vec::new(), []);
+    PLACES.into_iter().map(move |by| moved(&rows, at, by))
+}
+
 /// A coordinate of the driver beside another one, by radians or scaled lengths.
 fn moved(rows: &Rows<'_>, at: f64, by: f64) -> f64 {
     match rows.network.mechanism.driver().input {
@@ -215,8 +223,7 @@ struct Judged {
 
 impl Judged {
     fn of(rows: &Rows<'_>, at: f64, found: &Assembled, misfit: f64) -> Option<Judged> {
-        let arm = shortest(rows);
-        let (slack, doubt) = (found.slack / arm, misfit / arm);
+        let [slack, doubt] = turned(rows, found.slack, misfit);
         let whole = rows.matrix(at, &found.pose);
         let matrix = whole.columns(0, rows.width).into_owned();
         let spectrum = Spectrum::of(&matrix, slack, doubt)?;
@@ -292,9 +299,8 @@ pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
         let mut spectra = reached(solver).filter_map(|state| {
             let pose = pose_of(network, &state);
             let reach = pose.points.iter().map(|p| p.norm()).fold(1.0, f64::max);
-            let (arm, accepted) = (shortest(&rows), network.mechanism.misfit());
-            let slack = 4.0 * f64::EPSILON * reach / arm;
-            let doubt = solver.engine.frame.length(accepted) / arm;
+            let misfit = solver.engine.frame.length(network.mechanism.misfit());
+            let [slack, doubt] = turned(&rows, 4.0 * f64::EPSILON * reach, misfit);
             let matrix = rows.matrix(state.at, &pose);
             Spectrum::of(&matrix.columns(0, rows.width).into_owned(), slack, doubt)
         });
@@ -329,6 +335,15 @@ fn block_of<'s>(
             }
         })
     })
+}
+
+/// By how much rows are turned by the slack of joints, and by the misfit that is accepted, in radians. Rounding turns
+/// none by more than [`ROUNDED`]: where a link is shorter than that the pose that was found is taken for exact,
+/// of a mechanism that is the drawn one but for rounding.
+fn turned(rows: &Rows<'_>, slack: f64, misfit: f64) -> [f64; 2] {
+    let arm = shortest(rows);
+    let doubt = misfit / arm;
+    [(slack / arm).min(ROUNDED.max(doubt)), doubt]
 }
 
 /// The shortest distance of two joints of a link, in the solver's unit: what a slack of theirs makes of

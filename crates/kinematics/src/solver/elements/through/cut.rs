@@ -1,6 +1,6 @@
 //! A circle and a line in series: RRP.
 
-use super::{Height, InSeries, Snap};
+use super::{Height, InSeries, Snap, size};
 use crate::arithmetic::Series;
 use crate::{Constant, Double, Number, Vec2};
 
@@ -27,7 +27,7 @@ impl Cut {
             t,
             b: Series::of(b),
             h0: t.perp().dot(from) + Series::constant(shift),
-            size: (t.perp().map(Series::majorant)).dot(from.map(Series::majorant)),
+            size: size(t) * size(from),
             along: t.dot(from),
         }
     }

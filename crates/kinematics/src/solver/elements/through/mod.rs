@@ -75,7 +75,40 @@ pub(super) fn between(from: PointId, to: PointId, state: &State<Series>) -> Vec2
 
 /// The square of a length, and its size.
 pub(super) fn squared(u: Vec2<Series>) -> [Series; 2] {
-    [u.norm2(), u.map(Series::majorant).norm2()]
+    let size = size(u);
+    [u.norm2(), size * size]
+}
+
+/// The sizes of a vector's coefficients, whatever the directions of the axes. None is smaller than the
+/// motion as a whole lets expect: of one that is zero but for its rounding that says nothing.
+pub(super) fn size(u: Vec2<Series>) -> Series {
+    let norm = |n: usize| u.x.c[n].hi.hypot(u.y.c[n].hi);
+    let known = u.x.known.min(u.y.known);
+    let middle = known / 2;
+    let largest = |from: usize| (from..known.min(from + 2)).map(norm).fold(0.0, f64::max);
+    let falls = largest(middle) / largest(known.saturating_sub(2));
+    // Within this radius the coefficients grow no further, but none is wider than the unit.
+    let power = 1.0 / known.saturating_sub(2 + middle).max(1) as f64;
+    let radius = if 0.0 < falls && falls < 1.0 {
+        falls.powf(power)
+    } else {
+        1.0
+    };
+    let moved = |n: usize| norm(n) * radius.powi(n as i32);
+    let moves = (1..known).map(moved).fold(0.0, f64::max);
+    let mut size = Series {
+        known,
+        ..Series::default()
+    };
+    for n in 0..known {
+        let floor = if n == 0 {
+            0.0
+        } else {
+            moves / radius.powi(n as i32)
+        };
+        size.c[n] = Double::exactly(norm(n).max(floor));
+    }
+    size
 }
 
 /// A vector between pivots, moved by a snap.

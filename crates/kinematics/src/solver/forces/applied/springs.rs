@@ -98,7 +98,7 @@ impl LineSpring {
             None => {
                 let size = e.norm2().sqrt();
                 let along = e / size;
-                let rate = along.dot(b.v - a.v) * state.rates.speed;
+                let rate = along.dot(b.v - a.v).times(state.rates.speed);
                 along * self.law.tension(size, T::of(self.damping) * rate, unit)
             }
         };
@@ -169,7 +169,9 @@ impl TorsionSpring {
         let link = &state.links[self.link.index()];
         let to = self.to.map(|to| &state.links[to.index()]);
         let turn = to.map_or(link.d, |to| link.d.turned(to.d.conj()));
-        let turning = to.map_or(link.w, |to| link.w - to.w) * state.rates.speed;
+        let turning = to
+            .map_or(link.w, |to| link.w - to.w)
+            .times(state.rates.speed);
         let radian = T::of(Constant::RADIAN);
         let angle = from_free(turn, Vec2::of(self.free)) * radian;
         let back =

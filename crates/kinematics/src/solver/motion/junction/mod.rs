@@ -15,7 +15,7 @@ use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, Snap, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
-use standing::Standing;
+pub(super) use standing::Standing;
 
 /// Terms that are begun with, and how many more are tried where too few are left.
 pub(super) const FIRST: usize = 16;

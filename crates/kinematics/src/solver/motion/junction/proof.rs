@@ -12,6 +12,9 @@ use crate::{Double, Number, Vec2};
 const PROVEN: f64 = 1e-9;
 /// and by this part of how far the other assembly is.
 const OTHER: f64 = 0.1;
+/// A zone in which the series cannot be proved is narrowed down to this part, so often.
+const ZONE: f64 = 0.1;
+const ZONES: i32 = 8;
 
 impl Walker<'_> {
     /// The passages of the groups that are singular at a place: each series tells where its group is on
@@ -23,19 +26,18 @@ impl Walker<'_> {
         let engine = self.engine;
         let passages = junction.folds.iter().map(|fold| {
             let of = (fold.group, fold.turns());
-            let mut passage = Passage::new(
-                junction.at.hi,
-                of,
-                engine.outputs(fold.step),
-                &junction.series,
-            )?;
+            let mut passage =
+                Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
             // A series tells nothing of what lies behind a knot.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
             if passage.zone == 0.0 {
                 return None;
             }
-            let is_proved = self.proves(junction, passage.zone, fold.step + 1);
-            is_proved.then_some(passage)
+            // Another change point may be closer by.
+            let zones = (0..ZONES).map(|k| passage.zone * ZONE.powi(k));
+            let mut zones = zones.collect::<Vec<f64>>().into_iter();
+            passage.zone = zones.find(|&zone| self.proves(junction, zone, fold.step + 1))?;
+            Some(passage)
         });
         passages.collect()
     }

@@ -9,14 +9,17 @@ use crate::{Double, Number, Vec2};
 
 /// A square that begins with less than this part of its size may begin with zeros that were rounded.
 const ROUGH: f64 = 1e-9;
+/// Where nothing was rounded but in twice the digits, it is this part.
+const FINE: f64 = 1e-18;
+/// What is left of a square by lengths that are rounded, by their rounding at the most: pivots are turned by
+/// short links.
+const WORN: f64 = 1e4;
 /// Change points of several groups that are this close to each other are one, in radians or scaled
 /// lengths: a mechanism drawn with lengths from one formula has them a few roundings apart,
 const TOGETHER: f64 = 1e-12;
 /// or the pivots are so many roundings of their coordinates away from where they would be: a line that
 /// begins with a short link is turned by them.
 const LEVER: f64 = 64.0;
-/// A group that is singular closer than this before a place would have been passed unseen.
-const CLOSE: f64 = 2e-3;
 /// Newton's steps to a snap, or to a place: each doubles the digits.
 const STEPS: usize = 8;
 /// A place is known to this, in radians or scaled lengths.
@@ -25,7 +28,7 @@ const PLACED: f64 = 1e-26;
 const FEW: usize = 12;
 
 /// How a dyad stands at a place.
-pub(super) enum Standing {
+pub(in crate::solver::motion) enum Standing {
     Regular,
     Missing { sine: f64 },
     Singular { snap: Snap, order: usize },
@@ -41,34 +44,42 @@ impl Walker<'_> {
         state: &State<Series>,
     ) -> Result<Standing, Refusal> {
         let height = dyad.height(q, Snap::default(), state);
+        let extremes = [FINE, ROUGH].map(|part| extreme(dyad, part, state));
+        let apart = extremes.into_iter().flatten().map(|by| by.abs().hi);
+        let apart = apart.reduce(f64::min);
+        // At the extreme itself only what was given can have been rounded.
+        let is_extreme = apart.is_some_and(|apart| apart <= PLACED);
+        let part = if is_extreme {
+            (slack * WORN).clamp(FINE, ROUGH)
+        } else {
+            ROUGH
+        };
         let meeting = dyad.meeting(q, slack, state);
         let near = |u: &Vec2<Double>| u.norm().hi <= slack + TOGETHER;
         let (snap, order) = if let Some(u) = meeting.filter(near) {
             (Snap::of_meeting(-u), None)
         } else {
-            match height.square.valuation(&height.size, ROUGH) {
+            match height.square.valuation(&height.size, part) {
                 None => return Err(Refusal::Terms),
-                Some(0) => return self.beside(&height),
+                Some(0)
+                    if is_extreme && height.square.valuation(&height.size, ROUGH) != Some(0) =>
+                {
+                    return missing(dyad, q, &height, state);
+                }
+                Some(0) => return beside(&height),
                 Some(order) => {
                     let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
                     (snap, Some(order))
                 }
             }
         };
-        let apart = extreme(dyad, state).ok_or(Refusal::Terms)?.abs().hi;
+        let apart = apart.ok_or(Refusal::Terms)?;
         let is_here = apart <= TOGETHER || snap.by.norm().hi <= LEVER * slack;
         if !is_here {
-            return self.beside(&height);
+            return beside(&height);
         }
         if across(dyad, snap, state) > slack {
-            let square = height.square.nearest();
-            let sine = (square / dyad.right_angle(q, state)).sqrt();
-            let exists = square > 0.0;
-            return if exists {
-                Ok(Standing::Missing { sine })
-            } else {
-                Err(Refusal::End)
-            };
+            return missing(dyad, q, &height, state);
         }
         let height = dyad.height(q, snap, state);
         let exact = height.square.valuation(&height.size, ZERO);
@@ -83,47 +94,74 @@ impl Walker<'_> {
         }
     }
 
-    /// A dyad that is not singular here; nor must it be so close before that it was passed unseen.
-    fn beside(&self, height: &Height) -> Result<Standing, Refusal> {
-        let [c0, c1, c2] = [0, 1, 2].map(|n| height.square.c[n].hi);
-        let lowest = -0.5 * c1 / c2;
-        let least = c0 + 0.5 * c1 * lowest;
-        let was_passed = -lowest * self.sense > 0.0
-            && lowest.abs() < CLOSE
-            && least <= ROUGH * height.size.nearest();
-        if c0 > 0.0 && !was_passed {
-            Ok(Standing::Regular)
-        } else {
-            Err(Refusal::End)
-        }
+    /// How a dyad stands at a place, in twice the digits; `None` where that cannot be told.
+    pub(in crate::solver::motion) fn standing_at(
+        &mut self,
+        step: usize,
+        at: Double,
+    ) -> Option<Standing> {
+        let engine = &self.exact?.engine;
+        let (q, direction) = self.coordinate_of(at, FEW);
+        let mut series = engine.state::<Series>(self.state.travels.len());
+        self.lay(0..step, at.hi, q, direction, &mut series)?;
+        let dyad = engine.program.steps[step].dyad()?;
+        self.standing(dyad, q, self.slack(), &series).ok()
     }
 
     /// Where a dyad's reach is extreme to twice the precision, close to a coordinate; those before it
     /// are not singular there.
     pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
         let engine = &self.exact?.engine;
-        let mut at = Double::exactly(at);
-        for _ in 0..STEPS {
-            let (q, direction) = self.coordinate_of(at, FEW);
-            let mut series = engine.state::<Series>(self.state.travels.len());
-            self.lay(0..step, at.hi, q, direction, &mut series)?;
-            let by = extreme(engine.program.steps[step].dyad()?, &series)?;
-            at = self.moved_exactly(at, by);
-            if by.abs().hi < PLACED {
-                return Some(at);
+        // Where the extreme is of a higher order, what begins it is a rounding.
+        [FINE, ROUGH].into_iter().find_map(|part| {
+            let mut at = Double::exactly(at);
+            for _ in 0..STEPS {
+                let (q, direction) = self.coordinate_of(at, FEW);
+                let mut series = engine.state::<Series>(self.state.travels.len());
+                self.lay(0..step, at.hi, q, direction, &mut series)?;
+                let by = extreme(engine.program.steps[step].dyad()?, part, &series)?;
+                at = self.moved_exactly(at, by);
+                if by.abs().hi < PLACED {
+                    return Some(at);
+                }
             }
-        }
-        None
+            None
+        })
     }
 }
 
 /// The distance at which a dyad's reach is extreme: one step of Newton for the last coefficient that is a
 /// zero there.
-fn extreme(dyad: Dyad<'_>, state: &State<Series>) -> Option<Double> {
+fn extreme(dyad: Dyad<'_>, part: f64, state: &State<Series>) -> Option<Double> {
     let [reach, size] = dyad.reach(state);
-    let moving = |n: &usize| reach.c[*n].hi.abs() > ROUGH * size.c[*n].hi.max(size.c[0].hi);
+    let moving = |n: &usize| reach.c[*n].hi.abs() > part * size.c[*n].hi;
     let order = (2..reach.known).find(moving)?;
     Some(-(reach.c[order - 1] / (reach.c[order] * Double::exactly(order as f64))))
+}
+
+/// A dyad whose reach is extreme here, and whose arms miss each other.
+fn missing(
+    dyad: Dyad<'_>,
+    q: Series,
+    height: &Height,
+    state: &State<Series>,
+) -> Result<Standing, Refusal> {
+    let square = height.square.nearest();
+    let sine = (square / dyad.right_angle(q, state)).sqrt();
+    if square > 0.0 {
+        Ok(Standing::Missing { sine })
+    } else {
+        Err(Refusal::End)
+    }
+}
+
+/// A dyad that is not singular here.
+fn beside(height: &Height) -> Result<Standing, Refusal> {
+    if height.square.c[0].hi > 0.0 {
+        Ok(Standing::Regular)
+    } else {
+        Err(Refusal::End)
+    }
 }
 
 /// How much of a snap is across the reach: what parts the arms, and does not only move the place.

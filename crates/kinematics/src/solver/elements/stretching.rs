@@ -1,0 +1,28 @@
+//! How a dyad is being stretched.
+
+use crate::Vec2;
+
+/// The motion that stretches a dyad: its component along `toward` changes the reach, the distance of the pivots
+/// or of pivot and guide.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Stretching {
+    pub(in crate::solver) toward: Vec2,
+    /// The relative velocity of both ends, by the driver's coordinate.
+    pub(in crate::solver) v: Vec2,
+    /// Its derivative where it is zero.
+    pub(in crate::solver) a: Vec2,
+}
+
+impl Stretching {
+    /// The rate of the reach for unit speed and, up to a positive factor, unit reach: the cosine of an angle
+    /// between links. `None` where nothing moves.
+    pub(in crate::solver) fn rate(&self) -> Option<f64> {
+        let rate = self.toward.dot(self.v) / self.v.norm();
+        rate.is_finite().then_some(rate)
+    }
+
+    /// The sign that the rate has just beside a place at which the motion turns back, towards `sense`.
+    pub(in crate::solver) fn rate_beside(&self, sense: f64) -> f64 {
+        sense * self.toward.dot(self.a)
+    }
+}

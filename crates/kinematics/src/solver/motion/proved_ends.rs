@@ -1,0 +1,282 @@
+//! The ends of a range in double-double, from the typed decimals, each with a bound on its error.
+//!
+//! Where a dyad reaches its limit, or a coordinate its stop, a function of the driver's coordinate changes its sign.
+//! The bound is the smallest distance on both sides of the end at which the signs are proved to differ. The
+//! fold of a coupled group is bounded by its own equations.
+
+use super::walk::Walker;
+use crate::arithmetic::{Sharp, half_ulp};
+use crate::numeric::root;
+use crate::solver::Order;
+use crate::solver::coupled::{Correction, ExactFold, Fold, FoldResiduals};
+use crate::solver::engine::Engine;
+use crate::solver::proved_run::ProvedRun;
+use crate::solver::state::Condition;
+use crate::solver::workspace::Workspace;
+use crate::{Ball, Double};
+
+/// Doublings of half an ulp within which the signs on both sides of an end are sought.
+const DOUBLINGS: i32 = 64;
+/// The slope of a function at its root is taken from values so many halves of an ulp away.
+const NEAR: f64 = 16.0;
+/// Corrections of a fold at most: each one gains about the digits of a double.
+const CORRECTIONS: usize = 12;
+/// A correction below this ends them, in units of about the longest link.
+const SETTLED: f64 = 1e-27;
+
+/// An end of the range.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct BoundedEnd {
+    /// The driver's coordinate.
+    pub(in crate::solver) at: f64,
+    /// Its error at most; `None` where nothing is proved.
+    pub(in crate::solver) bound: Option<f64>,
+}
+
+impl BoundedEnd {
+    /// An end that is what it is by definition.
+    pub(super) fn exact(at: f64) -> BoundedEnd {
+        BoundedEnd {
+            at,
+            bound: Some(0.0),
+        }
+    }
+
+    /// An end that is known in doubles only.
+    pub(super) fn unproved(at: f64) -> BoundedEnd {
+        BoundedEnd { at, bound: None }
+    }
+
+    /// The nearest double to a place, whose own error is at most `off`.
+    fn nearest(place: Double, off: Option<f64>) -> BoundedEnd {
+        let is_zero = off.is_some_and(|off| place.hi.abs() <= off);
+        let at = if is_zero { 0.0 } else { place.hi };
+        let rest = (place - Double::exactly(at)).abs().hi;
+        BoundedEnd {
+            at,
+            bound: off.map(|off| (off + rest).next_up()),
+        }
+    }
+}
+
+/// What is zero at the end of a dyad's reach.
+#[derive(Clone, Copy)]
+enum Vanishing {
+    /// Its measure.
+    Measure,
+    /// The rate of its stretch, where it only touches its limit; times a sign.
+    StretchRate(f64),
+}
+
+impl Walker<'_> {
+    /// Returns the place near a limit where a dyad comes to the end of its reach.
+    pub(super) fn exact_reach(
+        &mut self,
+        step: usize,
+        group: usize,
+        limit: f64,
+    ) -> Option<BoundedEnd> {
+        let all = [
+            Vanishing::Measure,
+            Vanishing::StretchRate(1.0),
+            Vanishing::StretchRate(-1.0),
+        ];
+        let exact = self.exact?;
+        let mut run = ProvedRun::new(exact, self.state.travels.len());
+        all.into_iter().find_map(|vanishing| {
+            let at = self.zero_near(&mut run, (step, group), vanishing, limit)?;
+            let bound = self.reach_bound(&mut run, (step, group), vanishing, at);
+            Some(BoundedEnd { at, bound })
+        })
+    }
+
+    /// Bounds the error of the end of a dyad's reach.
+    pub(super) fn bound_of_reach(&mut self, step: usize, group: usize, at: f64) -> Option<f64> {
+        let exact = self.exact?;
+        let mut run = ProvedRun::new(exact, self.state.travels.len());
+        let all = [Vanishing::Measure, Vanishing::StretchRate(1.0)];
+        all.into_iter()
+            .find_map(|vanishing| self.reach_bound(&mut run, (step, group), vanishing, at))
+    }
+
+    fn reach_bound(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        of: (usize, usize),
+        vanishing: Vanishing,
+        at: f64,
+    ) -> Option<f64> {
+        let engine = self.engine;
+        sign_change(engine, at, |place| {
+            self.vanishing(run, of, vanishing, place)
+        })
+    }
+
+    /// A zero on whose inner side the function is positive.
+    fn zero_near(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        of: (usize, usize),
+        vanishing: Vanishing,
+        limit: f64,
+    ) -> Option<f64> {
+        let sense = self.sense;
+        let mut back = self.distances(limit).map(|by| limit - sense * by);
+        let mut on = self.distances(limit).map(|by| limit + sense * by);
+        let finest = self.engine.finest();
+        let mut value = |at: f64| {
+            let place = Sharp::new(Double::exactly(at), 0.0);
+            self.vanishing(run, of, vanishing, place)
+        };
+        let inside = back.find_map(|at| {
+            let here = value(at)?;
+            (here.mid.hi > here.radius).then_some((at, here.mid.hi))
+        })?;
+        let outside = on.find_map(|at| {
+            let here = value(at)?;
+            (-here.mid.hi > here.radius).then_some((at, here.mid.hi))
+        })?;
+        let at = root(inside, outside, 0.0, |at| Some(value(at)?.mid.hi)).ok()?;
+        // One step of Newton for what the root is off by: some ulp.
+        let by = NEAR * half_ulp(at).max(f64::EPSILON * finest);
+        let [before, here, beyond] = [-by, 0.0, by].map(|by| Some(value(at + by)?.mid.hi));
+        let step = -2.0 * by * here? / (beyond? - before?);
+        let at = if step.abs() <= by { at + step } else { at };
+        let is_zero = at.abs() < f64::EPSILON * finest && self.has_state(step, 0.0);
+        Some(if is_zero { 0.0 } else { at })
+    }
+
+    /// Returns `true` if doubles find a state of a step at a coordinate: an end must have one.
+    fn has_state(&mut self, step: usize, at: f64) -> bool {
+        self.aim_at(at);
+        let (steps, order) = (0..step + 1, Order::Position);
+        self.engine.run_steps(steps, at, order, &mut self.state) != Condition::NoAssembly
+    }
+
+    fn vanishing(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        (step, group): (usize, usize),
+        vanishing: Vanishing,
+        place: Sharp,
+    ) -> Option<Sharp> {
+        let has_rates = matches!(vanishing, Vanishing::StretchRate(_));
+        if !self.run_inputs(run, step, place, has_rates) {
+            return None;
+        }
+        match vanishing {
+            Vanishing::Measure => Some(run.measure(step, group, place)),
+            Vanishing::StretchRate(sign) => {
+                let dyad = run.engine.program.steps[step].dyad()?;
+                let rate = dyad.stretch_rate(&run.sharp.state)?;
+                Some(rate * Sharp::new(Double::exactly(sign), 0.0))
+            }
+        }
+    }
+
+    /// Runs what a step stands on; coupled groups start from their states in doubles.
+    fn run_inputs(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        step: usize,
+        place: Sharp,
+        has_rates: bool,
+    ) -> bool {
+        if self.exact.is_some_and(|exact| step > exact.closed) {
+            let at = place.mid.hi;
+            self.aim_at(at);
+            let order = if has_rates {
+                Order::Acceleration
+            } else {
+                Order::Position
+            };
+            // Far from the origin the typed decimals have other solutions than the doubles next to them.
+            let found = run.engine.run_steps(0..step, at, order, &mut self.state);
+            if found == Condition::NoAssembly {
+                return false;
+            }
+        }
+        run.run(step, place, has_rates, &self.state)
+    }
+
+    /// Corrects the fold of a coupled group: its place, and the unknowns of the group there.
+    pub(super) fn exact_fold(
+        &mut self,
+        of: (usize, usize),
+        fold: Fold,
+        at: f64,
+    ) -> Option<(BoundedEnd, Vec<f64>)> {
+        let exact = self.exact?;
+        let group = exact.engine.program.coupled.get(of.1)?;
+        let mut run = ProvedRun::new(exact, self.state.travels.len());
+        let mut fold = group.exact_fold(fold, &mut self.state.scratch);
+        let mut place = Double::exactly(at);
+        let mut last = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let residuals = self.fold_residuals(&mut run, of, &fold, place)?;
+            let Correction { size, dq } = group.correct_fold(&mut fold, &residuals);
+            place = self.moved_exactly(place, Double::exactly(dq));
+            // Written so that NaN ends it.
+            if !(size < 0.5 * last && size > SETTLED) {
+                break;
+            }
+            last = size;
+        }
+        let bound = self.fold_bound(&mut run, of, &fold, place);
+        let bound = bound.map(|bound| self.engine.moved(0.0, bound));
+        let is_known = place.hi.is_finite() && last < f64::INFINITY;
+        is_known.then(|| (BoundedEnd::nearest(place, bound), fold.unknowns()))
+    }
+
+    fn fold_residuals(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        (step, index): (usize, usize),
+        fold: &ExactFold,
+        place: Double,
+    ) -> Option<FoldResiduals> {
+        let place = Sharp::new(place, 0.0);
+        if !self.run_inputs(run, step, place, true) {
+            return None;
+        }
+        let engine = run.engine;
+        let (q, _) = engine.coordinate(place);
+        let Workspace { state, scratch, .. } = &mut run.sharp;
+        engine.program.coupled[index].fold_residuals(fold, q, state, scratch)
+    }
+
+    fn fold_bound(
+        &mut self,
+        run: &mut ProvedRun<'_>,
+        (step, index): (usize, usize),
+        fold: &ExactFold,
+        place: Double,
+    ) -> Option<f64> {
+        let residuals = self.fold_residuals(run, (step, index), fold, place)?;
+        let place = Sharp::new(place, self.engine.moved(0.0, residuals.radius()));
+        if !self.run_inputs(run, step, place, true) {
+            return None;
+        }
+        let engine = run.engine;
+        let (q, _) = engine.coordinate(place);
+        let Workspace { state, scratch, .. } = &mut run.balls;
+        engine.program.coupled[index].fold_bound(fold, &residuals, Ball::from(q), state, scratch)
+    }
+}
+
+/// Returns the smallest distance on both sides of a coordinate at which the signs of a function are proved to differ.
+pub(in crate::solver) fn sign_change(
+    engine: &Engine,
+    at: f64,
+    mut f: impl FnMut(Sharp) -> Option<Sharp>,
+) -> Option<f64> {
+    let least = half_ulp(at).max(f64::EPSILON * f64::EPSILON * engine.finest());
+    let mut distances = (0..DOUBLINGS).map(|k| least * f64::from(k).exp2());
+    distances.find(|&by| {
+        let mut sign = |by: f64| {
+            let value = f(Sharp::new(Double::sum(at, by), 0.0))?;
+            (value.mid.hi.abs() > value.radius).then_some(value.mid.hi.signum())
+        };
+        sign(-by).zip(sign(by)).is_some_and(|(a, b)| a != b)
+    })
+}

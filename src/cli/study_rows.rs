@@ -1,0 +1,109 @@
+//! Verifies the rows of a file that a study resumes: computes rows again, and compares their bytes.
+
+use super::failure::Failure;
+use super::study::ReadyStudy;
+use crate::report::DesignTable;
+use crate::wording::words;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::ops::Range;
+use std::path::Path;
+
+/// So many rows are computed again: all of a file that has no more, otherwise blocks of this size spread over it.
+const CHECKED: u64 = 10_000;
+const BLOCK: u64 = 100;
+
+/// Why rows are not accepted.
+enum Rejected {
+    /// The row with this number is not what the study writes.
+    Changed(u64),
+    /// The file cannot be read.
+    Unreadable(io::Error),
+}
+
+/// Verifies rows of a file whose first one is that of the design `first`.
+///
+/// # Errors
+/// A row that is not what the study writes there, and what the system says.
+pub(super) fn verify(
+    ready: &ReadyStudy,
+    table: &DesignTable,
+    first: u64,
+    path: &Path,
+    rows: u64,
+) -> Result<(), Failure> {
+    let shown = path.display().to_string();
+    checked(ready, table, first, path, rows).map_err(|why| match why {
+        Rejected::Changed(row) => Failure::Cannot(words().row_was_changed(&shown, row + 2)),
+        Rejected::Unreadable(error) => Failure::Output(Some(path.to_owned()), error),
+    })
+}
+
+fn checked(
+    ready: &ReadyStudy,
+    table: &DesignTable,
+    first: u64,
+    path: &Path,
+    rows: u64,
+) -> Result<(), Rejected> {
+    let file = File::open(path).map_err(Rejected::Unreadable)?;
+    let mut lines = BufReader::new(file);
+    let mut line = String::new();
+    let mut next = |line: &mut String| {
+        line.clear();
+        lines.read_line(line).map_err(Rejected::Unreadable)
+    };
+    next(&mut line)?;
+    let mut number = 0;
+    for block in blocks(rows) {
+        while number < block.start {
+            next(&mut line)?;
+            number += 1;
+        }
+        let run = ready.run(first + block.start..first + block.end);
+        run.each(&mut |some| {
+            for row in some {
+                next(&mut line)?;
+                if table.line(&row, false).map_err(Rejected::Unreadable)? != line {
+                    return Err(Rejected::Changed(number));
+                }
+                number += 1;
+            }
+            Ok(())
+        })?;
+    }
+    Ok(())
+}
+
+/// The rows that are computed again, by their numbers.
+fn blocks(rows: u64) -> Vec<Range<u64>> {
+    if rows <= CHECKED {
+        return std::iter::once(0..rows).collect();
+    }
+    let count = CHECKED / BLOCK;
+    let begin = |i: u64| i * (rows - BLOCK) / (count - 1);
+    (0..count).map(|i| begin(i)..begin(i) + BLOCK).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_cover_few_rows_and_are_spread_over_many() {
+        assert_eq!(
+            blocks(CHECKED),
+            std::iter::once(0..CHECKED).collect::<Vec<_>>()
+        );
+        let found = blocks(1_000_000);
+        assert_eq!((found[0].start, found[found.len() - 1].end), (0, 1_000_000));
+        assert!(found.windows(2).all(|pair| pair[0].end <= pair[1].start));
+        assert_eq!(
+            found
+                .iter()
+                .map(|block| block.end - block.start)
+                .sum::<u64>(),
+            CHECKED
+        );
+    }
+}

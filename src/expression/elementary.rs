@@ -1,0 +1,192 @@
+//! Sines, directions, exponentials and logarithms of formulas, with their error bounds.
+
+use super::wide::Wide;
+use std::sync::LazyLock;
+
+/// Bits of a result; `1 + exp(-700)` has 300 to spare.
+const BITS: u64 = 1280;
+/// Bits that are computed beside, for what squaring loses.
+const GUARD: u64 = 64;
+/// Arguments of series are halved so often, and results squared as often.
+const HALVINGS: i64 = 16;
+/// Powers of e beyond 2^19 are in no formula.
+const MAX_EXPONENT_TOP: i64 = 20;
+/// Bits of the steps that refine a direction: each triples the digits.
+const DIRECTION_STEPS: [u64; 3] = [160, 448, BITS];
+/// Bits of the steps that refine a logarithm: the first guess of a large one has fewer digits.
+const LOGARITHM_STEPS: [u64; 4] = [160, 320, 896, BITS];
+
+/// pi, by Machin's formula.
+pub(super) static PI: LazyLock<Wide> = LazyLock::new(|| {
+    let far = arctangent_of_inverse(5).times(&Wide::whole(16));
+    far.minus(&arctangent_of_inverse(239).times(&Wide::whole(4)))
+});
+
+/// Degrees in a radian.
+pub(super) static DEGREES: LazyLock<Wide> =
+    LazyLock::new(|| Wide::whole(180).over_to(&PI, BITS + GUARD));
+
+static LN_10: LazyLock<Wide> = LazyLock::new(|| logarithm(&Wide::whole(10)).unwrap_or(Wide::ZERO));
+
+/// arctan(1 / n) = 1 / n - 1 / (3 n^3) + ..., whose rest is less than its last term.
+fn arctangent_of_inverse(n: i32) -> Wide {
+    let (bits, square) = (BITS + GUARD, Wide::whole(n * n));
+    let mut power = Wide::whole(1).over_to(&Wide::whole(n), bits);
+    let mut sum = power.clone();
+    let mut k = 1;
+    while power.largest_top() > -bits.cast_signed() {
+        power = power.over_to(&square, bits).negative();
+        k += 2;
+        sum = sum.plus(&power.over_to(&Wide::whole(k), bits));
+    }
+    sum.widened(power.largest_top())
+}
+
+/// Sums x^n / n! for |x| < 1/2 into two series, of even and of odd n. `turn` is -1 for sine and cosine.
+fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
+    let mut sums = [Wide::whole(1), Wide::ZERO];
+    let mut term = Wide::whole(1);
+    let mut n = 0;
+    while term.largest_top() > -bits.cast_signed() && n < 1000 {
+        n += 1;
+        term = term.times(x).over_to(&Wide::whole(n), bits);
+        if n % 2 == 0 {
+            term = term.times(&Wide::whole(turn));
+        }
+        let odd = usize::from(n % 2 == 1);
+        sums[odd] = sums[odd].plus(&term);
+    }
+    // All further terms together are less than the last one.
+    sums.map(|sum| sum.widened(term.largest_top()).rounded(bits))
+}
+
+/// Cosine and sine of an angle in degrees; `None` of one that is known to no turn.
+pub(super) fn unit(degrees: &Wide) -> Option<[Wide; 2]> {
+    unit_to(degrees, BITS)
+}
+
+fn unit_to(degrees: &Wide, bits: u64) -> Option<[Wide; 2]> {
+    const LARGEST_TOP: i64 = 2048;
+    if degrees.largest_top() > LARGEST_TOP {
+        return None;
+    }
+    let right = Wide::whole(90);
+    let quarters = degrees.over(&right).nearest_whole();
+    let rest = degrees.minus(&right.times(&Wide::whole(quarters.clone())));
+    // 45 degrees, and what the bound adds.
+    if rest.largest_top() > 8 {
+        return None;
+    }
+    let [cosine, sine] = match rest.is_zero() {
+        true => [Wide::whole(1), Wide::ZERO],
+        false => unit_of_rest(&rest, bits + GUARD),
+    };
+    Some(match u8::try_from(quarters & num_bigint::BigInt::from(3)) {
+        Ok(0) => [cosine, sine],
+        Ok(1) => [sine.negative(), cosine],
+        Ok(2) => [cosine.negative(), sine.negative()],
+        _ => [sine, cosine.negative()],
+    })
+}
+
+/// The unit of a small angle, by squaring that of a much smaller one.
+fn unit_of_rest(degrees: &Wide, bits: u64) -> [Wide; 2] {
+    let radians = degrees.over_to(&DEGREES, bits);
+    let [mut cosine, mut sine] = series(&radians.scaled(-HALVINGS), -1, bits);
+    for _ in 0..HALVINGS {
+        let product = cosine.times(&sine).scaled(1);
+        cosine = cosine
+            .times(&cosine)
+            .minus(&sine.times(&sine))
+            .rounded(bits);
+        sine = product.rounded(bits);
+    }
+    [cosine, sine]
+}
+
+/// The direction in degrees, from -180 to 180, of a vector that is not zero; `None` where it may be.
+pub(super) fn direction(x: &Wide, y: &Wide) -> Option<Wide> {
+    if y.is_zero() {
+        return Some(Wide::whole(if x.is_negative() { 180 } else { 0 }));
+    }
+    if x.is_zero() {
+        return Some(Wide::whole(if y.is_negative() { -90 } else { 90 }));
+    }
+    let top = x.top().max(y.top());
+    let [x, y] = [x, y].map(|part| part.clone().scaled(-top));
+    let square = x.times(&x).plus(&y.times(&y)).rounded(BITS + GUARD);
+    let length = square.root();
+    let near = y.nearest().atan2(x.nearest()).to_degrees();
+    let mut angle = Wide::exactly(near);
+    for bits in DIRECTION_STEPS {
+        let [cosine, sine] = unit_to(&angle, bits)?;
+        let across = cosine.times(&y).minus(&sine.times(&x));
+        let off = across.over_to(&length, bits + GUARD);
+        if off.largest_top() > -2 {
+            return None;
+        }
+        // An angle exceeds its sine by less than the cube of that; a radian is less than 2^6 degrees.
+        let beyond = 3 * off.largest_top() + 6;
+        let degrees = off.times(&DEGREES).rounded(bits + GUARD);
+        let refined = angle.plus(&degrees).widened(beyond);
+        if bits == BITS {
+            return Some(refined);
+        }
+        angle = refined.middle();
+    }
+    None
+}
+
+/// e to this power; `None` beyond all use.
+pub(super) fn exponential(power: &Wide) -> Option<Wide> {
+    exponential_to(power, BITS)
+}
+
+fn exponential_to(power: &Wide, bits: u64) -> Option<Wide> {
+    if power.is_zero() {
+        return Some(Wide::whole(1));
+    }
+    if power.largest_top() > MAX_EXPONENT_TOP {
+        return None;
+    }
+    let bits = bits + GUARD;
+    let halvings = HALVINGS + power.largest_top().max(0);
+    let small = power.clone().rounded(bits).scaled(-halvings);
+    let [even, odd] = series(&small, 1, bits);
+    let squared = |value: Wide, _| value.times(&value).rounded(bits);
+    Some((0..halvings).fold(even.plus(&odd), squared))
+}
+
+/// The natural logarithm of what is positive; `None` where it is known to no digit.
+pub(super) fn logarithm(of: &Wide) -> Option<Wide> {
+    let top = of.top();
+    let part = of.clone().scaled(-top).nearest();
+    let near = part.ln() + top as f64 * std::f64::consts::LN_2;
+    let mut found = Wide::exactly(near);
+    let one = Wide::whole(1);
+    for bits in LOGARITHM_STEPS {
+        let over = of.times(&exponential_to(&found.negative(), bits)?);
+        let off = over.minus(&one);
+        if off.largest_top() > -2 {
+            return None;
+        }
+        // ln(1 + e) is 2 e / (2 + e), but for less than the cube of e.
+        let beyond = 3 * off.largest_top();
+        let more = off.scaled(1).over_to(&over.plus(&one), bits + GUARD);
+        let refined = match more.is_zero() {
+            true => found,
+            false => found.plus(&more).rounded(bits + GUARD).widened(beyond),
+        };
+        if bits == BITS {
+            return Some(refined);
+        }
+        found = refined.middle();
+    }
+    None
+}
+
+/// The logarithm to the base 10.
+pub(super) fn decimal_logarithm(of: &Wide) -> Option<Wide> {
+    let logarithm = logarithm(of)?;
+    Some(logarithm.over_to(&LN_10, BITS + GUARD))
+}

@@ -1,0 +1,238 @@
+//! Finds the given value that a student misread: with it the wrong answers are right.
+
+use super::verdict::{FEWEST, FigureVerdict, MOST, Truth};
+use super::{AnswerKey, GivenAnswer, WrittenFigure};
+use crate::scene::{Measure, Scene, Value, ValueOwner};
+use crate::solver::{Condition, Order, Solver};
+
+/// The scene of a sheet at the place that is asked about: its given values can be changed.
+#[derive(Clone, Copy, Debug)]
+pub struct SheetScene<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its solver.
+    pub solver: &'a Solver,
+    /// The driver's coordinate.
+    pub at: f64,
+}
+
+/// A given value that was read as another number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MisreadValue {
+    /// The value.
+    pub value: Value,
+    /// What it was read as.
+    pub number: f64,
+    /// The first answer that shows it, by its number.
+    pub figure: usize,
+}
+
+/// So many answers must be explained beside the first: fewer may be chance.
+const FEWEST_EXPLAINED: usize = 2;
+/// Steps of the secant method.
+const STEPS: usize = 30;
+/// A step below this part of the value is the last.
+const ARRIVED: f64 = 1e-12;
+/// The part of a value by which its first slope is found.
+const FIRST_STEP: f64 = 1e-4;
+
+impl AnswerKey {
+    /// Explains wrong answers by one given value that was misread: the first of them keeps its verdict, the others are
+    /// right by it.
+    #[must_use]
+    pub fn misread(
+        &self,
+        answers: &[GivenAnswer],
+        verdicts: &mut [FigureVerdict],
+        sheet: SheetScene<'_>,
+    ) -> Option<MisreadValue> {
+        let lost: Vec<(usize, WrittenFigure)> = (0..self.asked.min(verdicts.len()))
+            .filter(|&number| is_lost(verdicts[number]))
+            .filter_map(|number| Some((number, answers.get(number)?.figure()?)))
+            .filter(|(number, written)| {
+                !Truth::of(&self.figures[*number]).is_out_of_reach(*written)
+            })
+            .collect();
+        if lost.len() <= FEWEST_EXPLAINED {
+            return None;
+        }
+        // The first of the positions, of the velocities and of the accelerations.
+        let mut orders: Vec<Order> = Vec::new();
+        let firsts = lost.iter().filter(|(number, _)| {
+            let order = self.figures[*number].quantity.order();
+            let is_first = !orders.contains(&order);
+            orders.push(order);
+            is_first
+        });
+        for &(first, written) in firsts {
+            for value in sheet.given() {
+                let Some((number, by)) = self.reading((first, written), &lost, &value, sheet)
+                else {
+                    continue;
+                };
+                if by.len() >= FEWEST_EXPLAINED {
+                    for explained in by {
+                        verdicts[explained] = FigureVerdict::Followed(first);
+                    }
+                    return Some(MisreadValue {
+                        value,
+                        number,
+                        figure: first,
+                    });
+                }
+            }
+        }
+        None
+    }
+
+    /// The number of a value with which a figure is what was written.
+    fn read_as(
+        &self,
+        (figure, written): (usize, WrittenFigure),
+        value: &Value,
+        sheet: SheetScene<'_>,
+    ) -> Option<f64> {
+        let asked = self.figures.get(figure)?;
+        let off = |number: f64| {
+            let found = sheet.with(value, number, |state| asked.quantity.value(state))??;
+            Some(-Truth::of(asked).with(found).apart(written.value))
+        };
+        let mut last = (value.number, off(value.number)?);
+        let next = value.number * (1.0 + FIRST_STEP);
+        let mut here = (next, off(next)?);
+        for _ in 0..STEPS {
+            let slope = (here.1 - last.1) / (here.0 - last.0);
+            let next = here.0 - here.1 / slope;
+            if !next.is_finite() {
+                return None;
+            }
+            if (next - here.0).abs() <= ARRIVED * value.number.abs() {
+                return Some(next);
+            }
+            (last, here) = (here, (next, off(next)?));
+        }
+        None
+    }
+
+    /// The number that a value was read as, and the answers, but the first, that are right by it.
+    fn reading(
+        &self,
+        (first, written): (usize, WrittenFigure),
+        lost: &[(usize, WrittenFigure)],
+        value: &Value,
+        sheet: SheetScene<'_>,
+    ) -> Option<(f64, Vec<usize>)> {
+        let found = self.read_as((first, written), value, sheet)?;
+        let figures = |number| {
+            sheet.with(value, number, |state| {
+                let values = self.figures.iter().map(|asked| asked.quantity.value(state));
+                values.collect::<Vec<_>>()
+            })
+        };
+        let beside = (figures(found)?, figures(found * (1.0 + FIRST_STEP))?);
+        let moved = |figure: usize| {
+            let there = Truth::of(&self.figures[figure]).with(beside.0[figure]?);
+            Some(there.apart(beside.1[figure]?).abs())
+        };
+        // What the digits that the first answer does not have do to the value: they may have been cut off.
+        let last = written.unit_of(FEWEST, i32::MAX);
+        let parts = last / moved(first).filter(|by| *by > 0.0)?;
+        let number = roundest(found, (parts * FIRST_STEP * found).abs());
+        let there = figures(number)?;
+        let is_explained = |figure: usize, own: WrittenFigure| {
+            let truth = Truth::of(&self.figures[figure]);
+            let followed = truth.with(there[figure]?);
+            let apart = followed.apart(own.value).abs();
+            let carried = (parts * moved(figure)?).min(followed.carried());
+            let is_nearer = apart <= 0.5 * truth.apart(own.value).abs();
+            // Who writes the same number everywhere follows from nothing.
+            let is_copied = own.value == written.value;
+            Some(is_nearer && !is_copied && apart <= own.unit_of(FEWEST, MOST) + carried)
+        };
+        let others = lost.iter().filter(|(number, _)| *number != first);
+        let explained = others.filter(|(number, own)| is_explained(*number, *own) == Some(true));
+        Some((number, explained.map(|(number, _)| *number).collect()))
+    }
+}
+
+/// The number with the fewest digits, four at the most, that is no farther from another than this; else that one.
+fn roundest(number: f64, within: f64) -> f64 {
+    let rounded = (0..4).filter_map(|digits| format!("{number:.digits$e}").parse::<f64>().ok());
+    let mut near = rounded.filter(|rounded| (rounded - number).abs() <= within);
+    near.next().unwrap_or(number)
+}
+
+impl SheetScene<'_> {
+    /// The given values that can be misread: numbers other than 0.
+    fn given(&self) -> Vec<Value> {
+        let mut values = self.scene.values();
+        values.retain(|value| {
+            let is_given = match value.measure {
+                Measure::Length
+                | Measure::Coordinate
+                | Measure::Angle
+                | Measure::TurnSpeed
+                | Measure::TurnAcceleration
+                | Measure::PushSpeed
+                | Measure::PushAcceleration
+                | Measure::Parameter => true,
+                Measure::Start
+                | Measure::Deviation
+                | Measure::Mass
+                | Measure::Inertia
+                | Measure::Force
+                | Measure::Torque
+                | Measure::Gravity
+                | Measure::Stiffness
+                | Measure::Damping
+                | Measure::TurnStiffness
+                | Measure::TurnDamping
+                | Measure::Time
+                | Measure::Factor => false,
+            };
+            is_given && value.formula.is_none() && value.number != 0.0
+        });
+        // What the driver does is misread before a length is.
+        values.sort_by_key(|value| value.owner != ValueOwner::Driver);
+        values
+    }
+
+    /// Solves the scene with another number for a value, in the same assembly.
+    fn with<T>(
+        &self,
+        value: &Value,
+        number: f64,
+        read: impl FnOnce(&crate::solver::State) -> T,
+    ) -> Option<T> {
+        let is_coordinate = value.owner == ValueOwner::Driver && !value.measure.is_rate();
+        if is_coordinate {
+            return solved(self.solver, number, read);
+        }
+        let changed = self.scene.with_value(value, &value.with_number(number));
+        let scene = self.scene.again(&changed)?;
+        let solver = self.solver.carried_over(self.at, &scene.mechanism).ok()?;
+        solved(&solver, self.at, read)
+    }
+}
+
+fn solved<T>(solver: &Solver, at: f64, read: impl FnOnce(&crate::solver::State) -> T) -> Option<T> {
+    let mut state = solver.state();
+    let condition = solver.solve(at, Order::Acceleration, &mut state);
+    (condition == Condition::Ok).then(|| read(&state))
+}
+
+/// Whether an answer earns nothing and may follow from a misread value.
+fn is_lost(verdict: FigureVerdict) -> bool {
+    match verdict {
+        FigureVerdict::Wrong
+        | FigureVerdict::Sign
+        | FigureVerdict::Opposite
+        | FigureVerdict::OtherUnit(_) => true,
+        FigureVerdict::Right
+        | FigureVerdict::Rounded(_)
+        | FigureVerdict::Followed(_)
+        | FigureVerdict::OtherAssembly
+        | FigureVerdict::Empty
+        | FigureVerdict::Unreadable => false,
+    }
+}

@@ -1,0 +1,229 @@
+//! How the motion of a point follows from those of other points of its link, as they were written.
+
+use super::verdict::{FEWEST, FigureVerdict, MOST, RoundedEarly, Truth};
+use super::{AnswerKey, AskedFigure, WrittenFigure};
+use crate::quantity::{Aspect, Quantity, Subject};
+use crate::{PointId, Vec2};
+
+/// The points of a link with their places on it.
+pub type LinkPoints = Vec<(PointId, Vec2)>;
+
+/// Which part of which vector a figure is: the size or the direction of a point's velocity or acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct VectorSlot {
+    point: PointId,
+    /// 1 for the velocity, 2 for the acceleration.
+    order: usize,
+    is_direction: bool,
+}
+
+/// A size or a direction as it was answered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FacedVector {
+    pub(super) figure: usize,
+    pub(super) slot: VectorSlot,
+    pub(super) value: f64,
+    /// Half of its last digit.
+    pub(super) half: f64,
+    /// The number that was written.
+    pub(super) number: f64,
+    pub(super) is_sound: bool,
+}
+
+/// So few wrong answers may each have been carried on with all digits.
+const FEW_WRONG: usize = 2;
+/// The ends of names, with the order and whether it is a direction.
+const ENDS: [(&str, usize, bool); 4] = [
+    (".v", 1, false),
+    (".v.angle", 1, true),
+    (".a", 2, false),
+    (".a.angle", 2, true),
+];
+
+impl VectorSlot {
+    /// Returns the slot of a figure that is the size or the direction of a point's velocity or acceleration.
+    pub(super) fn of(figure: &Quantity) -> Option<VectorSlot> {
+        let Some(Subject::Point(point)) = figure.subject() else {
+            return None;
+        };
+        let mut ends = ENDS.iter();
+        let found = ends.find(|(end, ..)| figure.name.ends_with(end));
+        found.map(|&(_, order, is_direction)| VectorSlot {
+            point,
+            order,
+            is_direction,
+        })
+    }
+
+    fn part_of(self, vector: Vec2) -> f64 {
+        match self.is_direction {
+            true => crate::angle::degrees(vector),
+            false => vector.norm(),
+        }
+    }
+}
+
+/// A face in place of its figure's exact value, changed by `by`.
+type UsedFace<'a> = (&'a FacedVector, f64);
+
+impl AnswerKey {
+    /// The figure as it follows from the answers for other points of the same link: by the proportion of their
+    /// distances, or by the turning of the link.
+    pub(super) fn follows_from_points(
+        &self,
+        figure: &AskedFigure,
+        written: WrittenFigure,
+        faced: &[FacedVector],
+    ) -> Option<FigureVerdict> {
+        let slot = VectorSlot::of(&figure.quantity)?;
+        let of_order = |face: &&FacedVector| face.slot.order == slot.order;
+        let faced: Vec<&FacedVector> = faced.iter().filter(of_order).collect();
+        let bodies = self.bodies.iter();
+        let bodies = bodies.filter_map(|body| Some((body, place_on(body, slot.point)?)));
+        for (body, place) in bodies {
+            for (number, &(first, from)) in body.iter().enumerate() {
+                let others = body[number + 1..].iter();
+                for &(second, to) in others {
+                    if [first, second].contains(&slot.point) || from == to {
+                        continue;
+                    }
+                    let ratio = over(place - from, to - from);
+                    let made = |[first, second]: [Vec2; 2]| first + times(ratio, second - first);
+                    let of = [first, second];
+                    let explained = self.explained_by((slot, of), figure, written, (&faced, &made));
+                    if explained.is_some() {
+                        return explained;
+                    }
+                }
+                let Some(apart) = self.exact_difference(slot, first) else {
+                    continue;
+                };
+                if first != slot.point {
+                    let made = |[first, _]: [Vec2; 2]| first + apart;
+                    let of = [first; 2];
+                    let explained = self.explained_by((slot, of), figure, written, (&faced, &made));
+                    if explained.is_some() {
+                        return explained;
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// How far the exact vector of a slot's point is from that of another point.
+    fn exact_difference(&self, slot: VectorSlot, other: PointId) -> Option<Vec2> {
+        let chain = self.chain.as_ref()?;
+        let (x, y) = match slot.order {
+            1 => (Aspect::Vx, Aspect::Vy),
+            _ => (Aspect::Ax, Aspect::Ay),
+        };
+        let vector = |point| {
+            let part = |aspect| chain.value(Subject::Point(point), aspect, &chain.exact);
+            Some(Vec2::new(part(x)?, part(y)?))
+        };
+        Some(vector(slot.point)? - vector(other)?)
+    }
+
+    /// The figure as it is made of the vectors of two points, where that is what was written.
+    fn explained_by(
+        &self,
+        (slot, of): (VectorSlot, [PointId; 2]),
+        figure: &AskedFigure,
+        written: WrittenFigure,
+        (faced, made): (&[&FacedVector], &dyn Fn([Vec2; 2]) -> Vec2),
+    ) -> Option<FigureVerdict> {
+        let used: Vec<UsedFace<'_>> = faced
+            .iter()
+            .filter(|face| of.contains(&face.slot.point))
+            .map(|face| (*face, 0.0))
+            .collect();
+        let truth = Truth::of(figure);
+        let with = |faces: &[UsedFace<'_>]| {
+            let vectors = of.map(|point| self.vector(point, slot.order, faces));
+            slot.part_of(made(vectors))
+        };
+        let followed = truth.with(with(&used));
+        let apart = followed.apart(written.value).abs();
+        if !(apart <= 0.5 * truth.apart(written.value).abs()) {
+            return None;
+        }
+        let unit = written.unit_of(FEWEST, MOST);
+        let carried = |number: usize| {
+            let mut more = used.clone();
+            more[number].1 = more[number].0.half;
+            followed.apart(with(&more)).abs()
+        };
+        // Among many wrong answers one that comes near is chance.
+        let wrong = used.iter().filter(|(face, _)| !face.is_sound).count();
+        let carried: f64 = match wrong <= FEW_WRONG {
+            true => (0..used.len()).map(carried).sum(),
+            false => 0.0,
+        };
+        if !(apart <= unit + carried.min(followed.carried())) {
+            return None;
+        }
+        let effect = |face: &FacedVector| truth.apart(with(&[(face, 0.0)])).abs();
+        let largest = |is_sound: bool| {
+            let faces = used.iter().filter(|(face, _)| face.is_sound == is_sound);
+            let faces = faces.map(|(face, _)| (effect(face), *face));
+            faces.max_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        // Who writes the same number everywhere follows from nothing.
+        let is_copied = |(face, _): &UsedFace<'_>| {
+            !face.is_sound && face.number == written.value && !self.is_shared(face, figure, written)
+        };
+        match largest(false) {
+            Some((effect, _)) if effect > unit && used.iter().any(is_copied) => None,
+            Some((effect, face)) if effect > unit => Some(FigureVerdict::Followed(face.figure)),
+            _ => {
+                let (_, face) = largest(true)?;
+                Some(FigureVerdict::Rounded(RoundedEarly::By(face.figure)))
+            }
+        }
+    }
+
+    /// Whether a figure truly is the same as another, and was written with digits enough to tell.
+    fn is_shared(&self, face: &FacedVector, figure: &AskedFigure, written: WrittenFigure) -> bool {
+        let exact = self.figures.get(face.figure).map(|other| other.exact);
+        let is_same = exact.is_some_and(|exact| Truth::of(figure).is_near(exact));
+        is_same && written.digits >= FEWEST
+    }
+
+    /// The vector of a point: what was answered of it, and the exact figure for the rest. What is not asked is 0.
+    fn vector(&self, point: PointId, order: usize, faces: &[UsedFace<'_>]) -> Vec2 {
+        let part = |is_direction: bool| {
+            let slot = VectorSlot {
+                point,
+                order,
+                is_direction,
+            };
+            let face = faces.iter().find(|(face, _)| face.slot == slot);
+            let mut figures = self.figures.iter();
+            face.map(|(face, more)| face.value + more).or_else(|| {
+                let exact = figures.find(|f| VectorSlot::of(&f.quantity) == Some(slot))?;
+                Some(exact.exact)
+            })
+        };
+        match (part(false), part(true)) {
+            (Some(size), Some(direction)) => crate::angle::unit(direction) * size,
+            _ => Vec2::ZERO,
+        }
+    }
+}
+
+fn place_on(body: &LinkPoints, point: PointId) -> Option<Vec2> {
+    let mut points = body.iter();
+    let found = points.find(|(own, _)| *own == point);
+    found.map(|(_, place)| *place)
+}
+
+/// The quotient of two vectors as complex numbers: how far one is turned and stretched into the other.
+fn over(one: Vec2, other: Vec2) -> Vec2 {
+    Vec2::new(other.dot(one), other.cross(one)) / other.dot(other)
+}
+
+/// The product of two vectors as complex numbers.
+fn times(ratio: Vec2, of: Vec2) -> Vec2 {
+    of * ratio.x + of.perp() * ratio.y
+}

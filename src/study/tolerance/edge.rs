@@ -1,0 +1,478 @@
+//! Looks for the worst case where the tolerances reach an edge of assembly: a dead point of some machine within them.
+//!
+//! At an edge the measure of a group is zero (of a dyad the squared sine of its transmission angle). Rates go with
+//! its inverse root there, and every figure has infinite slopes, so that steps along single lengths lead nowhere. A
+//! figure is therefore followed on surfaces of constant measure, closer and closer to the edge. There it is smooth:
+//! each step goes to the machine that is best by the derivatives of figure and measure, then back to the surface.
+
+use super::machines::Machines;
+use super::tolerance_box::ToleranceBox;
+use super::worst::{WorstCase, WorstKind};
+
+/// The surfaces, as parts of the measure that is given, or of 1/100 where it is larger.
+const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+const LARGEST_BASE: f64 = 1e-2;
+/// The last surface, on which figures without a pole are read: as good as the edge itself.
+const AT_EDGE: f64 = 1e-13;
+/// From surface to surface a pole grows tenfold at least; what goes with the root of the measure shrinks tenfold.
+const GROWN: f64 = 4.0;
+/// Steps on the first surface, and on the others, which begin near their best machine.
+const FIRST_STEPS: usize = 24;
+const FURTHER_STEPS: usize = 8;
+/// A step is shortened so far; then the best machine is found.
+const SHORTEST: f64 = 1e-3;
+const SHORTER: f64 = 0.3;
+/// What is less than this part of a figure is no gain.
+const GAIN: f64 = 1e-10;
+/// How well a machine lies on its surface, and how many machines are made to put it there.
+const ON_LEVEL: f64 = 1e-6;
+const PLACINGS: usize = 60;
+/// Where rounding decides, a machine may be so many times as far from the edge as its surface.
+const ROUNDED: f64 = 4.0;
+/// Halvings of the way to a machine that lacks a figure.
+const HALVINGS: usize = 40;
+/// Differences for derivatives: parts of a tolerance, and of the measure at most.
+const DIFFERENCE: f64 = 1e-4;
+const PART_OF_MEASURE: f64 = 0.02;
+/// Derivatives at the given lengths tell of a whole tolerance within this factor.
+const NONLINEAR: f64 = 3.0;
+
+/// A machine at which a group is at its edge, or as good as there.
+#[derive(Clone, Debug)]
+struct ReachedEdge {
+    group: usize,
+    /// The measure that levels are parts of.
+    base: f64,
+    machine: Vec<f64>,
+}
+
+/// What was found of a figure in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct EdgeReach {
+    furthest: f64,
+    is_unbounded: bool,
+}
+
+/// Follows figures of machines at one place of the driver.
+pub(super) struct EdgeSearch<'a, M> {
+    machines: &'a mut M,
+    off: &'a ToleranceBox,
+    /// The numbers of everything that matters.
+    acting: Vec<usize>,
+    values: Vec<Option<f64>>,
+}
+
+impl<'a, M: Machines> EdgeSearch<'a, M> {
+    /// Prepares a search over these numbers of a box.
+    pub(super) fn new(
+        machines: &'a mut M,
+        off: &'a ToleranceBox,
+        acting: Vec<usize>,
+        figures: usize,
+    ) -> EdgeSearch<'a, M> {
+        EdgeSearch {
+            machines,
+            off,
+            acting,
+            values: vec![None; figures],
+        }
+    }
+
+    /// Widens the worst cases by what is found at edges within the tolerances. What is enclosed is proved already.
+    pub(super) fn widen(&mut self, nominal: &[Option<f64>], worst: &mut [Option<WorstCase>]) {
+        let is_open = |worst: &Option<WorstCase>| {
+            worst.is_some_and(|worst| worst.kind != WorstKind::Enclosed)
+        };
+        if !worst.iter().any(is_open) {
+            return;
+        }
+        let fails = worst.iter().flatten().any(|worst| worst.fails);
+        let edges = self.edges(fails);
+        for (figure, (worst, nominal)) in worst.iter_mut().zip(nominal).enumerate() {
+            let (Some(found), Some(nominal)) = (worst.as_mut(), nominal) else {
+                continue;
+            };
+            let is_inside = matches!(found.kind, WorstKind::Searched | WorstKind::AtEdge);
+            if found.kind == WorstKind::Enclosed || (edges.is_empty() && !is_inside) {
+                continue;
+            }
+            found.fails |= !edges.is_empty();
+            let ends = [-1.0, 1.0].map(|sign| self.furthest(&edges, figure, sign, *nominal));
+            found.extend(
+                ends.map(|end| end.furthest),
+                ends.map(|end| end.is_unbounded),
+            );
+        }
+    }
+
+    /// The furthest that a figure comes in one direction, on all edges and away from them.
+    fn furthest(
+        &mut self,
+        edges: &[ReachedEdge],
+        figure: usize,
+        sign: f64,
+        nominal: f64,
+    ) -> EdgeReach {
+        let inside = self.off.nothing();
+        let mut reach = EdgeReach {
+            furthest: nominal,
+            is_unbounded: false,
+        };
+        let meet = |reach: &mut EdgeReach, value: f64| {
+            if sign * (value - reach.furthest) > 0.0 {
+                reach.furthest = value;
+            }
+        };
+        let start = (inside.clone(), nominal);
+        let (_, value) = self.climb(None, figure, sign, start, FIRST_STEPS);
+        meet(&mut reach, value);
+        for edge in edges {
+            let along = self.along_edge(edge, figure, sign);
+            let values: Vec<f64> = along.iter().map(|(_, value)| *value).collect();
+            values.iter().for_each(|&value| meet(&mut reach, value));
+            reach.is_unbounded |= is_pole(sign, &values);
+            // The furthest machine away from the edge may lie in another corner than the given lengths lead to.
+            if let Some(first) = along.into_iter().next() {
+                let (_, value) = self.climb(None, figure, sign, first, FIRST_STEPS);
+                meet(&mut reach, value);
+            }
+        }
+        reach
+    }
+
+    /// The furthest machine and its value on each surface towards an edge.
+    fn along_edge(&mut self, edge: &ReachedEdge, figure: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
+        let mut found: Vec<(Vec<f64>, f64)> = Vec::new();
+        let mut from = edge.machine.clone();
+        let inside = self.off.nothing();
+        for (i, level) in LEVELS.into_iter().chain([AT_EDGE]).enumerate() {
+            let level = level * edge.base;
+            let lower = match i {
+                0 => edge.machine.clone(),
+                _ => self.lower(edge, &from, level),
+            };
+            let Some(machine) = self.cross_level(edge.group, [&inside, &from], level, &lower)
+            else {
+                break;
+            };
+            let Some(value) = self.figure(&machine, figure) else {
+                break;
+            };
+            let steps = match i {
+                0 => FIRST_STEPS,
+                _ if i < LEVELS.len() => FURTHER_STEPS,
+                _ => 0,
+            };
+            let best = self.climb(Some((edge, level)), figure, sign, (machine, value), steps);
+            from.clone_from(&best.0);
+            found.push(best);
+        }
+        found
+    }
+
+    /// Goes from machine to machine as long as the figure gains: on a surface, or among all that close.
+    fn climb(
+        &mut self,
+        surface: Option<(&ReachedEdge, f64)>,
+        figure: usize,
+        sign: f64,
+        (mut machine, mut value): (Vec<f64>, f64),
+        steps: usize,
+    ) -> (Vec<f64>, f64) {
+        let inside = self.off.nothing();
+        let mut part = 1.0;
+        for _ in 0..steps {
+            let by = self.differences(surface.map(|(edge, _)| edge.group), &machine);
+            let figure_slopes = self.slopes(&machine, &by, |search, machine| {
+                search.figure(machine, figure).map(|value| sign * value)
+            });
+            let surface_slopes = surface.map(|(edge, _)| {
+                self.slopes(&machine, &by, |search, machine| {
+                    search.measure(machine, edge.group)
+                })
+            });
+            let aim = match &surface_slopes {
+                Some(slopes) => self.off.furthest_level(&figure_slopes, slopes, &machine),
+                None => self.off.furthest(&figure_slopes, &machine),
+            };
+            let mut gained = false;
+            while part > SHORTEST {
+                let trial = between(&machine, &aim, part);
+                let trial = match surface {
+                    Some((edge, level)) => {
+                        self.cross_level(edge.group, [&inside, &trial], level, &edge.machine)
+                    }
+                    None => Some(trial),
+                };
+                let there = trial.and_then(|trial| Some((self.figure(&trial, figure)?, trial)));
+                match there {
+                    Some((there, trial)) if sign * (there - value) > GAIN * value.abs() => {
+                        (machine, value) = (trial, there);
+                        part = (2.0 * part).min(1.0);
+                        gained = true;
+                        break;
+                    }
+                    Some(_) | None => part *= SHORTER,
+                }
+            }
+            if !gained {
+                break;
+            }
+        }
+        (machine, value)
+    }
+
+    /// All edges within the tolerances: of each group the nearest, and one on its other side if there is any.
+    fn edges(&mut self, fails: bool) -> Vec<ReachedEdge> {
+        let nothing = self.off.nothing();
+        self.machines.make(&nothing, &mut self.values);
+        let given: Vec<f64> = self.machines.measures().to_vec();
+        let mut edges = Vec::new();
+        for (group, measure) in given.into_iter().enumerate() {
+            // Written so that NaN has no edge.
+            if !(measure > 0.0) {
+                continue;
+            }
+            let by = self.differences(Some(group), &nothing);
+            let slopes = self.slopes(&nothing, &by, |search, by| search.measure(by, group));
+            let aim = self.off.furthest(&slopes, &nothing);
+            let most: f64 = slopes.iter().zip(&aim).map(|(slope, by)| slope * by).sum();
+            if !fails && measure > NONLINEAR * most {
+                continue;
+            }
+            let base = measure.min(LARGEST_BASE);
+            let starts = [nothing.clone(), aim];
+            let found = starts.into_iter().filter_map(|start| {
+                let machine = self.descend(group, base, start)?;
+                Some(ReachedEdge {
+                    group,
+                    base,
+                    machine,
+                })
+            });
+            edges.extend(found.collect::<Vec<_>>());
+        }
+        edges
+    }
+
+    /// A machine at the edge of a group: along the derivatives of its measure down to zero. `None` where it stays away.
+    fn descend(&mut self, group: usize, base: f64, mut machine: Vec<f64>) -> Option<Vec<f64>> {
+        let lowest = LEVELS[LEVELS.len() - 1] * base;
+        let mut measure = self.measure(&machine, group)?;
+        let mut part = 1.0;
+        for _ in 0..FIRST_STEPS {
+            if measure <= lowest {
+                return Some(machine);
+            }
+            let by = self.differences(Some(group), &machine);
+            let slopes = self.slopes(&machine, &by, |search, machine| {
+                search.measure(machine, group).map(|measure| -measure)
+            });
+            let aim = self.off.furthest(&slopes, &machine);
+            while part > SHORTEST {
+                let trial = between(&machine, &aim, part);
+                match self.measure(&trial, group) {
+                    Some(there) if there < measure => {
+                        (machine, measure) = (trial, there);
+                        part = (2.0 * part).min(1.0);
+                        break;
+                    }
+                    Some(_) => part *= SHORTER,
+                    // Another group may be open there, or this one without a measure that tells so.
+                    None => {
+                        let closes = self.last_that_closes(group, [&machine, &trial]);
+                        return self
+                            .measure(&closes, group)
+                            .filter(|&m| m <= lowest)
+                            .map(|_| closes);
+                    }
+                }
+            }
+            if part <= SHORTEST {
+                break;
+            }
+        }
+        (measure <= lowest).then_some(machine)
+    }
+
+    /// The last machine with a positive measure between one that has it and one that has none.
+    fn last_that_closes(&mut self, group: usize, [from, to]: [&[f64]; 2]) -> Vec<f64> {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..PLACINGS {
+            let middle = f64::midpoint(low, high);
+            let measure = self.measure(&between(from, to, middle), group);
+            match measure.is_some_and(|measure| measure > 0.0) {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        between(from, to, low)
+    }
+
+    /// A machine below a surface: straight down from another one, or that at the edge.
+    fn lower(&mut self, edge: &ReachedEdge, machine: &[f64], level: f64) -> Vec<f64> {
+        let by = self.differences(Some(edge.group), machine);
+        let slopes = self.slopes(machine, &by, |search, machine| {
+            search.measure(machine, edge.group).map(|measure| -measure)
+        });
+        let aim = self.off.furthest(&slopes, machine);
+        match self.measure(&aim, edge.group) {
+            Some(measure) if measure >= level => edge.machine.clone(),
+            Some(_) | None => aim,
+        }
+    }
+
+    /// The machine on a surface between two machines; where both lie above it, between the second and one below it.
+    fn cross_level(
+        &mut self,
+        group: usize,
+        [inside, outside]: [&[f64]; 2],
+        level: f64,
+        lower: &[f64],
+    ) -> Option<Vec<f64>> {
+        let measure = self.measure(outside, group);
+        let (from, to) = match measure {
+            Some(measure) if (measure - level).abs() <= ON_LEVEL * level => {
+                return Some(outside.to_vec());
+            }
+            Some(measure) if measure > level => (outside, lower),
+            Some(_) | None => (inside, outside),
+        };
+        let above = |measure: Option<f64>| measure.unwrap_or(-level) - level;
+        let mut ends = [from, to].map(|machine| above(self.measure(machine, group)));
+        let (mut low, mut high) = (0.0, 1.0);
+        if !(ends[0] > 0.0 && ends[1] <= 0.0) {
+            return None;
+        }
+        for round in 0..PLACINGS {
+            let secant = ends[0] / (ends[0] - ends[1]);
+            let part = if round % 3 == 2 { 0.5 } else { secant };
+            let middle = low + (high - low) * part;
+            let machine = between(from, to, middle);
+            let there = above(self.measure(&machine, group));
+            if there.abs() <= ON_LEVEL * level {
+                return Some(machine);
+            }
+            match there > 0.0 {
+                true => (low, ends[0]) = (middle, there),
+                false => (high, ends[1]) = (middle, there),
+            }
+        }
+        // So near to the edge the measure itself is little more than rounding.
+        let machine = between(from, to, low);
+        let measure = self.measure(&machine, group)?;
+        (measure > 0.0 && measure < ROUNDED * level).then_some(machine)
+    }
+
+    /// The measure of a group: not positive where it is open; `None` where another group is.
+    fn measure(&mut self, machine: &[f64], group: usize) -> Option<f64> {
+        let closes = self.machines.make(machine, &mut self.values);
+        let measure = self.machines.measures().get(group).copied()?;
+        (closes || measure <= 0.0).then_some(measure)
+    }
+
+    fn figure(&mut self, machine: &[f64], figure: usize) -> Option<f64> {
+        self.machines.make(machine, &mut self.values);
+        self.values[figure].filter(|value| value.is_finite())
+    }
+
+    /// The differences by which derivatives are taken: little beside the tolerance, and beside the measure.
+    fn differences(&mut self, group: Option<usize>, machine: &[f64]) -> Vec<f64> {
+        let mut by: Vec<f64> = self.off.limits.iter().map(|by| DIFFERENCE * by).collect();
+        let Some(group) = group else {
+            return by;
+        };
+        let Some(measure) = self.measure(machine, group) else {
+            return by;
+        };
+        let slopes = self.slopes(machine, &by, |search, by| search.measure(by, group));
+        for (by, slope) in by.iter_mut().zip(slopes) {
+            let most = PART_OF_MEASURE * measure.abs() / slope.abs();
+            *by = most.clamp(1e-6 * *by, *by);
+        }
+        by
+    }
+
+    /// Derivatives by everything that acts, as differences to both sides, or to that on which there is a value.
+    fn slopes(
+        &mut self,
+        machine: &[f64],
+        by: &[f64],
+        mut read: impl FnMut(&mut Self, &[f64]) -> Option<f64>,
+    ) -> Vec<f64> {
+        let mut slopes = self.off.nothing();
+        let here = read(self, machine);
+        let mut beside = machine.to_vec();
+        for i in 0..self.acting.len() {
+            let number = self.acting[i];
+            let mut side = |search: &mut Self, by: f64| {
+                beside[number] = machine[number] + by;
+                let value = read(search, &beside);
+                beside[number] = machine[number];
+                value
+            };
+            let by = by[number];
+            let (above, below) = (side(self, by), side(self, -by));
+            slopes[number] = match (above, here, below) {
+                (Some(above), _, Some(below)) => (above - below) / (2.0 * by),
+                (Some(above), Some(here), None) => (above - here) / by,
+                (None, Some(here), Some(below)) => (here - below) / by,
+                _ => 0.0,
+            };
+        }
+        slopes
+    }
+}
+
+/// Follows a figure from the given machine towards one that lacks it, up to where it ceases to exist: how far it comes
+/// in both directions, and where it grows beyond all bounds. `None` where it does not exist on the way.
+pub(super) fn along_ray(
+    machines: &mut impl Machines,
+    figure: usize,
+    nominal: f64,
+    to: &[f64],
+) -> Option<([f64; 2], [bool; 2])> {
+    let mut values = vec![None; figure + 1];
+    let given = vec![0.0; to.len()];
+    let mut value = |part: f64| {
+        machines.make(&between(&given, to, part), &mut values);
+        values[figure].filter(|value| value.is_finite())
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        match value(middle).is_some() {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    let found = LEVELS.into_iter().map(|level| value(low * (1.0 - level)));
+    let found: Vec<f64> = found.collect::<Option<_>>()?;
+    let least = found.iter().copied().fold(nominal, f64::min);
+    let greatest = found.iter().copied().fold(nominal, f64::max);
+    Some((
+        [least, greatest],
+        [-1.0, 1.0].map(|sign| is_pole(sign, &found)),
+    ))
+}
+
+/// Whether values on one surface after the other grow beyond all bounds: by more and more.
+fn is_pole(sign: f64, values: &[f64]) -> bool {
+    let Some(values) = values.get(..LEVELS.len()) else {
+        return false;
+    };
+    let steps: Vec<f64> = values
+        .windows(2)
+        .map(|pair| sign * (pair[1] - pair[0]))
+        .collect();
+    let [.., before, last] = steps[..] else {
+        return false;
+    };
+    before > 0.0 && last > GROWN * before && last > GAIN.sqrt() * values[0].abs()
+}
+
+/// The machine at a part of the way from one to another.
+fn between(from: &[f64], to: &[f64], part: f64) -> Vec<f64> {
+    let pairs = from.iter().zip(to);
+    pairs.map(|(from, to)| from + part * (to - from)).collect()
+}

@@ -1,0 +1,104 @@
+//! What a session draws on, waits for and takes the time from: the terminal, or a simulated one.
+
+use super::still::StillSequence;
+use super::tty::{Tty, Wake};
+use ratatui::layout::Size;
+use std::io;
+use std::os::fd::BorrowedFd;
+use std::path::Path;
+use std::time::Instant;
+
+/// A terminal and its clock. The methods are those of [`Tty`].
+pub(crate) trait Console {
+    /// Returns the current time.
+    fn now(&self) -> Instant;
+    fn enter(&mut self) -> io::Result<()>;
+    fn suspend(&mut self) -> io::Result<()>;
+    fn size(&self) -> Size;
+    fn aspect(&self) -> Option<f64>;
+    fn cell(&self) -> Option<(u16, u16)>;
+    fn rate(&self) -> Option<f64>;
+    fn room(&self) -> usize;
+    fn ready_at(&self) -> Option<Instant>;
+    fn drawn_at(&self) -> Option<Instant>;
+    fn send(&mut self, frame: &[u8]) -> io::Result<()>;
+    fn say(&mut self, bytes: &[u8]) -> io::Result<()>;
+    fn say_still(&mut self, still: &StillSequence) -> io::Result<()>;
+    fn take_mouse(&mut self, wanted: bool) -> io::Result<()>;
+    fn follow(&mut self, file: Option<&Path>) -> bool;
+    fn wait(
+        &mut self,
+        deadline: Option<Instant>,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Vec<Wake>>;
+}
+
+impl Console for Tty {
+    fn now(&self) -> Instant {
+        Instant::now()
+    }
+
+    fn enter(&mut self) -> io::Result<()> {
+        self.enter()
+    }
+
+    fn suspend(&mut self) -> io::Result<()> {
+        self.suspend()
+    }
+
+    fn size(&self) -> Size {
+        self.size()
+    }
+
+    fn aspect(&self) -> Option<f64> {
+        self.aspect()
+    }
+
+    fn cell(&self) -> Option<(u16, u16)> {
+        self.cell()
+    }
+
+    fn rate(&self) -> Option<f64> {
+        self.rate()
+    }
+
+    fn room(&self) -> usize {
+        self.room()
+    }
+
+    fn ready_at(&self) -> Option<Instant> {
+        self.ready_at()
+    }
+
+    fn drawn_at(&self) -> Option<Instant> {
+        self.drawn_at()
+    }
+
+    fn send(&mut self, frame: &[u8]) -> io::Result<()> {
+        self.send(frame)
+    }
+
+    fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.say(bytes)
+    }
+
+    fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
+        self.say_still(still)
+    }
+
+    fn take_mouse(&mut self, wanted: bool) -> io::Result<()> {
+        self.take_mouse(wanted)
+    }
+
+    fn follow(&mut self, file: Option<&Path>) -> bool {
+        self.follow(file)
+    }
+
+    fn wait(
+        &mut self,
+        deadline: Option<Instant>,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Vec<Wake>> {
+        self.wait(deadline, bell)
+    }
+}

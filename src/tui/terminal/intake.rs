@@ -1,0 +1,279 @@
+//! Takes in keys and signals, also while the main thread computes.
+//!
+//! The main thread says when it waits for the terminal. While it does not, a second thread reads ahead: what it reads
+//! is kept for the main thread, unless it ends the program and the main thread does not come back for it. Then the
+//! second thread puts the terminal back and ends the process. While the main thread waits, the second one sleeps.
+
+use super::keyboard::{Keyboard, TerminalInput};
+use super::signals::{HANG_UP, Notice, Signals, die_of};
+use crate::tui::commands::key::Key;
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::io::{Errno, read, write};
+use rustix::termios::{OptionalActions, Termios, tcsetattr};
+use std::io;
+use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// What is read before a frame is drawn; a terminal's queue holds no more.
+const MOST_AT_ONCE: usize = 4096;
+/// Who computes for so long is watched, and looked after so often.
+const WATCHED: Duration = Duration::from_millis(100);
+/// How long the main thread may take to come back for what ends the program.
+const GRACE: Duration = Duration::from_millis(500);
+/// How long a stalled line may hold up leaving.
+pub(super) const FAREWELL: Duration = Duration::from_millis(500);
+const AT_ONCE: Timespec = Timespec {
+    tv_sec: 0,
+    tv_nsec: 0,
+};
+
+/// What has come from the terminal or the system.
+#[derive(Debug)]
+pub(super) enum Arrival {
+    /// From the terminal, and when.
+    Input(TerminalInput, Instant),
+    /// A signal.
+    Notice(Notice),
+}
+
+/// What ends the program.
+#[derive(Clone, Copy, Debug)]
+enum Ending {
+    /// Ctrl-C.
+    Key,
+    Signal(i32),
+    HungUp,
+}
+
+/// Puts the terminal back as it was found.
+#[derive(Debug)]
+pub(super) struct Parting {
+    pub(super) screen: OwnedFd,
+    pub(super) modes: Termios,
+    pub(super) bytes: Vec<u8>,
+}
+
+/// Keys and signals on their way to the main thread.
+#[derive(Debug)]
+pub(super) struct Intake {
+    keys: OwnedFd,
+    signals: Signals,
+    pub(super) keyboard: Keyboard,
+    arrivals: Vec<Arrival>,
+    /// What of the arrivals ends the program, and since when it waits.
+    ending: Option<(Ending, Instant)>,
+    pub(super) hung_up: bool,
+    /// Since when the main thread computes; `None` while it waits for the terminal.
+    busy: Option<Instant>,
+    /// Whether the second thread is to be woken when the main one begins to compute.
+    is_asleep: bool,
+    has_left: bool,
+    /// `None` while the terminal is as it was found.
+    pub(super) parting: Option<Parting>,
+}
+
+/// An intake that both threads reach.
+#[derive(Debug)]
+pub(super) struct SharedIntake {
+    intake: Mutex<Intake>,
+    turned: Condvar,
+}
+
+impl Intake {
+    pub(super) fn new(keys: OwnedFd, signals: Signals) -> Intake {
+        Intake {
+            keys,
+            signals,
+            keyboard: Keyboard::default(),
+            arrivals: Vec::new(),
+            ending: None,
+            hung_up: false,
+            busy: Some(Instant::now()),
+            is_asleep: false,
+            has_left: false,
+            parting: None,
+        }
+    }
+
+    /// Takes in what signals and keys have come, without waiting.
+    pub(super) fn collect(&mut self) -> io::Result<()> {
+        let mut inputs = Vec::new();
+        self.read_keys(&mut inputs)?;
+        let now = Instant::now();
+        let is_over = |deadline| deadline <= now;
+        if self.keyboard.deadline().is_some_and(is_over) {
+            self.keyboard.give_up(&mut inputs);
+        }
+        let notices = self.signals.pending().into_iter().map(Arrival::Notice);
+        let inputs = inputs.into_iter().map(|input| Arrival::Input(input, now));
+        for arrival in notices.chain(inputs) {
+            self.ending = self.ending.or(arrival.ending().map(|ending| (ending, now)));
+            self.arrivals.push(arrival);
+        }
+        if self.hung_up {
+            self.ending.get_or_insert((Ending::HungUp, now));
+        }
+        Ok(())
+    }
+
+    /// Returns what has come since the last call.
+    pub(super) fn take(&mut self) -> Vec<Arrival> {
+        self.ending = None;
+        std::mem::take(&mut self.arrivals)
+    }
+
+    /// Reads once, without waiting. The end of the file and an error of the device mean that the terminal is gone.
+    fn read_keys(&mut self, inputs: &mut Vec<TerminalInput>) -> io::Result<()> {
+        let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
+        match poll(&mut fds, Some(&AT_ONCE)) {
+            Ok(_) | Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        let ready = fds[0].revents();
+        if ready.is_empty() {
+            return Ok(());
+        }
+        let mut buffer = [0; MOST_AT_ONCE];
+        match read(&self.keys, &mut buffer) {
+            Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
+            Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),
+            // Nothing to read, and yet poll returned: without this the loop would spin.
+            Err(Errno::AGAIN) => self.hung_up |= is_gone(ready),
+            Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        Ok(())
+    }
+
+    /// Ends the process: the main thread computes and does not come back.
+    fn end(&self, ending: Ending) {
+        if let Some(parting) = self.parting.as_ref().filter(|_| !self.hung_up) {
+            parting.write(Instant::now() + FAREWELL);
+            let _ = tcsetattr(&self.keys, OptionalActions::Now, &parting.modes);
+        }
+        match ending {
+            Ending::Key => {}
+            Ending::Signal(signal) => drop(die_of(signal)),
+            Ending::HungUp => drop(die_of(HANG_UP)),
+        }
+        std::process::exit(0);
+    }
+}
+
+impl Arrival {
+    fn ending(&self) -> Option<Ending> {
+        match self {
+            Arrival::Input(TerminalInput::Key(Key::Ctrl('c')), _) => Some(Ending::Key),
+            Arrival::Notice(Notice::End(signal)) => Some(Ending::Signal(*signal)),
+            Arrival::Input(..) | Arrival::Notice(_) => None,
+        }
+    }
+}
+
+impl Parting {
+    /// Writes what puts the screen back, on a line that stalls until a deadline.
+    fn write(&self, deadline: Instant) {
+        let mut bytes = &self.bytes[..];
+        while !bytes.is_empty() && Instant::now() < deadline {
+            match write(&self.screen, bytes) {
+                Ok(n) => bytes = &bytes[n..],
+                Err(Errno::INTR) => {}
+                Err(Errno::AGAIN) => thread::sleep(FAREWELL / 50),
+                Err(_) => return,
+            }
+        }
+    }
+}
+
+impl SharedIntake {
+    /// Starts the second thread. Where the system creates none, what ends the program waits for the main one.
+    pub(super) fn watched(intake: Intake) -> Arc<SharedIntake> {
+        let shared = Arc::new(SharedIntake {
+            intake: Mutex::new(intake),
+            turned: Condvar::new(),
+        });
+        let own = Arc::clone(&shared);
+        let watch = move || own.watch();
+        let _ = thread::Builder::new().name("intake".into()).spawn(watch);
+        shared
+    }
+
+    pub(super) fn lock(&self) -> MutexGuard<'_, Intake> {
+        self.intake.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The main thread waits for the terminal from now on. Returns `true` if something has come already.
+    pub(super) fn rest(&self) -> bool {
+        let mut intake = self.lock();
+        intake.busy = None;
+        !intake.arrivals.is_empty()
+    }
+
+    /// The main thread computes from now on.
+    pub(super) fn work(&self) {
+        let mut intake = self.lock();
+        intake.busy = Some(Instant::now());
+        if intake.is_asleep {
+            self.turned.notify_one();
+        }
+    }
+
+    /// The terminal was given back for good.
+    pub(super) fn leave(&self) {
+        self.lock().has_left = true;
+        self.turned.notify_one();
+    }
+
+    /// Reads ahead while the main thread computes.
+    fn watch(&self) {
+        let mut intake = self.lock();
+        while !intake.has_left {
+            let Some(since) = intake.busy else {
+                intake.is_asleep = true;
+                intake = match self.turned.wait(intake) {
+                    Ok(intake) => intake,
+                    Err(poisoned) => poisoned.into_inner(),
+                };
+                intake.is_asleep = false;
+                continue;
+            };
+            intake = match self.turned.wait_timeout(intake, WATCHED) {
+                Ok((intake, _)) => intake,
+                Err(poisoned) => poisoned.into_inner().0,
+            };
+            if intake.has_left || intake.busy != Some(since) || since.elapsed() < WATCHED {
+                continue;
+            }
+            // What cannot be read now the main thread finds out.
+            let _ = intake.collect();
+            if let Some((ending, waits)) = intake.ending
+                && waits.elapsed() >= GRACE
+            {
+                intake.end(ending);
+            }
+        }
+    }
+}
+
+/// Whether what poll says means that the terminal is gone.
+pub(super) fn is_gone(events: PollFlags) -> bool {
+    events.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
+}
+
+/// Descriptors of an intake, to wait on without holding it.
+#[derive(Debug)]
+pub(super) struct IntakeEnds {
+    pub(super) keys: OwnedFd,
+    pub(super) signals: OwnedFd,
+}
+
+impl IntakeEnds {
+    pub(super) fn of(keys: BorrowedFd<'_>, signals: &Signals) -> io::Result<IntakeEnds> {
+        Ok(IntakeEnds {
+            keys: keys.try_clone_to_owned()?,
+            signals: signals.as_fd().try_clone_to_owned()?,
+        })
+    }
+}

@@ -1,0 +1,187 @@
+//! A simulated terminal on a slow line, with a simulated clock: only what is waited for takes time.
+
+use super::console::Console;
+use super::rate_limit::{QUESTION, RateLimit};
+use super::still::StillSequence;
+use super::tty::Wake;
+use ratatui::layout::Size;
+use std::collections::VecDeque;
+use std::io;
+use std::os::fd::BorrowedFd;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The terminal at the other end of a line that takes so many bytes a second. It answers as soon as it has a question.
+pub(crate) struct SlowLine {
+    size: Size,
+    byte: Duration,
+    now: Instant,
+    /// When the line has taken all that was sent.
+    free: Instant,
+    /// Bytes on their way, and when each arrives.
+    queue: VecDeque<(Instant, u8)>,
+    /// Bytes that have arrived, and when.
+    arrived: Vec<(Instant, u8)>,
+    /// Keys to come, in order.
+    keys: VecDeque<(Instant, &'static str)>,
+    /// The longest that the queue ever was.
+    pub(crate) longest: usize,
+    /// Whether nothing is left to wait for.
+    pub(crate) idle: bool,
+    /// Whether questions are answered no more.
+    pub(crate) silent: bool,
+    rate_limit: RateLimit,
+}
+
+impl SlowLine {
+    pub(crate) fn new(bytes_per_second: u32, size: Size) -> Self {
+        let now = Instant::now();
+        SlowLine {
+            size,
+            byte: Duration::from_secs(1) / bytes_per_second,
+            now,
+            free: now,
+            queue: VecDeque::new(),
+            arrived: Vec::new(),
+            keys: VecDeque::new(),
+            longest: 0,
+            idle: false,
+            silent: false,
+            rate_limit: RateLimit::new(None),
+        }
+    }
+
+    /// Presses a key after a while.
+    pub(crate) fn press_after(&mut self, key: &'static str, pause: Duration) {
+        self.keys.push_back((self.now + pause, key));
+        self.idle = false;
+    }
+
+    /// The bytes that have arrived so far, and when.
+    pub(crate) fn arrived(&self) -> &[(Instant, u8)] {
+        &self.arrived
+    }
+
+    fn put(&mut self, bytes: &[u8]) {
+        self.free = self.free.max(self.now);
+        for &byte in bytes {
+            self.free += self.byte;
+            self.queue.push_back((self.free, byte));
+        }
+        self.longest = self.longest.max(self.queue.len());
+    }
+
+    /// When the next question has arrived whole.
+    fn next_answer(&self) -> Option<Instant> {
+        let (front, back) = self.queue.as_slices();
+        let bytes: Vec<u8> = front.iter().chain(back).map(|(_, byte)| *byte).collect();
+        let mut windows = bytes.windows(QUESTION.len());
+        let at = windows.position(|bytes| bytes == QUESTION)?;
+        Some(self.queue[at + QUESTION.len() - 1].0)
+    }
+
+    /// Lets time pass; all that has happened by then.
+    fn advance(&mut self, to: Instant) -> Vec<Wake> {
+        let mut wakes = Vec::new();
+        self.now = self.now.max(to);
+        if !self.silent && self.next_answer().is_some_and(|answer| answer <= self.now) {
+            self.rate_limit.answered(self.now);
+            wakes.push(Wake::Room);
+        }
+        while let Some(byte) = self.queue.pop_front_if(|(at, _)| *at <= self.now) {
+            self.arrived.push(byte);
+        }
+        while let Some((_, key)) = self.keys.pop_front_if(|(at, _)| *at <= self.now) {
+            let key = key.parse().expect("a key of the test");
+            wakes.push(Wake::Key(key));
+        }
+        wakes
+    }
+}
+
+impl Console for SlowLine {
+    fn now(&self) -> Instant {
+        self.now
+    }
+
+    fn enter(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn suspend(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn size(&self) -> Size {
+        self.size
+    }
+
+    fn aspect(&self) -> Option<f64> {
+        None
+    }
+
+    fn cell(&self) -> Option<(u16, u16)> {
+        None
+    }
+
+    fn rate(&self) -> Option<f64> {
+        self.rate_limit.rate()
+    }
+
+    fn room(&self) -> usize {
+        self.rate_limit.room()
+    }
+
+    fn ready_at(&self) -> Option<Instant> {
+        self.rate_limit.ready_at()
+    }
+
+    fn drawn_at(&self) -> Option<Instant> {
+        self.rate_limit.drawn_at(self.now)
+    }
+
+    fn send(&mut self, frame: &[u8]) -> io::Result<()> {
+        if frame.is_empty() {
+            return Ok(());
+        }
+        self.put(frame);
+        if self.rate_limit.send(frame.len(), self.now) {
+            self.put(QUESTION);
+        }
+        Ok(())
+    }
+
+    fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.rate_limit.say(bytes.len());
+        self.put(bytes);
+        Ok(())
+    }
+
+    fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
+        self.say(&still.bytes)
+    }
+
+    fn take_mouse(&mut self, _wanted: bool) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn follow(&mut self, _file: Option<&Path>) -> bool {
+        false
+    }
+
+    fn wait(
+        &mut self,
+        deadline: Option<Instant>,
+        _bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Vec<Wake>> {
+        let key = self.keys.front().map(|(at, _)| *at);
+        let answer = self.next_answer().filter(|_| !self.silent);
+        let next = [deadline, answer, key].into_iter().flatten().min();
+        let last = self.queue.back().map(|(at, _)| *at);
+        self.idle = next.or(last).is_none();
+        Ok(match next.or(last) {
+            Some(next) => self.advance(next),
+            None => Vec::new(),
+        })
+    }
+}

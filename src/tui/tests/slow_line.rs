@@ -1,0 +1,261 @@
+//! A line of 960 bytes a second, with a simulated clock: when something shows does not depend on the machine.
+
+use crate::capability::{Capability, Colours};
+use crate::drawing::Glyphs;
+use crate::scene::presets;
+use crate::tui::document::opening;
+use crate::tui::terminal::SlowLine;
+use crate::tui::{Session, Workbench};
+use ratatui::layout::Size;
+use std::num::NonZeroU16;
+use std::time::{Duration, Instant};
+
+/// Bytes a second of a line of 9,600 baud.
+const SLOW: u32 = 960;
+const SIZE: Size = Size::new(80, 24);
+const HALF_A_SECOND: Duration = Duration::from_millis(500);
+
+fn workbench(at: Option<f64>) -> Workbench {
+    let capability = Capability {
+        glyphs: Glyphs::Braille,
+        colours: Colours::Indexed,
+        modern: true,
+    };
+    let opened = opening::preset(presets::find("four-bar").unwrap()).unwrap();
+    Workbench::on(opened, at, capability, SIZE)
+}
+
+fn emulator() -> vt100::Parser {
+    let [rows, cols] = [SIZE.height, SIZE.width].map(|n| NonZeroU16::new(n).unwrap());
+    vt100::Parser::new(rows, cols, 0)
+}
+
+fn rows(terminal: &vt100::Parser) -> Vec<String> {
+    terminal.screen().rows(0, SIZE.width).collect()
+}
+
+fn last_row(rows: &[String]) -> &str {
+    rows.last().map_or("", String::as_str)
+}
+
+/// The rows that a line shows that takes everything at once.
+fn shown_at_once(at: Option<f64>, keys: &str) -> Vec<String> {
+    let (mut workbench, mut terminal) = (workbench(at), emulator());
+    assert!(workbench.press(keys));
+    terminal.process(workbench.paint());
+    rows(&terminal)
+}
+
+/// A session on the line, and the screen at its other end.
+struct Slow {
+    session: Session<SlowLine>,
+    terminal: vt100::Parser,
+    /// Bytes that the screen has shown.
+    shown: usize,
+}
+
+impl Slow {
+    /// Opens the four-bar and waits until all of it shows.
+    fn open(rate: u32) -> Slow {
+        let line = SlowLine::new(rate, SIZE);
+        let mut slow = Slow {
+            session: Session::new(line, workbench(None)),
+            terminal: emulator(),
+            shown: 0,
+        };
+        slow.settle();
+        slow
+    }
+
+    fn line(&mut self) -> &mut SlowLine {
+        &mut self.session.tty
+    }
+
+    fn now(&mut self) -> Instant {
+        crate::tui::Console::now(self.line())
+    }
+
+    fn step(&mut self) {
+        assert!(self.session.step().unwrap().is_none(), "it has ended");
+    }
+
+    /// Shows the bytes that have arrived, eight at a time, until something holds; when that was.
+    fn show_until(&mut self, holds: &dyn Fn(&[String]) -> bool) -> Option<Instant> {
+        for piece in self.session.tty.arrived()[self.shown..].chunks(8) {
+            for &(_, byte) in piece {
+                self.terminal.process(&[byte]);
+            }
+            self.shown += piece.len();
+            if holds(&rows(&self.terminal)) {
+                return piece.last().map(|&(at, _)| at);
+            }
+        }
+        None
+    }
+
+    /// Shows all bytes that have arrived.
+    fn show(&mut self) {
+        for &(_, byte) in &self.session.tty.arrived()[self.shown..] {
+            self.terminal.process(&[byte]);
+        }
+        self.shown = self.session.tty.arrived().len();
+    }
+
+    /// Waits until nothing is left to wait for.
+    fn settle(&mut self) {
+        while !self.line().idle {
+            self.step();
+        }
+        self.show();
+    }
+
+    /// Lets time pass.
+    fn pass(&mut self, time: Duration) {
+        let end = self.now() + time;
+        while self.now() < end {
+            self.step();
+        }
+        self.show();
+    }
+
+    fn press(&mut self, key: &'static str) {
+        self.line().press_after(key, Duration::ZERO);
+    }
+
+    /// How long it takes from a key until something shows.
+    fn until(&mut self, key: &'static str, holds: impl Fn(&[String]) -> bool) -> Duration {
+        let pressed = self.now();
+        self.press(key);
+        loop {
+            if let Some(seen) = self.show_until(&holds) {
+                return seen - pressed;
+            }
+            self.step();
+            assert!(!self.line().idle, "never: {:#?}", rows(&self.terminal));
+        }
+    }
+}
+
+/// The last row is behind the frame on its way, and whole after a frame of its own.
+#[test]
+fn first_line_answers_a_key_within_half_a_second() {
+    let mut slow = Slow::open(SLOW);
+    let took = slow.until(".", |rows| last_row(rows).contains("65.00 deg"));
+    assert!(took <= HALF_A_SECOND, "{took:?}");
+    slow.press("space");
+    slow.pass(Duration::from_millis(2600));
+    let modes = [
+        ("?", " help "),
+        ("Esc", " motion "),
+        ("2", " tables "),
+        ("1", " motion "),
+    ];
+    for (key, mode) in modes {
+        let took = slow.until(key, |rows| last_row(rows).starts_with(mode));
+        assert!(took <= HALF_A_SECOND, "{mode}: {took:?}");
+        slow.pass(Duration::from_millis(300));
+    }
+}
+
+#[test]
+fn whole_help_overlay_shows_within_two_seconds() {
+    let inner = |row: &String| {
+        let (from, to) = (row.find('\u{2502}')?, row.rfind('\u{2502}')?);
+        (from < to).then(|| row[from..to].to_owned())
+    };
+    let help: Vec<String> = shown_at_once(None, "?").iter().filter_map(inner).collect();
+    assert!(help.len() > 10, "{help:?}");
+    // At any place of a frame on its way, and with the drawing anywhere.
+    for k in 0..12 {
+        let mut slow = Slow::open(SLOW);
+        slow.press("space");
+        slow.pass(Duration::from_millis(2000 + 171 * k));
+        let took = slow.until("?", |rows| {
+            // A box is drawn with ASCII lines at first.
+            let rows: Vec<_> = rows
+                .iter()
+                .map(|row| row.replace('|', "\u{2502}"))
+                .collect();
+            help.iter()
+                .all(|line| rows.iter().any(|row| row.contains(line)))
+        });
+        assert!(took <= Duration::from_secs(2), "{took:?}, case {k}");
+    }
+}
+
+#[test]
+fn no_more_than_half_a_second_is_queued() {
+    let most = SLOW as usize / 2;
+    let mut slow = Slow::open(SLOW);
+    assert!(
+        slow.line().longest <= most,
+        "at the start: {}",
+        slow.line().longest
+    );
+    slow.press("space");
+    for key in [
+        "?", "Esc", "2", "1", "+", "Ctrl-L", "2", "Ctrl-L", "1", "Ctrl-L",
+    ] {
+        slow.pass(Duration::from_millis(700));
+        slow.press(key);
+    }
+    slow.pass(Duration::from_secs(2));
+    assert!(slow.line().longest <= most, "{}", slow.line().longest);
+}
+
+fn angle(rows: &[String]) -> Option<f64> {
+    let words: Vec<_> = last_row(rows).split_whitespace().collect();
+    let deg = words.iter().position(|word| *word == "deg")?;
+    let within: f64 = words.get(deg.checked_sub(1)?)?.parse().ok()?;
+    let turns = match words.get(deg + 2) {
+        Some(word) if word.starts_with("turn") => words[deg + 1].parse().ok()?,
+        _ => 0.0,
+    };
+    Some(within + 360.0 * turns)
+}
+
+/// Frames are dropped, the motion is not: it does a turn in 4 s, as on any line.
+#[test]
+fn motion_keeps_the_clock() {
+    let mut slow = Slow::open(SLOW);
+    slow.press("space");
+    let begun = slow.now();
+    let mut last = 60.0;
+    for _ in 0..160 {
+        slow.pass(Duration::from_millis(50));
+        let rows = rows(&slow.terminal);
+        last = angle(&rows).unwrap_or(last);
+        let played = slow.now() - begun;
+        let wanted = 60.0 + 90.0 * played.as_secs_f64();
+        // A second late at the most.
+        assert!(
+            last <= wanted && wanted - last <= 90.0,
+            "{last} of {wanted} deg"
+        );
+    }
+    assert!(last > 600.0, "{last}");
+}
+
+/// The terminal that answered so far answers no more.
+#[test]
+fn a_lost_answer_does_not_stop_the_screen() {
+    for rate in [SLOW, 1_000_000] {
+        let mut slow = Slow::open(rate);
+        slow.line().silent = true;
+        for k in 1..=8 {
+            let to = format!("{}.00 deg", 60 + 5 * k);
+            let took = slow.until(".", |rows| last_row(rows).contains(&to));
+            assert!(took < Duration::from_secs(3), "{took:?} to {to}, {rate}");
+        }
+    }
+}
+
+#[test]
+fn a_key_held_down_shows_all_rows_in_the_end() {
+    let mut slow = Slow::open(SLOW);
+    for k in 0..40 {
+        slow.line().press_after(".", Duration::from_millis(30 * k));
+    }
+    slow.settle();
+    assert_eq!(rows(&slow.terminal), shown_at_once(Some(260.0), ""));
+}
