@@ -254,6 +254,8 @@ impl Tracer<'_> {
 
 /// Two solutions that are further apart than this, in units of about the longest link and in radians, are not one.
 pub(in crate::solver) const SAME: f64 = 1e-6;
+/// Two solutions that are closer than this, the square root of a rounding, cannot be told apart.
+const LEAST_APART: f64 = 1e-8;
 /// Halfway between two solutions that are not one the equations miss by more than this: the rounding of their terms.
 const HALFWAY: f64 = 4.0 * f64::EPSILON;
 
@@ -272,8 +274,9 @@ impl Coupled {
         state: &State,
         scratch: &mut Scratch,
     ) -> bool {
-        if !(distance(a, b) < SAME) {
-            return false;
+        let apart = distance(a, b);
+        if !(apart < SAME) || apart < LEAST_APART {
+            return apart < LEAST_APART;
         }
         let room = self.open(scratch);
         for (z, (a, b)) in room.z.iter_mut().zip(a.iter().zip(b)) {
