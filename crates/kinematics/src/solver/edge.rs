@@ -43,8 +43,14 @@ impl Solver {
         }
         let mut found = at;
         let is_coupled = !self.engine.program.coupled.is_empty();
-        if self.look_closely(at, order, work) == Condition::NoAssembly && is_coupled {
-            let exists = |&at: &f64| self.run(at, order, work) != Condition::NoAssembly;
+        if self.look_closely(at, order, work) == Condition::NoAssembly {
+            let exists = |&at: &f64| {
+                let condition = match is_coupled {
+                    true => self.run(at, order, work),
+                    false => self.look_closely(at, order, work),
+                };
+                condition != Condition::NoAssembly
+            };
             found = self.motion.drawn_back(at).find(exists).unwrap_or(at);
         }
         let state = &mut work.state;

@@ -184,7 +184,8 @@ impl Motion {
     }
 
     /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
-    /// from a limit all that is left of a group's equations is rounding, and a state may not be found.
+    /// from a limit all that is left of a group's equations is rounding, and a state may not be found. Where the
+    /// pivots of equal arms meet at zero, the smallest distance gives them a direction.
     pub(super) fn drawn_back(&self, at: f64) -> impl Iterator<Item = f64> + use<> {
         let (low, high) = match self.whole {
             Range::Full { .. } => (f64::NEG_INFINITY, f64::INFINITY),
@@ -196,7 +197,9 @@ impl Motion {
             (high, -1.0)
         };
         let ulp = self.finest.max(f64::EPSILON * end.abs());
+        let beside_zero = (end == 0.0).then_some(inwards * BESIDE_ZERO);
         let draws = (0..MOST_DRAWS).map(move |k| end + inwards * ulp * f64::from(k).exp2());
+        let draws = beside_zero.into_iter().chain(draws);
         draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
@@ -214,6 +217,8 @@ impl Motion {
     }
 }
 
+/// Closest to a range end at zero: far below the rounding of any length, and its square is still a double.
+const BESIDE_ZERO: f64 = 1e-60;
 /// Doublings from one ulp by which a coordinate is drawn back from the end of a range, at the most.
 const MOST_DRAWS: i32 = 24;
 

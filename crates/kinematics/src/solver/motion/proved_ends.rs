@@ -140,17 +140,13 @@ impl Walker<'_> {
         // One step of Newton for what the root is off by: some ulp.
         let by = NEAR * half_ulp(at).max(f64::EPSILON * finest);
         let [before, here, beyond] = [-by, 0.0, by].map(|by| Some(value(at + by)?.mid.hi));
-        let step = -2.0 * by * here? / (beyond? - before?);
-        let at = if step.abs() <= by { at + step } else { at };
-        let is_zero = at.abs() < f64::EPSILON * finest && self.has_state(step, 0.0);
+        let correction = -2.0 * by * here? / (beyond? - before?);
+        let at = match correction.abs() <= by {
+            true => at + correction,
+            false => at,
+        };
+        let is_zero = at.abs() < f64::EPSILON * finest;
         Some(if is_zero { 0.0 } else { at })
-    }
-
-    /// Returns `true` if doubles find a state of a step at a coordinate: an end must have one.
-    fn has_state(&mut self, step: usize, at: f64) -> bool {
-        self.aim_at(at);
-        let (steps, order) = (0..step + 1, Order::Position);
-        self.engine.run_steps(steps, at, order, &mut self.state) != Condition::NoAssembly
     }
 
     fn vanishing(
