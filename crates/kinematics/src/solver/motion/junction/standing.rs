@@ -43,7 +43,6 @@ impl Walker<'_> {
         slack: f64,
         state: &State<Series>,
     ) -> Result<Standing, Refusal> {
-        let height = dyad.height(q, Snap::default(), state);
         let extremes = [FINE, ROUGH].map(|part| extreme(dyad, part, state));
         let apart = extremes.into_iter().flatten().map(|by| by.abs().hi);
         let apart = apart.reduce(f64::min);
@@ -54,8 +53,31 @@ impl Walker<'_> {
         } else {
             ROUGH
         };
+        let how = (is_extreme, apart);
+        match self.standing_by(part, how, (dyad, q, slack), state) {
+            // Two change points close to each other, and what moves the group turns back between them: one by one.
+            Err(Refusal::End) if is_extreme && part > FINE => {
+                match self.standing_by(FINE, how, (dyad, q, slack), state) {
+                    Ok(singular @ Standing::Singular { .. }) => Ok(singular),
+                    Ok(Standing::Regular | Standing::Missing { .. }) | Err(_) => Err(Refusal::End),
+                }
+            }
+            standing => standing,
+        }
+    }
+
+    /// As [`Walker::standing`], where less than this part of the size of a square is zero.
+    fn standing_by(
+        &self,
+        part: f64,
+        (is_extreme, apart): (bool, Option<f64>),
+        (dyad, q, slack): (Dyad<'_>, Series, f64),
+        state: &State<Series>,
+    ) -> Result<Standing, Refusal> {
+        let height = dyad.height(q, Snap::default(), state);
         let meeting = dyad.meeting(q, slack, state);
-        let near = |u: &Vec2<Double>| u.norm().hi <= slack + TOGETHER;
+        let close = if is_extreme { FINE } else { TOGETHER };
+        let near = |u: &Vec2<Double>| u.norm().hi <= slack + close;
         let (snap, order) = if let Some(u) = meeting.filter(near) {
             (Snap::of_meeting(-u), None)
         } else {
