@@ -18,8 +18,8 @@ const FLOOR: f64 = 1e-25;
 #[derive(Clone, Debug)]
 pub(super) struct Exact {
     pub(super) engine: Engine,
-    /// By how much equal lengths can differ, because two places on the ground have coordinates that were
-    /// rounded, in the solver's unit: numbers of 15 digits or more have been.
+    /// By how much equal lengths can differ, because two places on the ground or on a link have coordinates that
+    /// were rounded, in the solver's unit: numbers of 15 digits or more have been.
     pub(super) rounding: f64,
     /// The same for any number of the mechanism, lengths and guides on links among them.
     typed: f64,

@@ -81,13 +81,18 @@ impl Frame {
         }
     }
 
-    /// What parts two places of the ground, at the most, that were rounded: see [`Constant::compared`].
+    /// What parts two places of the ground or of a link, at the most, that were rounded: see [`Constant::compared`].
+    /// Places on a link's x or y axis are lengths: two of them are equal or they are not.
     pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
         let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius / self.scale);
         let sizes =
             grounded(mechanism).map(|place| (off(place) + off(self.origin.nearest())).norm());
-        sizes.fold(0.0, f64::max)
+        let is_turned = |place: Vec2| place.x != 0.0 && place.y != 0.0;
+        let members = mechanism.links().iter().flat_map(|link| &link.members);
+        let members = members.filter(|member| is_turned(member.local));
+        let members = members.map(|member| member.rounding(decimals) / self.scale);
+        sizes.chain(members).fold(0.0, f64::max)
     }
 
     /// What any number on a link, or of a guide, can have been rounded by.
