@@ -328,6 +328,15 @@ impl Engine {
         tables.fold(f64::INFINITY, f64::min)
     }
 
+    /// The first end of an open table on the way from one coordinate to another, behind that one and before this one.
+    pub(super) fn table_end(&self, from: f64, to: f64) -> Option<f64> {
+        let unit = if self.turns { 1.0 } else { self.frame.scale };
+        let ends = self.tables.iter().filter_map(Following::open_ends);
+        let ends = ends.flatten().map(|end| end * unit);
+        let between = ends.filter(|end| (end - from) * (to - end) > 0.0);
+        between.min_by(|a, b| (a - from).abs().total_cmp(&(b - from).abs()))
+    }
+
     /// The driver's coordinate for the steps: a length, or a direction, and the angle where any step reads it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {

@@ -21,6 +21,19 @@ impl Stretching {
         rate.is_finite().then_some(rate)
     }
 
+    /// Whether nothing moves, and nothing begins to.
+    pub(in crate::solver) fn rests(&self) -> bool {
+        self.v == Vec2::ZERO && self.a == Vec2::ZERO
+    }
+
+    /// As [`Stretching::rate`], 0 where nothing moves; beside a standstill, towards `sense`, what begins the motion.
+    pub(in crate::solver) fn rate_from(&self, sense: f64, is_still: bool) -> f64 {
+        match is_still {
+            true => self.rate_beside(sense),
+            false => self.rate().unwrap_or(0.0),
+        }
+    }
+
     /// The sign that the rate has just beside a place at which the motion turns back, towards `sense`.
     pub(in crate::solver) fn rate_beside(&self, sense: f64) -> f64 {
         sense * self.toward.dot(self.a)

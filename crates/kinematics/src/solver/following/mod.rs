@@ -83,6 +83,14 @@ impl Following {
         matches!(self.law, FollowingLaw::Table(_))
     }
 
+    /// Where an open table begins and ends: in degrees or scaled lengths.
+    pub(super) fn open_ends(&self) -> Option<[f64; 2]> {
+        match &self.law {
+            FollowingLaw::Proportion(_) => None,
+            FollowingLaw::Table(motion) => motion.table.open_ends(),
+        }
+    }
+
     /// How far around a coordinate its law is one function: in degrees or scaled lengths.
     pub(super) fn smooth(&self, q: f64) -> f64 {
         match &self.law {

@@ -146,6 +146,12 @@ impl ReadyTable {
         all
     }
 
+    /// The places of the first and the last knot of an open table, in degrees or scaled lengths.
+    pub(super) fn open_ends(&self) -> Option<[f64; 2]> {
+        let ends = [self.places.first()?.hi, self.places.last()?.hi];
+        self.period.is_none().then_some(ends)
+    }
+
     /// How far the next knot is from a place: so far the table is one cubic. In degrees or scaled lengths.
     pub(super) fn smooth(&self, q: f64) -> f64 {
         let q = self.within(q);

@@ -88,7 +88,8 @@ impl Walker<'_> {
                 from: (a.at, from?),
                 to: (b.at, to?),
             };
-            (lowest < SUSPICIOUS && stretch.has_extreme()).then_some(stretch)
+            let may_have = lowest < SUSPICIOUS && stretch.has_extreme(self.sense);
+            may_have.then_some(stretch)
         });
         all.collect()
     }
@@ -115,7 +116,8 @@ impl Walker<'_> {
     /// rate: the parts before and behind that are looked at one by one.
     fn extremes(&mut self, stretch: &Stretch) -> Vec<f64> {
         let &Stretch { step, from, to, .. } = stretch;
-        let [a, b] = [from, to].map(|(at, s)| (at, s.rate().unwrap_or(0.0)));
+        let rates = stretch.rates(self.sense);
+        let [a, b] = [(from.0, rates[0]), (to.0, rates[1])];
         let Some((back, still)) = self.turning_back(stretch) else {
             return self.most_stretched(step, a, b).into_iter().collect();
         };
@@ -310,9 +312,28 @@ impl Stretch {
         self.from.1.v.dot(self.to.1.v) < 0.0
     }
 
+    /// The rates at both samples. Where one stands still, as at the end of a table, the rate is zero there whatever
+    /// happens between: what counts is its sign just beside, on the inner side.
+    fn rates(&self, sense: f64) -> [f64; 2] {
+        let [from, to] = [self.from.1, self.to.1];
+        let speeds = [from, to].map(|s| s.v.norm());
+        let is_still = |own: f64, other: f64| own <= STILL * other;
+        let rates = [
+            from.rate_from(sense, is_still(speeds[0], speeds[1])),
+            to.rate_from(-sense, is_still(speeds[1], speeds[0])),
+        ];
+        // Behind the end of a table nothing moves: there is no extreme.
+        match (from.rests(), to.rests()) {
+            (true, true) => [0.0; 2],
+            (true, false) => [rates[1]; 2],
+            (false, true) => [rates[0]; 2],
+            (false, false) => rates,
+        }
+    }
+
     /// Whether there may be an extreme between the samples; one at the first of them was met before.
-    fn has_extreme(&self) -> bool {
-        let [from, to] = [self.from.1, self.to.1].map(|s| s.rate().unwrap_or(0.0));
+    fn has_extreme(&self, sense: f64) -> bool {
+        let [from, to] = self.rates(sense);
         self.turns_back() || from != 0.0 && (to == 0.0 || (from < 0.0) != (to < 0.0))
     }
 }

@@ -135,7 +135,7 @@ impl Walker<'_> {
         let (mut from, mut closed, mut k) = (start, None, 1);
         while k <= most {
             let to = start + sense * step * k as f64;
-            let stop = self.advance(from, to);
+            let stop = self.advance_by_table_ends(from, to);
             if let Err(stop) = stop {
                 let limit = match stop {
                     Stop::Limit(limit) => limit,
@@ -311,6 +311,17 @@ impl Walker<'_> {
         let fits = if exists { self.check_fit() } else { Ok(()) };
         self.state = last;
         fits
+    }
+
+    /// As [`Walker::advance`], with a sample where a table begins or ends: there its input stands still, and what
+    /// happens just before is not seen from behind.
+    fn advance_by_table_ends(&mut self, from: f64, to: f64) -> Result<(), Stop> {
+        let mut from = from;
+        while let Some(end) = self.engine.table_end(from, to) {
+            self.advance(from, end)?;
+            from = end;
+        }
+        self.advance(from, to)
     }
 
     /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
