@@ -154,6 +154,7 @@ impl Path<'_> {
             // The last coefficient of a singular group would need one more order.
             self.known = self.known.saturating_sub(1);
         }
+        let mut slope = None;
         for k in 0..self.known {
             // Each correction, solved for in doubles, finds as many digits again.
             for _ in 0..CORRECTIONS {
@@ -162,36 +163,43 @@ impl Path<'_> {
                 self.add(k, &found[..n], -1.0);
             }
             if let (Some(null), Some(toward), 1..) = (&null, toward, k) {
-                let share = self.share(k, null, toward, state, scratch)?;
-                self.add(k, &null.v, share);
+                let steep = match slope {
+                    Some(steep) => steep,
+                    None => {
+                        let (share, steep) = self.tangent(null, toward, state, scratch)?;
+                        self.add(k, &null.v, share);
+                        steep
+                    }
+                };
+                // Each order is as steep in its share as the first one is at the tangent.
+                for _ in 0..CORRECTIONS {
+                    let next = self.coefficients(k + 1, state, scratch);
+                    self.add(k, &null.v, -dot(&null.w, &next) / steep);
+                }
+                slope = Some(steep);
             }
         }
         let is_finite = |u: &Series| u.c.iter().all(|c| c.hi.is_finite());
         self.unknowns.iter().all(is_finite).then_some(())
     }
 
-    /// How much of the null vector the k-th coefficients have, so that the next order can be solved.
-    fn share(
+    /// How much of the null vector the first coefficients have on the branch of the motion, and how steep the
+    /// equations of the next order are there.
+    fn tangent(
         &mut self,
-        k: usize,
         null: &Null,
         toward: &[f64],
         state: &State<Series>,
         scratch: &mut Scratch<Series>,
-    ) -> Option<f64> {
+    ) -> Option<(f64, f64)> {
         let mut at = |share: f64| {
-            self.add(k, &null.v, share);
-            let next = self.coefficients(k + 1, state, scratch);
-            self.add(k, &null.v, -share);
+            self.add(1, &null.v, share);
+            let next = self.coefficients(2, state, scratch);
+            self.add(1, &null.v, -share);
             dot(&null.w, &next)
         };
-        let none = at(0.0);
-        if k > 1 {
-            let share = none / (none - at(1.0));
-            return share.is_finite().then_some(share);
-        }
         // a s^2 + b s + c = 0.
-        let (plus, minus) = (at(1.0), at(-1.0));
+        let (none, plus, minus) = (at(0.0), at(1.0), at(-1.0));
         let (a, b) = (0.5 * (plus + minus) - none, 0.5 * (plus - minus));
         let wanted = dot(toward, &null.v);
         let discriminant = b * b - 4.0 * a * none;
@@ -210,7 +218,7 @@ impl Path<'_> {
                 best
             }
         });
-        Some(nearer)
+        Some((nearer, 2.0 * a * nearer + b))
     }
 
     /// The k-th coefficients of the equations.

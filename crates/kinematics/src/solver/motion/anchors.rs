@@ -61,6 +61,12 @@ impl Anchors {
         }
     }
 
+    /// The coordinate of the latest anchor that is not beyond another one on the way.
+    pub(super) fn latest_before(&self, at: f64, sense: f64) -> Option<f64> {
+        let mut anchors = self.at.iter().rev().copied();
+        anchors.find(|anchor| (anchor - at) * sense <= 0.0)
+    }
+
     /// As [`Anchors::aim`], from the latest anchor that is not beyond a coordinate on the way.
     pub(super) fn aim_from_before(
         &self,

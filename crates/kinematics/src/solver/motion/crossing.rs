@@ -12,7 +12,9 @@ use crate::solver::workspace::Workspace;
 /// Newton's steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
 /// So many ways across are tried, each a tenth as wide as the last.
-const WAYS: usize = 4;
+const WAYS: usize = 7;
+/// So many steps from an anchor to a coordinate before a crossing: a fold may be close behind that.
+const STEPS_BEFORE: usize = 200;
 /// Corrections end at their rounding, in units of about the longest link.
 const SETTLED: f64 = 1e-13;
 /// What the equations may be opened by for the branches to meet where doubles alone tell, in units of about the
@@ -43,14 +45,13 @@ impl Walker<'_> {
         let beyond = engine.moved(limit, self.sense * by);
         // Closer by, the derivatives in an anchor have lost their digits.
         self.anchors.forget_beyond(engine, before, self.sense);
-        self.aim_at(before);
-        if engine.run(before, Order::Acceleration, &mut self.state) != Condition::Ok {
+        if !self.stand_at(before) {
             return None;
         }
         let saved = self.state.clone();
         let steps = 0..engine.program.steps.len();
         let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        steps.filter(is_coupled).find_map(|step| {
+        let passed = steps.filter(is_coupled).find_map(|step| {
             self.state.clone_from(&saved);
             self.flip(step);
             if !self.try_step(before, beyond, &saved) {
@@ -69,7 +70,12 @@ impl Walker<'_> {
                 self.anchors.forget_beyond(engine, before, self.sense);
             }
             passed
-        })
+        });
+        if passed.is_none() {
+            // On the side on which it came, for the next way.
+            self.state = saved;
+        }
+        passed
     }
 
     /// Whether the solutions of a coupled group cross where its measure is smallest. Lengths and
@@ -83,12 +89,48 @@ impl Walker<'_> {
         };
         approaches().take(WAYS).any(|by| {
             let before = engine.moved(at, -self.sense * by);
-            self.anchors
-                .aim_from_before(engine, before, self.sense, &mut self.state);
-            let condition = engine.run(before, Order::Acceleration, &mut self.state);
+            let stands = self.stand_at(before);
             let saved = self.state.clone();
-            condition == Condition::Ok && self.crossing(step, (at, by), &saved).is_some()
+            stands && self.crossing(step, (at, by), &saved).is_some()
         })
+    }
+
+    /// Goes to a coordinate from the latest anchor before it, by as many steps as the motion needs.
+    fn stand_at(&mut self, to: f64) -> bool {
+        let engine = self.engine;
+        let Some(mut good) = self.anchors.latest_before(to, self.sense) else {
+            return false;
+        };
+        let aim = |walker: &mut Self, at: f64| {
+            let Walker { anchors, state, .. } = walker;
+            anchors.aim_from_before(engine, at, walker.sense, state);
+            engine.run(at, Order::Acceleration, state) == Condition::Ok
+        };
+        if aim(self, to) {
+            return true;
+        }
+        if !aim(self, good) {
+            return false;
+        }
+        let (mut saved, mut step) = (self.state.clone(), 0.5 * (to - good));
+        for _ in 0..STEPS_BEFORE {
+            let is_last = (to - good).abs() <= step.abs();
+            let next = if is_last { to } else { good + step };
+            if next == good {
+                return false;
+            }
+            if self.try_step(good, next, &saved) {
+                if is_last {
+                    return true;
+                }
+                saved.clone_from(&self.state);
+                (good, step) = (next, 2.0 * step);
+            } else {
+                self.state.clone_from(&saved);
+                step = 0.5 * (next - good);
+            }
+        }
+        false
     }
 
     /// Where the solutions of a coupled group cross close to a limit.
