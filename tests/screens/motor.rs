@@ -64,11 +64,11 @@ fn a_press_shows_its_ram_below() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
     let told = [
         "N m * driver.torque 44.1 over driver.angle over a turn at 10 rad/s (95.493 rpm), r2 asks 1133.76 N m at",
-        "1133.8 at 353.04 ^*",
+        "1133.8 at 353.04",
         "largest 1133.76 1188.18 35.4129 21.3254",
         "rated for RMS 500 N m for 359.555: 140.445 N m left (1.39",
         "flywheel of 20 kg m^2 leaves a fluctuation of 0.3544, a",
-        "-36.3 at 337.08 **v",
+        "-36.3 at 337.08",
         "force 58374.8 N at 36.420 deg (192.3, 5.837e4);",
     ];
     assert_told(&session.press("8 O").body(), &told);

@@ -1,9 +1,11 @@
 //! Where the parts of a plot are, in cells.
 
+use super::frame::length;
 use super::path::CellBlock;
-use super::ticks::{TickStyle, Ticks};
+use super::ticks::{TickStyle, Ticks, steps};
 use super::{Axis, Plot, PlotStyle};
 use crate::Vec2;
+use std::ops::Range;
 
 /// The axis and its labels, below the last panel.
 const FOOT: i32 = 2;
@@ -15,15 +17,23 @@ const LEAST_ROWS: i32 = FOOT + LEGEND + 2;
 const LEAST_COLS: i32 = 16;
 /// From the edge of the first and the last cell to its middle.
 const INSET: f64 = 0.5;
-/// By how many percent an axis may be longer, so that its ticks are evenly spaced.
-const MOST_LONGER: u8 = 20;
+/// By this part an axis may be longer at the most, so that its ticks lie in the middle of rows,
+const MOST_LONGER: f64 = 0.4;
+/// and by this part more than the shortest one for more ticks.
+const LONGER: f64 = 0.15;
+/// Round steps that are tried from the first one with room on.
+const TRIED: usize = 3;
+/// An axis that is shorter than this part of its values has no ticks; what it misses by this part it only
+/// misses by rounding.
+const FLAT: f64 = 1e-12;
+const ROUNDED: f64 = 1e-9;
 /// Rows from one label to the next, at the least, and the most labels of an axis.
 const LABEL_ROWS: i32 = 2;
 const MOST_LABELS: usize = 9;
 /// Blanks between two labels of the level axis.
 const LABEL_GAP: i32 = 2;
 /// Blanks between the unit and the label behind it.
-pub(super) const UNIT_GAP: i32 = 2;
+const UNIT_GAP: i32 = 2;
 /// There are not so many units.
 const MOST_PANELS: i32 = 1000;
 /// A panel higher than this has room for a legend of two rows.
@@ -220,10 +230,8 @@ impl Plot {
             let ends = true_ends((low, high), (y.low, y.high), cells, look.aspect);
             (low, high) = ends[0];
             frame.y = CellScale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
-            let ticks = even_ticks(&frame.y, y.is_angle, height, 2);
-            let ticks = ticks.unwrap_or_else(|| {
-                Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height))
-            });
+            let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
+            let ticks = thinned(&frame.y, ticks);
             // There is room for labels no longer than those that were foreseen.
             if i32::try_from(ticks.widest()).is_ok_and(|widest| widest <= axis) {
                 frame.ticks = ticks;
@@ -232,47 +240,94 @@ impl Plot {
         for (_, frame) in &mut panels {
             (frame.block.left, frame.block.width) = (left, width);
         }
+        let x = CellScale::along(low, high, left, width, inset.x);
+        let x_ticks = level_ticks(&x, self.x.is_angle, &self.x.unit, left..cols);
         Some(PlotLayout {
             axis,
             foot: body,
             end: cols,
-            x: CellScale::along(low, high, left, width, inset.x),
-            x_ticks: level_ticks((low, high), self.x.is_angle, &self.x.unit, width),
+            x,
+            x_ticks,
             panels,
         })
     }
 }
 
-/// Scale and ticks of an upright axis: the rows of its ticks are evenly spaced, for which the axis may be longer than
-/// what is drawn on it.
+/// Scale and ticks of an upright axis. Every tick lies in the middle of a row, so many rows above the one before: for
+/// that the axis may be longer than what is drawn on it. Of all such axes it is one that is not much longer than
+/// the shortest, with the most ticks.
 fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
-    let size = y.high - y.low;
-    let ends = |percent: u8| {
-        let more = size * f64::from(percent) / 100.0;
-        match (y.low == 0.0, y.high == 0.0) {
-            (true, _) => (y.low, y.high + more),
-            (_, true) => (y.low - more, y.high),
-            _ => grown((y.low, y.high), size + more),
-        }
+    let found = (LABEL_ROWS..height).flat_map(|every| aligned(y, height, every));
+    let found: Vec<AlignedAxis> = found.filter(|axis| axis.longer <= MOST_LONGER).collect();
+    let shortest = found.iter().map(|axis| axis.longer).reduce(f64::min);
+    let near = |axis: &&AlignedAxis| shortest.is_some_and(|least| axis.longer <= least + LONGER);
+    let order = |a: &&AlignedAxis, b: &&AlignedAxis| {
+        let shorter = b.longer.total_cmp(&a.longer);
+        a.count.cmp(&b.count).then(shorter)
     };
-    let scale = |percent| {
-        let (low, high) = ends(percent);
-        CellScale::upwards(low, high, top, height, INSET)
-    };
-    let usual = Ticks::between(y.low, y.high, y.is_angle, labels(height));
-    let mut best: Option<(CellScale, Ticks)> = None;
-    for percent in (0..=MOST_LONGER).step_by(2) {
-        let scale = scale(percent);
-        let count = best.as_ref().map_or(1, |(_, ticks)| ticks.values.len());
-        if let Some(ticks) = even_ticks(&scale, y.is_angle, height, count + 1) {
-            best = Some((scale, ticks));
-        }
-        let count = best.as_ref().map_or(0, |(_, ticks)| ticks.values.len());
-        if count >= usual.values.len() {
-            break;
-        }
+    if let Some(best) = found.iter().filter(near).max_by(order) {
+        let (low, high) = (best.low.min(y.low), best.high.max(y.high));
+        let ticks = Ticks::multiples(best.step, best.first, best.count);
+        return (CellScale::upwards(low, high, top, height, INSET), ticks);
     }
-    best.unwrap_or_else(|| (scale(0), thinned(&scale(0), usual)))
+    let usual = Ticks::between(y.low, y.high, y.is_angle, labels(height));
+    let scale = CellScale::upwards(y.low, y.high, top, height, INSET);
+    (scale, thinned(&scale, usual))
+}
+
+/// An axis on which a whole number of rows makes a round step.
+#[derive(Clone, Copy)]
+struct AlignedAxis {
+    /// The values in the middle of the lowest and the highest row.
+    low: f64,
+    high: f64,
+    step: f64,
+    /// The first tick in steps, and how many there are.
+    first: i64,
+    count: i64,
+    /// The length beside what is drawn on it.
+    longer: f64,
+}
+
+/// The axes with a tick in every so many rows that have room for what is drawn, and the labels some for themselves.
+fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxis> {
+    let (size, gaps) = (y.high - y.low, f64::from(height - 1));
+    let rows = f64::from(every);
+    // The step that just has room, and a few more.
+    let least = size / gaps * rows;
+    let is_some = size > y.low.abs().max(y.high.abs()) * FLAT && least.is_normal();
+    let least = if is_some { least } else { 1.0 };
+    let candidates = steps(least, y.is_angle).skip_while(move |&step| step < least);
+    let axis = move |step: f64| {
+        let row = step / rows;
+        // Rows that are left over lie on both sides, but not below zero where that is the end.
+        let spare = (gaps - (y.high / row).ceil() + (y.low / row).floor()).max(0.0);
+        let below = match (y.low == 0.0, y.high == 0.0) {
+            (true, _) => 0.0,
+            (_, true) => spare,
+            _ => (spare / 2.0).floor(),
+        };
+        let bottom = (y.low / row).floor() - below;
+        let (low, high) = (bottom * row, (bottom + gaps) * row);
+        let first = (bottom / rows).ceil();
+        let last = ((bottom + gaps) / rows).floor();
+        AlignedAxis {
+            low,
+            high,
+            step,
+            first: first as i64,
+            count: last as i64 - first as i64 + 1,
+            longer: (high - low) / size - 1.0,
+        }
+    };
+    let holds = move |axis: &AlignedAxis| {
+        let slack = size * ROUNDED;
+        axis.low <= y.low + slack && axis.high >= y.high - slack
+    };
+    let most = labels(height) as i64;
+    let fits = move |axis: &AlignedAxis| (2..=most).contains(&axis.count) && holds(axis);
+    let tried = candidates.take(if is_some { TRIED } else { 0 });
+    tried.map(axis).filter(fits)
 }
 
 /// Every second tick, every third or fewer, until their rows are evenly spaced.
@@ -298,54 +353,61 @@ fn are_spaced(rows: &[i32]) -> bool {
         .all(|three| three[0] - three[1] == three[1] - three[2])
 }
 
-/// The most ticks of a scale whose rows are evenly spaced, if there are at least so many.
-fn even_ticks(scale: &CellScale, is_angle: bool, height: i32, least: usize) -> Option<Ticks> {
-    let (low, high) = scale.ends();
-    let mut most = labels(height);
-    while most >= least {
-        let ticks = Ticks::between(low, high, is_angle, most);
-        if ticks.values.len() < least {
-            return None;
-        }
-        if is_even(scale, &ticks) {
-            return Some(ticks);
-        }
-        most = ticks.values.len() - 1;
-    }
-    None
-}
-
-/// Returns `true` if the cells of all ticks are equally far apart, and no closer than labels may be.
-fn is_even(scale: &CellScale, ticks: &Ticks) -> bool {
-    let rows = rows(scale, ticks);
-    let is_apart = matches!(rows[..], [first, second, ..] if first - second >= LABEL_ROWS);
-    is_apart && are_spaced(&rows)
-}
-
 /// The most ticks whose labels have room beside each other, and the unit between or behind the last ones.
-fn level_ticks((low, high): (f64, f64), is_angle: bool, unit: &str, width: i32) -> Ticks {
+fn level_ticks(x: &CellScale, is_angle: bool, unit: &str, cells: Range<i32>) -> Ticks {
+    let (low, high) = x.ends();
     let fits = |ticks: &Ticks| {
-        let gaps = ticks.values.len().saturating_sub(1).max(1);
-        let first = ticks.values.first().copied().unwrap_or(low);
-        let last = ticks.values.last().copied().unwrap_or(high);
-        let to_cells = |part: f64| f64::from(width) * part / (high - low);
-        let apart = to_cells(last - first) / gaps as f64;
-        let label = ticks.widest() as f64;
-        let unit = unit.chars().count() as f64 + f64::from(UNIT_GAP);
-        // At the edge the last label stands before its tick.
-        let is_behind = to_cells(high - last) >= label / 2.0 + unit;
-        let room = match is_behind || ticks.values.len() < 2 {
-            true => 0.0,
-            false => label / 2.0 + unit,
+        let mut labels = level_labels(ticks, x, cells.end);
+        let Some(last) = labels.pop() else {
+            return false;
         };
-        apart >= label + f64::from(LABEL_GAP) && apart >= label + room + 3.0
+        let (unit, _) = unit_place(&last, unit, cells.end);
+        let taken = labels.iter().skip(1).map(|next| next.from).chain([unit]);
+        let mut pairs = labels.iter().zip(taken);
+        pairs.all(|(label, next)| label.end() + LABEL_GAP <= next)
     };
-    let most = usize::try_from(width / 4).unwrap_or(0).clamp(2, 25);
-    let tried = (2..=most)
-        .rev()
-        .map(|most| Ticks::between(low, high, is_angle, most));
+    let most = usize::try_from((cells.end - cells.start) / 4).unwrap_or(0);
+    let tried = (2..=most.clamp(2, 25)).rev();
+    let mut tried = tried.map(|most| Ticks::between(low, high, is_angle, most));
     let few = || Ticks::between(low, high, is_angle, 2);
-    tried.into_iter().find(fits).unwrap_or_else(few)
+    tried.find(fits).unwrap_or_else(few)
+}
+
+/// A label below the level axis.
+pub(super) struct LevelLabel {
+    /// The column of its tick, and where it begins.
+    pub(super) tick: i32,
+    pub(super) from: i32,
+    pub(super) text: String,
+}
+
+impl LevelLabel {
+    /// Behind its last column.
+    pub(super) fn end(&self) -> i32 {
+        self.from + length(&self.text)
+    }
+}
+
+/// The labels of ticks, each in the middle below its tick, or before it at the edge.
+pub(super) fn level_labels(ticks: &Ticks, x: &CellScale, end: i32) -> Vec<LevelLabel> {
+    let label = |(value, text): (f64, String)| {
+        let tick = x.cell(value)?;
+        let half = length(&text) / 2;
+        let from = (tick - half).min(end - length(&text)).max(0);
+        Some(LevelLabel { tick, from, text })
+    };
+    ticks.labels().filter_map(label).collect()
+}
+
+/// Up to where the labels before the last one have room, and where the unit begins: behind that one, or before it
+/// where that is at the edge.
+pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) {
+    let behind = last.end() + 1;
+    if behind + length(unit) <= end {
+        return (last.from, behind);
+    }
+    let before = last.from - length(unit) - UNIT_GAP;
+    (before, before)
 }
 
 /// The most labels beside an upright axis of so many rows.
@@ -415,28 +477,24 @@ mod tests {
             prop_assert_eq!(found.len(), ticks.values.len());
             // Everything is drawn, and most of the room is used.
             let (low, high) = scale.ends();
-            prop_assert!(low <= y.low && high >= y.high && high - low <= 1.21 * size);
+            prop_assert!(low <= y.low && high >= y.high && high - low <= 1.41 * size);
         }
 
         /// The unit stands behind the last label or between the last two.
         #[test]
         fn the_unit_leaves_every_label_its_place(low in -500.0..500.0, size in 1.0..2e3, width in 40..160) {
-            let ticks = level_ticks((low, low + size), true, "deg", width);
             let scale = CellScale::along(low, low + size, 0, width, INSET);
-            let mut free = -1;
-            let labels: Vec<(i32, i32)> = ticks.labels().filter_map(|(value, label)| {
-                let length = i32::try_from(label.len()).ok()?;
-                let from = (scale.cell(value)? - length / 2).min(width - length).max(0);
-                Some((from, from + length))
-            }).collect();
-            for &(from, end) in &labels {
-                prop_assert!(from > free, "{labels:?}");
-                free = end;
-            }
-            if let [.., (_, before), (last, end)] = labels[..] {
-                let is_behind = end + 1 + 3 <= width;
-                prop_assert!(is_behind || last - UNIT_GAP - 3 > before, "{labels:?} of {width}");
-            }
+            let ticks = level_ticks(&scale, true, "deg", 0..width);
+            let mut labels = level_labels(&ticks, &scale, width);
+            let count = labels.len();
+            let mut last = labels.pop().unwrap();
+            let (before, unit) = unit_place(&last, "deg", width);
+            prop_assert!(unit >= last.end() && unit + 3 <= width || unit + 3 < last.from);
+            // Where there is room for no more than two, the unit may take the place of the first.
+            last.from = before;
+            labels.push(last);
+            let ends = labels.windows(2).map(|pair| pair[1].from - pair[0].end());
+            prop_assert!(count <= 2 || ends.min() >= Some(LABEL_GAP));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! From a plot to cells.
 
 use super::frame::{FrameGlyphs, length, write};
-use super::layout::{PanelArea, PlotLayout, UNIT_GAP};
+use super::layout::{PanelArea, PlotLayout, level_labels, unit_place};
 use super::path::{PLACE, Pen};
 use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
@@ -132,38 +132,19 @@ impl PlotPainter<'_> {
             axis, foot, end, ..
         } = *self.layout;
         self.strokes.put_level(axis..end, foot, raster);
-        let ticks = &self.layout.x_ticks;
-        let mut labels: Vec<(i32, String)> = Vec::new();
-        for (value, label) in ticks.labels() {
-            if let Some(col) = self.layout.x.cell(value) {
-                raster.put(col, foot, self.strokes.tick, Role::Axis);
-                labels.push((col, label));
-            }
+        let mut labels = level_labels(&self.layout.x_ticks, &self.layout.x, end);
+        for label in &labels {
+            raster.put(label.tick, foot, self.strokes.tick, Role::Axis);
         }
-        // Each stands below its tick. The unit is behind the last one, or before it where that is at the
-        // edge; the others leave it its room.
-        let from =
-            |col: i32, label: &str| (col - length(label) / 2).min(end - length(label)).max(0);
-        let mut taken = end + 1;
-        if let Some((col, label)) = labels.pop() {
-            let (unit, last) = (&self.plot.x.unit, from(col, &label));
-            let (before, behind) = (last - length(unit) - UNIT_GAP, last + length(&label) + 1);
-            let fits = behind + length(unit) <= end;
-            write(raster, last, foot + 1, &label, Role::Axis);
-            write(
-                raster,
-                if fits { behind } else { before },
-                foot + 1,
-                unit,
-                Role::Axis,
-            );
-            taken = if fits { last } else { before };
-        }
-        for (col, label) in labels.iter().rev() {
-            let from = from(*col, label);
-            if from + length(label) < taken {
-                write(raster, from, foot + 1, label, Role::Axis);
-                taken = from;
+        let Some(last) = labels.pop() else { return };
+        let unit = &self.plot.x.unit;
+        let (mut taken, place) = unit_place(&last, unit, end);
+        write(raster, last.from, foot + 1, &last.text, Role::Axis);
+        write(raster, place, foot + 1, unit, Role::Axis);
+        for label in labels.iter().rev() {
+            if label.end() < taken {
+                write(raster, label.from, foot + 1, &label.text, Role::Axis);
+                taken = label.from;
             }
         }
     }

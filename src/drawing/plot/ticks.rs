@@ -1,7 +1,7 @@
 //! Round places along an axis, and how numbers beside it are written.
 
 /// Steps of angles that divide a turn, in degrees; finer ones are decimal.
-const ANGLES: [f64; 6] = [15.0, 30.0, 45.0, 90.0, 180.0, 360.0];
+const ANGLES: [f64; 7] = [15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0];
 /// Coarser than this no range of doubles needs, and finer than that no double shows.
 const POWERS: std::ops::RangeInclusive<i32> = -320..=308;
 
@@ -16,7 +16,7 @@ pub(super) struct Ticks {
 
 impl Ticks {
     /// The multiples from `low` to `high` of the smallest round step (1, 2 or 5 times a power of ten;
-    /// of angles 15, 30, 45, 90 or more degrees) that has no more than `most` of them.
+    /// of angles 15, 30, 45, 60, 90 or more degrees) that has no more than `most` of them.
     pub(super) fn between(low: f64, high: f64, is_angle: bool, most: usize) -> Ticks {
         let none = Ticks {
             values: Vec::new(),
@@ -39,6 +39,18 @@ impl Ticks {
         // Far from 0 a multiple rounds by more than the slack, out of the axis.
         let inside = |v: f64| v.clamp(low, high);
         let values: Vec<f64> = values.take_while(|&v| v <= end).map(inside).collect();
+        Ticks {
+            values,
+            style: TickStyle::of_ticks(largest, step),
+        }
+    }
+
+    /// The multiples of a step, so many from this one on.
+    pub(super) fn multiples(step: f64, first: i64, count: i64) -> Ticks {
+        let values: Vec<f64> = (first..first + count).map(|k| k as f64 * step).collect();
+        let largest = values
+            .iter()
+            .fold(0.0, |largest: f64, v| largest.max(v.abs()));
         Ticks {
             values,
             style: TickStyle::of_ticks(largest, step),
@@ -78,7 +90,7 @@ fn count(low: f64, high: f64, step: f64) -> f64 {
 }
 
 /// Round steps from about `least` on.
-fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
+pub(super) fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
     let power = least.log10().floor().clamp(-320.0, 308.0) as i32;
     // Degrees have steps of their own beyond 5.
     let end = if is_angle { 0 } else { *POWERS.end() };
