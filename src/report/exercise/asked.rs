@@ -10,6 +10,8 @@ use crate::study::{AnswerKey, AskedFigure, LinkPoints, SolutionChain};
 
 /// Smaller parts of the largest figure of a kind are 0.
 const NOUGHT: f64 = 1e-9;
+/// Values of the loops are not read here.
+const DIGITS: usize = 6;
 
 /// What is asked of a state that was solved with forces and enclosed, and what else has a name in `more`.
 #[must_use]
@@ -25,7 +27,16 @@ pub fn answer_key(
     let of_name = |name: &String| catalogue.find(name);
     let mut quantities: Vec<Quantity> = Vec::new();
     let scales = FigureScales::new(&catalogue, state, scene.unit.symbol());
-    quantities.extend(vector_names(scene, &tables).iter().filter_map(of_name));
+    let working = Working::new(scene, solver);
+    let loops = working.loop_vectors(scene, solver, state, DIGITS);
+    let is_on_sheet = |name: &String| {
+        let vectors = loops.iter().flat_map(|of| &of.vectors);
+        let mut figures = vectors.flat_map(|vector| vector.figures.iter().flatten());
+        loops.is_empty() || figures.any(|figure| figure.is_sought && figure.column == *name)
+    };
+    let names = vector_names(scene, &tables);
+    let on_sheet = names.iter().filter(|name| is_on_sheet(name));
+    quantities.extend(on_sheet.filter_map(of_name));
     // A point at rest has no vector to draw.
     let of_points = point_names(&tables);
     let of_points = of_points.iter().filter_map(of_name);
@@ -58,7 +69,6 @@ pub fn answer_key(
     }
     let asked = asked_for.len();
     asked_for.extend(besides);
-    let working = Working::new(scene, solver);
     let chain = working.chain(scene, solver, state);
     let others = chain.as_ref().map(|chain| {
         let states = other_states(solver, state.at());

@@ -27,10 +27,12 @@ pub struct MisreadValue {
     pub figure: usize,
 }
 
-/// So many answers must be explained beside the first: fewer may be chance.
+/// So many answers must be explained beside the first, or all that are wrong: fewer may be chance.
 const FEWEST_EXPLAINED: usize = 2;
 /// Steps of the secant method.
 const STEPS: usize = 30;
+/// A step of it is halved at the most so often.
+const HALVINGS: i32 = 8;
 /// A step below this part of the value is the last.
 const ARRIVED: f64 = 1e-12;
 /// The part of a value by which its first slope is found.
@@ -53,36 +55,47 @@ impl AnswerKey {
                 !Truth::of(&self.figures[*number]).is_out_of_reach(*written)
             })
             .collect();
-        if lost.len() <= FEWEST_EXPLAINED {
+        if lost.len() < 2 {
             return None;
         }
-        // The first of the positions, of the velocities and of the accelerations.
+        // The first of the positions, of the velocities and of the accelerations; of two both.
         let mut orders: Vec<Order> = Vec::new();
         let firsts = lost.iter().filter(|(number, _)| {
             let order = self.figures[*number].quantity.order();
             let is_first = !orders.contains(&order);
             orders.push(order);
-            is_first
+            is_first || lost.len() == 2
         });
-        for &(first, written) in firsts {
-            for value in sheet.given() {
-                let Some((number, by)) = self.reading((first, written), &lost, &value, sheet)
-                else {
-                    continue;
-                };
-                if by.len() >= FEWEST_EXPLAINED {
-                    for explained in by {
-                        verdicts[explained] = FigureVerdict::Followed(first);
-                    }
-                    return Some(MisreadValue {
+        // The value that explains most of the others, and the first of these.
+        let most = lost.len() - 1;
+        let fewest = FEWEST_EXPLAINED.min(most);
+        let mut best: Option<(MisreadValue, Vec<usize>)> = None;
+        let pairs = firsts.flat_map(|&first| sheet.given().into_iter().map(move |v| (first, v)));
+        for ((first, written), value) in pairs {
+            let Some((number, by)) = self.reading((first, written), &lost, &value, sheet) else {
+                continue;
+            };
+            let least = best.as_ref().map_or(fewest, |(_, by)| by.len() + 1);
+            if by.len() >= least {
+                let figure = first;
+                best = Some((
+                    MisreadValue {
                         value,
                         number,
-                        figure: first,
-                    });
-                }
+                        figure,
+                    },
+                    by,
+                ));
+            }
+            if best.as_ref().is_some_and(|(_, by)| by.len() == most) {
+                break;
             }
         }
-        None
+        let (misread, by) = best?;
+        for explained in by {
+            verdicts[explained] = FigureVerdict::Followed(misread.figure);
+        }
+        Some(misread)
     }
 
     /// The number of a value with which a figure is what was written.
@@ -109,7 +122,10 @@ impl AnswerKey {
             if (next - here.0).abs() <= ARRIVED * value.number.abs() {
                 return Some(next);
             }
-            (last, here) = (here, (next, off(next)?));
+            // A step too far may end where nothing closes.
+            let mut halved = (0..HALVINGS).map(|k| here.0 + (next - here.0) / f64::from(1 << k));
+            let (next, miss) = halved.find_map(|next| Some((next, off(next)?)))?;
+            (last, here) = (here, (next, miss));
         }
         None
     }
@@ -137,9 +153,7 @@ impl AnswerKey {
         // What the digits that the first answer does not have do to the value: they may have been cut off.
         let last = written.unit_of(FEWEST, i32::MAX);
         let parts = last / moved(first).filter(|by| *by > 0.0)?;
-        let number = roundest(found, (parts * FIRST_STEP * found).abs());
-        let there = figures(number)?;
-        let is_explained = |figure: usize, own: WrittenFigure| {
+        let is_explained = |there: &[Option<f64>], figure: usize, own: WrittenFigure| {
             let truth = Truth::of(&self.figures[figure]);
             let followed = truth.with(there[figure]?);
             let apart = followed.apart(own.value).abs();
@@ -149,9 +163,24 @@ impl AnswerKey {
             let is_copied = own.value == written.value;
             Some(is_nearer && !is_copied && apart <= own.unit_of(FEWEST, MOST) + carried)
         };
-        let others = lost.iter().filter(|(number, _)| *number != first);
-        let explained = others.filter(|(number, own)| is_explained(*number, *own) == Some(true));
-        Some((number, explained.map(|(number, _)| *number).collect()))
+        let explained = |number: f64| {
+            let there = figures(number)?;
+            let others = lost.iter().filter(|(number, _)| *number != first);
+            let explained =
+                others.filter(|(number, own)| is_explained(&there, *number, *own) == Some(true));
+            Some((
+                number,
+                explained.map(|(number, _)| *number).collect::<Vec<_>>(),
+            ))
+        };
+        // A round number, unless another explains more.
+        let round = roundest(found, (parts * FIRST_STEP * found).abs());
+        let (round, exact) = (explained(round), explained(found));
+        match (round, exact) {
+            (Some(round), Some(exact)) if exact.1.len() > round.1.len() => Some(exact),
+            (Some(round), _) => Some(round),
+            (None, exact) => exact,
+        }
     }
 }
 
