@@ -491,9 +491,9 @@ Q = [53.783203125, 27.779296875]
 /// Each end of a limited range has its own error: of the slider-crank with a stop too short to turn.
 #[test]
 fn check_tells_the_error_of_each_end() {
-    let text = MINE.replace("length = 3 }", "length = 1.6 }");
+    let text = MINE.replace("length = 3 }", "length = 1.7 }");
     let file = folder("end_errors").join("scene.toml");
-    std::fs::write(&file, text.replace("C = [3, 2]", "C = [1.6, 0.7]")).unwrap();
+    std::fs::write(&file, text.replace("C = [3, 2]", "C = [1.7, 0.7]")).unwrap();
     let file = file.to_str().unwrap();
     let facts = json(&done(&["check", file, "--format", "json"]));
     assert!(facts["period"].is_null(), "{facts}");

@@ -380,7 +380,6 @@ fn names_are_taken_as_they_are_typed() {
             thread::sleep(Duration::from_millis(5));
         }
         session.wait_for("written to");
-        session.wait_for("? help");
         session.settle();
     }
     session.send("q");

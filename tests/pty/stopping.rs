@@ -53,7 +53,11 @@ fn a_signal_to_stop_gives_the_terminal_back_too() {
     let job = rustix::process::Pid::from_raw(child).unwrap();
     for _ in 0..3 {
         rustix::process::kill_process_group(job, Signal::TSTP).unwrap();
-        wait_for_the_main_screen(&session);
+        // Before its prompt the shell throws away what is typed.
+        session.wait_until("prompt", |seen| {
+            let screen = seen.terminal.screen();
+            !screen.alternate_screen() && screen.contents().trim_end().ends_with("ready>")
+        });
         session.send("fg\r");
         session.wait_until("alternate screen", |seen| {
             seen.terminal.screen().alternate_screen()
