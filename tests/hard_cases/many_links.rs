@@ -267,3 +267,37 @@ fn h30_a_scissor_of_fifty_stages() {
     ));
     assert!(off <= 7.5e3 * slack, "ay {ay}: {off:e}");
 }
+
+/// Each parallelogram in a row takes the last coefficient of a series from those behind it, unless its coupler is
+/// known to keep its direction.
+#[test]
+fn a_long_row_of_parallelograms_turns_fully() {
+    const ROW: usize = 120;
+    let mut builder = Mechanism::builder();
+    let mut ground = builder.ground_point(0.0, 0.0);
+    let mut pin = builder.moving_point();
+    let crank = builder.link(ground, pin, 40.0);
+    for k in 1..=ROW {
+        let x = 100.0 * k as f64;
+        ground = builder.ground_point(x, 0.0);
+        let next = builder.moving_point();
+        builder.link(pin, next, 100.0);
+        builder.link(ground, next, 40.0);
+        builder.start(next, Vec2::new(x + 20.0, 34.6));
+        pin = next;
+    }
+    builder.driver(turn(crank, 60.0));
+    let mechanism = builder.build().expect("every element is sound");
+    let solver = Solver::new(&mechanism).expect("it closes");
+    let motion = solver.motion();
+    assert_eq!(motion.range, krank::solver::Range::Full { period: 360.0 });
+    assert_eq!(motion.change_points, [0.0, 180.0]);
+    for at in [0.1, 120.0, 180.0, 181.0, 300.0] {
+        let mut state = solver.state();
+        let condition = solver.solve(at, Order::Position, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "{at}");
+        let found = state.position(pin).unwrap();
+        let right = Vec2::new(100.0 * ROW as f64, 0.0) + angle::unit(at) * 40.0;
+        assert!((found - right).norm() < 1e-9, "{at} {found:?}");
+    }
+}

@@ -49,6 +49,8 @@ pub(super) struct Passage {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Passages {
     list: Vec<Passage>,
+    /// Group and place in the list of every passage, in order.
+    by_group: Vec<(usize, usize)>,
     start: f64,
     /// 0 where coordinates are not reduced.
     period: f64,
@@ -63,22 +65,40 @@ impl Passages {
         }
         list.sort_by(|a, b| a.at.total_cmp(&b.at));
         let start = reduced(start, period);
-        Passages {
+        let mut passages = Passages {
             list,
+            by_group: Vec::new(),
             start,
             period,
-        }
+        };
+        passages.sort_groups();
+        passages
+    }
+
+    fn sort_groups(&mut self) {
+        let groups = self.list.iter().enumerate();
+        self.by_group.clear();
+        self.by_group
+            .extend(groups.map(|(i, passage)| (passage.group, i)));
+        self.by_group.sort_unstable();
+    }
+
+    /// The passages of a group.
+    fn of_group(&self, group: usize) -> impl Iterator<Item = &Passage> {
+        let first = self.by_group.partition_point(|&(of, _)| of < group);
+        let ours = self.by_group[first..].iter();
+        let ours = ours.take_while(move |&&(of, _)| of == group);
+        ours.map(|&(_, i)| &self.list[i])
     }
 
     /// Adds those that are not yet known.
-    pub(super) fn add(&mut self, passages: Vec<Passage>) {
-        let known = self.list.len();
-        for passage in passages {
-            let is_same = |old: &Passage| old.group == passage.group && old.at == passage.at;
-            if !self.list[..known].iter().any(is_same) {
-                self.list.push(passage);
-            }
-        }
+    pub(super) fn add(&mut self, mut passages: Vec<Passage>) {
+        passages.retain(|new| {
+            let mut known = self.of_group(new.group);
+            known.all(|old| old.at != new.at)
+        });
+        self.list.extend(passages);
+        self.sort_groups();
     }
 
     pub(super) fn len(&self) -> usize {
@@ -88,6 +108,7 @@ impl Passages {
     /// Forgets all but the first few.
     pub(super) fn truncate(&mut self, kept: usize) {
         self.list.truncate(kept);
+        self.sort_groups();
     }
 
     /// The passages from a number on.
@@ -97,7 +118,7 @@ impl Passages {
 
     /// Whether a group has a passage at a coordinate, within a distance in radians or scaled lengths.
     pub(super) fn has(&self, engine: &Engine, (group, at): (usize, f64), within: f64) -> bool {
-        let mut ours = self.list.iter().filter(|p| p.group == group);
+        let mut ours = self.of_group(group);
         ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
@@ -133,8 +154,9 @@ impl Passages {
     /// The passage of a group in whose zone a coordinate lies, and how far from it.
     pub(super) fn near(&self, engine: &Engine, at: f64, group: usize) -> Option<(&Passage, f64)> {
         let here = reduced(at, self.period);
-        let ours = self.list.iter().filter(|p| p.group == group);
-        let away = ours.map(|p| (p, self.away(engine, p, here)));
+        let away = self
+            .of_group(group)
+            .map(|p| (p, self.away(engine, p, here)));
         away.filter(|(p, dq)| dq.abs() < p.zone)
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }

@@ -6,7 +6,7 @@
 //! |e| = b, |f| = c       e.V = e.V_P, f.V = f.V_Q       e x f = s h: twice the area of the triangle
 //! ```
 
-use super::through::{SeriesTriangle, Snap, between, shifted};
+use super::through::{SeriesTriangle, Snap, ZERO, between, shifted};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
     VELOCITY, triangle_reserve,
@@ -17,6 +17,9 @@ use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
+
+/// So many known coefficients tell that a link does not turn.
+const SURE: usize = 8;
 
 /// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
 /// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
@@ -115,6 +118,26 @@ impl Circles {
         state.points[self.point.index()] = point;
         state.links[self.near.link.index()] = near;
         state.links[self.far.link.index()] = far;
+    }
+
+    /// A link that passes a change point without turning keeps its direction: a parallelogram. The root of the
+    /// height has lost coefficients of it that are known all the same.
+    pub(in crate::solver) fn translate(&self, state: &mut State<Series>) {
+        let stays = |v: Series| {
+            let mut rest = v.c[..v.known].iter().skip(1);
+            v.known >= SURE && rest.all(|c| c.hi.abs() <= ZERO)
+        };
+        for arm in [&self.near, &self.far] {
+            let link = &mut state.links[arm.link.index()].d;
+            if !(stays(link.x) && stays(link.y)) {
+                continue;
+            }
+            *link = link.map(|v| Series::constant(v.c[0]));
+            let pivot = state.points[arm.pivot.index()].p;
+            let point = &mut state.points[self.point.index()].p;
+            *point = pivot + (*point - pivot).map(|v| Series::constant(v.c[0]));
+            return;
+        }
     }
 
     /// From pivot to pivot.

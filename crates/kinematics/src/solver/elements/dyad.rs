@@ -210,6 +210,14 @@ impl Dyad<'_> {
         each!(self, d => d.run_through(q, snap, height, state));
     }
 
+    /// See [`Circles::translate`]: other dyads have a guide or a driven arm.
+    pub(in crate::solver) fn translate(self, state: &mut State<Series>) {
+        match self {
+            Dyad::Circles(circles) => circles.translate(state),
+            Dyad::CircleLine(_) | Dyad::CircleRail(_) | Dyad::Swing(_) | Dyad::Cylinder(_) => {}
+        }
+    }
+
     /// What it places, in series.
     pub(in crate::solver) fn placed(
         self,

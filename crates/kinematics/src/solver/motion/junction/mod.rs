@@ -170,6 +170,9 @@ impl Walker<'_> {
         let square = dyad.square(q, snap, series);
         let height = root(square, order, junction.sides[1][group]);
         dyad.run_through(q, snap, height, series);
+        if order > 0 {
+            dyad.translate(series);
+        }
         Ok(())
     }
 }

@@ -30,16 +30,26 @@ impl Walker<'_> {
                 Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
             // A series tells nothing of what lies behind a knot.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
-            if passage.zone == 0.0 {
-                return None;
-            }
-            // Another change point may be closer by.
-            let zones = (0..ZONES).map(|k| passage.zone * ZONE.powi(k));
-            let mut zones = zones.collect::<Vec<f64>>().into_iter();
-            passage.zone = zones.find(|&zone| self.proves(junction, zone, fold.step + 1))?;
-            Some(passage)
+            (passage.zone > 0.0).then_some(passage)
         });
-        passages.collect()
+        let mut passages = passages.collect::<Option<Vec<Passage>>>()?;
+        // What is proved at a distance is proved of all groups before: once for all of one zone.
+        let mut zones: Vec<(f64, usize)> = Vec::new();
+        for (passage, fold) in passages.iter().zip(&junction.folds) {
+            let steps = fold.step + 1;
+            match zones.iter_mut().find(|(zone, _)| *zone == passage.zone) {
+                Some((_, most)) => *most = steps,
+                None => zones.push((passage.zone, steps)),
+            }
+        }
+        for (zone, steps) in zones {
+            // Another change point may be closer by.
+            let mut narrower = (0..ZONES).map(|k| zone * ZONE.powi(k));
+            let proved = narrower.find(|&zone| self.proves(junction, zone, steps))?;
+            let alike = passages.iter_mut().filter(|passage| passage.zone == zone);
+            alike.for_each(|passage| passage.zone = proved);
+        }
+        Some(passages)
     }
 
     /// Whether the series tells where the first steps are at a distance on both sides, and no other
@@ -68,7 +78,8 @@ impl Walker<'_> {
         let (q, direction) = self.coordinate_of(at, 1);
         let mut here = engine.state::<Series>(self.state.travels.len());
         for i in 0..steps {
-            let fold = junction.folds.iter().find(|f| f.step == i);
+            let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
+            let fold = fold.ok().map(|k| &junction.folds[k]);
             let (Some(fold), Some(dyad)) = (fold, engine.program.steps[i].dyad()) else {
                 if self.lay(i..i + 1, at.hi, q, direction, &mut here).is_none() {
                     return false;
