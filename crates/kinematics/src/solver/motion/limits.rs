@@ -27,6 +27,11 @@ const NEAR: f64 = 1e-3;
 const GOLDEN_SECTIONS: usize = 44;
 /// Two extremes of one dyad that are this close are one, in radians or scaled lengths.
 const SAME: f64 = 1e-14;
+/// What doubles miss an extreme by at the most, in radians or scaled lengths.
+const NEIGHBOURING: f64 = 1e-5;
+/// Dyads whose stretch is extreme within this on both sides of a place are stretched there, in radians or scaled
+/// lengths.
+const SAME_PLACE: f64 = 1e-12;
 /// A speed below this part of those on both sides is none.
 const STILL: f64 = 1e-7;
 
@@ -98,18 +103,77 @@ impl Walker<'_> {
     fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
         self.ahead = None;
         let mut found: Vec<(Stretch, f64)> = Vec::new();
-        for stretch in stretches {
-            let extremes = self.extremes(&stretch);
-            found.extend(extremes.into_iter().map(|at| (stretch, at)));
+        let mut is_known = vec![false; self.engine.program.steps.len()];
+        for (number, stretch) in stretches.iter().enumerate() {
+            if is_known[stretch.step] {
+                continue;
+            }
+            let extremes = self.extremes(stretch);
+            found.extend(extremes.iter().map(|&at| (*stretch, at)));
+            // Of a long row all are stretched at one place: they are asked for in one run.
+            if let ([at], false) = (&extremes[..], stretch.turns_back()) {
+                for together in self.stretched_together(*at, &stretches[number + 1..]) {
+                    is_known[together.step] = true;
+                    found.push((together, *at));
+                }
+            }
         }
         found.retain(|(stretch, at)| {
             let place = (stretch.group, *at);
             self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
         });
         found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
-        found
-            .into_iter()
-            .find_map(|(stretch, at)| self.limit_at(&stretch, at))
+        found.into_iter().find_map(|(stretch, at)| {
+            if !is_known[stretch.step] || self.is_extreme_near(stretch.step, at) {
+                return self.limit_at(&stretch, at);
+            }
+            // Doubles took it for stretched at the place of another one.
+            let mut extremes = self.extremes(&stretch).into_iter();
+            extremes.find_map(|at| {
+                let is_passed = self.passages.has(self.engine, (stretch.group, at), SAME);
+                let is_new = self.ahead(at) > 0.0 && !is_passed;
+                is_new.then(|| self.limit_at(&stretch, at)).flatten()
+            })
+        })
+    }
+
+    /// Whether a dyad's reach is extreme close to a coordinate, in twice the digits.
+    fn is_extreme_near(&mut self, step: usize, at: f64) -> bool {
+        let exact = self.exactly(step, at);
+        exact.is_some_and(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)
+    }
+
+    /// Those of some dyads whose reach is extreme at the same place as that of another one.
+    fn stretched_together(&mut self, at: f64, rest: &[Stretch]) -> Vec<Stretch> {
+        if rest.is_empty() {
+            return Vec::new();
+        }
+        let sides = [-SAME_PLACE, SAME_PLACE].map(|by| self.all_rates(self.engine.moved(at, by)));
+        let rate = |side: usize, step: usize| sides[side].get(step).copied().flatten();
+        let is_here = |of: &&Stretch| {
+            let (before, behind) = (rate(0, of.step), rate(1, of.step));
+            !of.turns_back() && matches!((before, behind), (Some(a), Some(b)) if a * b < 0.0)
+        };
+        rest.iter().filter(is_here).copied().collect()
+    }
+
+    /// The rates of stretch of all steps at a coordinate, up to the first that does not exist there.
+    fn all_rates(&mut self, at: f64) -> Vec<Option<f64>> {
+        self.aim_at(at);
+        let engine = self.engine;
+        let (q, _) = engine.coordinate(at);
+        let mut rates = Vec::with_capacity(engine.program.steps.len());
+        for (i, step) in engine.program.steps.iter().enumerate() {
+            let stretching = step.dyad().and_then(|dyad| {
+                engine.place_dyad(step, at, &mut self.state.state);
+                dyad.stretching(q, &self.state)
+            });
+            rates.push(stretching.and_then(|s| s.rate()));
+            if self.run_some(i..i + 1, at, Order::Acceleration) == Condition::NoAssembly {
+                break;
+            }
+        }
+        rates
     }
 
     /// Where the reach of a dyad is extreme between two samples. Where what moves it turns back, so does its
@@ -185,8 +249,10 @@ impl Walker<'_> {
     /// Where a dyad's reach is extreme, and how it stands there, in twice the digits; `None` where that cannot
     /// be told.
     fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
-        let at = self.exactly(step, at)?;
-        Some((at, self.standing_at(step, at)?))
+        let exact = self.exactly(step, at)?;
+        let is_here = self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING;
+        let standing = is_here.then(|| self.standing_at(step, exact)).flatten();
+        Some((exact, standing?))
     }
 
     fn note_miss(&mut self, group: usize, sine: f64, at: f64) {

@@ -133,6 +133,7 @@ impl Walker<'_> {
         }
         self.look_behind(step);
         let (mut from, mut closed, mut k) = (start, None, 1);
+        let mut passed = f64::NEG_INFINITY;
         while k <= most {
             let to = start + sense * step * k as f64;
             let stop = self.advance_by_table_ends(from, to);
@@ -150,7 +151,9 @@ impl Walker<'_> {
                 }
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
-                let Some(beyond) = self.pass(limit) else {
+                // A place that was passed before is none ahead: there is no way on that could be told.
+                let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
+                let Some(beyond) = beyond else {
                     let limit = self.refined(limit, &last);
                     let groups = std::mem::take(&mut self.unproved).into_iter();
                     self.lined_up.extend(groups.map(|group| LinedUp {
@@ -160,7 +163,7 @@ impl Walker<'_> {
                     return Ok(WalkEnd::Limit(limit));
                 };
                 // The steps between have been taken on the wrong side.
-                (from, closed) = (beyond, None);
+                (from, closed, passed) = (beyond, None, self.ahead(beyond));
                 k = (self.ahead(beyond) / step) as usize + 1;
                 continue;
             }
