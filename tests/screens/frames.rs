@@ -157,7 +157,7 @@ fn every_frame_has_its_parts() {
         // Figures: the smallest screen has those of the first vectors.
         let least = match (cols, rows) {
             (200, _) => 45,
-            (120, _) => 30,
+            (120, _) => 28,
             (80, _) => 12,
             _ => 4,
         };
