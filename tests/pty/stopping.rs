@@ -12,9 +12,11 @@ fn shell() -> Session {
     session
 }
 
-fn wait_for_the_main_screen(session: &Session) {
-    session.wait_until("main screen", |seen| {
-        !seen.terminal.screen().alternate_screen()
+/// Before its prompt the shell throws away what is typed.
+fn wait_for_the_prompt(session: &Session) {
+    session.wait_until("prompt", |seen| {
+        let screen = seen.terminal.screen();
+        !screen.alternate_screen() && screen.contents().trim_end().ends_with("ready>")
     });
 }
 
@@ -25,16 +27,14 @@ fn the_shell_gets_its_terminal_while_it_is_stopped() {
     session.send(&format!("{krank} four-bar\r"));
     session.wait_for("60.00 deg").send(" ");
     session.wait_for("pause").send("\x1a");
-    wait_for_the_main_screen(&session);
-    // Before that the shell throws away what is typed.
-    session.wait_for("Stopped");
+    wait_for_the_prompt(&session);
     session.send("echo back$((1 + 1))\r");
     session.wait_for("back2");
     assert!(!session.seen.lock().unwrap().terminal.screen().hide_cursor());
     session.send("fg\r");
     session.wait_for("pause").send(" ");
     session.wait_for("play").send("q");
-    wait_for_the_main_screen(&session);
+    wait_for_the_prompt(&session);
     session.send("echo gone$((2 + 2)); exit\r");
     session.wait_for("gone4");
 }
@@ -53,11 +53,7 @@ fn a_signal_to_stop_gives_the_terminal_back_too() {
     let job = rustix::process::Pid::from_raw(child).unwrap();
     for _ in 0..3 {
         rustix::process::kill_process_group(job, Signal::TSTP).unwrap();
-        // Before its prompt the shell throws away what is typed.
-        session.wait_until("prompt", |seen| {
-            let screen = seen.terminal.screen();
-            !screen.alternate_screen() && screen.contents().trim_end().ends_with("ready>")
-        });
+        wait_for_the_prompt(&session);
         session.send("fg\r");
         session.wait_until("alternate screen", |seen| {
             seen.terminal.screen().alternate_screen()
@@ -65,7 +61,7 @@ fn a_signal_to_stop_gives_the_terminal_back_too() {
         session.wait_for("60.00 deg").wait_for("-3.9164");
     }
     session.send("q");
-    wait_for_the_main_screen(&session);
+    wait_for_the_prompt(&session);
     session.send("exit\r");
 }
 
