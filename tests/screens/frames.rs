@@ -156,7 +156,7 @@ fn every_frame_has_its_parts() {
         assert_eq!((panes, plots), expected, "{place}");
         // Figures: the smallest screen has those of the first vectors.
         let least = match (cols, rows) {
-            (200, _) => 45,
+            (200, _) => 42,
             (120, _) => 28,
             (80, _) => 12,
             _ => 4,

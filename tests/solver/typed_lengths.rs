@@ -317,10 +317,11 @@ impl System {
                 return None;
             }
             for i in k + 1..n {
-                let factor = rows[i][k] / rows[k][k];
-                for j in k..=n {
-                    let from = rows[k][j];
-                    rows[i][j] = rows[i][j] - factor * from;
+                let (above, below) = rows.split_at_mut(i);
+                let (from, row) = (&above[k], &mut below[0]);
+                let factor = row[k] / from[k];
+                for (value, &other) in row.iter_mut().zip(from).skip(k) {
+                    *value = *value - factor * other;
                 }
             }
         }
@@ -713,7 +714,10 @@ fn measure(
     tally.medians(name)
 }
 
-const MACHINES: [(&str, fn(&mut Dice, Style) -> Machine); 4] = [
+/// Draws a machine of one kind.
+type Drawn = fn(&mut Dice, Style) -> Machine;
+
+const MACHINES: [(&str, Drawn); 4] = [
     ("four-bars", four_bar),
     ("slider-cranks", slider_crank),
     ("six-bars", six_bar),
