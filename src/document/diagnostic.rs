@@ -47,6 +47,7 @@ impl Diagnostic {
     }
 
     /// Makes it a warning: the file can be used all the same.
+    #[cfg(feature = "tui")]
     pub(crate) fn into_warning(mut self) -> Self {
         self.is_warning = true;
         self

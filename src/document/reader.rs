@@ -112,6 +112,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns `true` if something was reported that makes the document unusable.
+    #[cfg(feature = "tui")]
     pub(crate) fn has_errors(&self) -> bool {
         self.found.iter().any(|found| !found.is_warning)
     }

@@ -13,9 +13,9 @@ use crate::document::with_ascii_letters;
 use crate::wording::{Language, Wording, Words, words};
 #[cfg(feature = "tui")]
 pub(crate) use fold::{folded, joined};
+pub(crate) use layout::{LineKind, lines};
 #[cfg(feature = "tui")]
-pub(crate) use layout::ManualLine;
-pub(crate) use layout::{LineKind, lines, plain};
+pub(crate) use layout::{ManualLine, plain};
 
 /// Something to read.
 #[derive(Debug)]
