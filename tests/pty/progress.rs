@@ -136,7 +136,7 @@ fn ctrl_c_ends_it_where_nobody_takes_the_rows_any_more() {
 
 #[test]
 fn it_is_gone_when_the_sweep_has_ended() {
-    let sweep = "$KRANK sweep stephenson-six-bar --step 0.0005 -o /dev/null; echo done";
+    let sweep = "$KRANK sweep stephenson-six-bar --step 0.002 -o /dev/null; echo done";
     let terminal = Terminal::run(sweep, "xterm", 80);
     terminal.wait_for("done");
     assert_eq!(terminal.contents().trim_end(), "done");
