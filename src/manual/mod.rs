@@ -114,7 +114,7 @@ pub(crate) const TOPICS: &[Topic] = &[
         name: "tutorial",
         turkish: "giriş",
         about: <dyn Words>::about_tutorial,
-        parts: &[chapter!("tutorial.md")],
+        parts: &[chapter!("tutorial.md"), chapter!("commands.md")],
     },
     Topic {
         name: "scene",

@@ -6,6 +6,7 @@ use super::{command, done, folder, run};
 const README: &str = include_str!("../../README.md");
 const SCENE: &str = include_str!("../../src/manual/english/scene.md");
 const FAULTS: &str = include_str!("../../src/manual/english/faults.md");
+const COMMANDS: &str = include_str!("../../src/manual/english/commands.md");
 
 /// The same chapters in Turkish.
 const SAHNE: &str = include_str!("../../src/manual/turkish/scene.md");
@@ -89,48 +90,112 @@ fn the_pictures_of_the_readme_are_what_is_drawn() {
     );
 }
 
-/// The commands stand indented by four, each with a word about it.
-#[test]
-fn the_commands_of_the_readme_run() {
-    // Exercises of an older krank are not written over.
-    std::fs::remove_dir_all(folder("readme-commands")).unwrap();
-    let here = folder("readme-commands");
-    let shown = README
-        .lines()
-        .filter_map(|line| line.strip_prefix("    krank "));
+/// Commands that end by themselves and within a moment. The others open the workbench or measure times.
+const QUICK: [&str; 21] = [
+    "list",
+    "check",
+    "table",
+    "explain",
+    "report",
+    "draw",
+    "plot",
+    "sweep",
+    "start",
+    "motor",
+    "help",
+    "exercise",
+    "grade",
+    "cycle",
+    "solve",
+    "study",
+    "tolerance",
+    "export",
+    "synthesize",
+    "completions",
+    "man",
+];
+
+/// Runs the quick ones of these command lines in a new folder, and returns how many they are.
+fn ran<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
+    // `krank exercise` does not overwrite the files of an earlier run.
+    std::fs::remove_dir_all(folder(name)).unwrap();
+    let here = folder(name);
     let mut ran = 0;
-    for line in shown {
-        let line = line.split("  ").next().unwrap().trim();
+    for line in lines {
         let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
-        // The rest opens the workbench, or measures for a while.
-        if [
-            "list",
-            "check",
-            "table",
-            "explain",
-            "report",
-            "draw",
-            "plot",
-            "sweep",
-            "start",
-            "motor",
-            "help",
-            "exercise",
-            "grade",
-            "cycle",
-            "solve",
-            "study",
-            "tolerance",
-            "export",
-            "synthesize",
-        ]
-        .contains(&args[0])
-        {
+        if QUICK.contains(&args[0]) {
             let heard = run(command(&args).current_dir(&here));
             assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
             ran += 1;
         }
     }
-    assert_eq!(ran, 23);
-    assert!(README.len() <= 15_000, "{} bytes", README.len());
+    ran
+}
+
+/// Commands are indented by four, each with a comment.
+#[test]
+fn the_commands_of_the_readme_run() {
+    let shown = README
+        .lines()
+        .filter_map(|line| line.strip_prefix("    krank "));
+    let shown = shown.map(|line| line.split("  ").next().unwrap().trim());
+    assert_eq!(ran(shown, "readme-commands"), 4);
+    for code in [
+        "cargo run --release",
+        "cargo test",
+        "cargo install --path .",
+    ] {
+        assert!(README.contains(&format!("\n    {code}")), "{code}");
+    }
+}
+
+/// Each item of the chapter begins with a command. The Turkish chapter has the same code: a test of the manual
+/// compares them.
+#[test]
+fn the_commands_of_the_manual_run() {
+    let shown = COMMANDS
+        .lines()
+        .filter_map(|line| line.strip_prefix("- `krank ")?.split('`').next());
+    assert_eq!(ran(shown, "manual-commands"), 26);
+}
+
+/// Every command is in the chapter; `krank --help` lists them.
+#[test]
+fn every_command_has_its_line_in_the_manual() {
+    let help = done(&["--help"]);
+    let list = help.split("Commands:\n").nth(1).unwrap();
+    let names = list.lines().take_while(|line| !line.is_empty());
+    let names = names.filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();
+    assert!(names.len() > 15, "{names:?}");
+    for name in names {
+        assert!(COMMANDS.contains(&format!("- `krank {name}")), "{name}");
+    }
+}
+
+#[test]
+fn the_readme_is_short() {
+    assert!(README.len() <= 11_000, "{} bytes", README.len());
+    // Without blocks, commands and tables.
+    let pieces = README.split("```").step_by(2);
+    let lines = pieces.flat_map(str::lines);
+    let lines = lines.filter(|line| !line.starts_with("    ") && !line.starts_with('|'));
+    // A list item and a paragraph begin a sentence.
+    let text: String = lines.fold(String::new(), |text, line| match line {
+        "" => text + "\n",
+        line if line.starts_with("- ") => text + "\n" + line + " ",
+        line => text + line + " ",
+    });
+    let mut words = 0;
+    for word in text.split_inclusive([' ', '\n']) {
+        words += usize::from(!word.trim().is_empty());
+        assert!(
+            words <= 25,
+            "a sentence of more than 25 words ends with {word:?}"
+        );
+        let end = word.trim_end().trim_end_matches([')', '*', '`']);
+        if word.ends_with('\n') || end.ends_with(['.', ':', ';', '?', '!']) {
+            words = 0;
+        }
+    }
 }
