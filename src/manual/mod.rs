@@ -117,6 +117,12 @@ pub(crate) const TOPICS: &[Topic] = &[
         parts: &[chapter!("tutorial.md"), chapter!("commands.md")],
     },
     Topic {
+        name: "how",
+        turkish: "nasıl",
+        about: <dyn Words>::about_how,
+        parts: &[chapter!("how.md")],
+    },
+    Topic {
         name: "scene",
         turkish: "sahne",
         about: <dyn Words>::about_scene,
@@ -206,6 +212,12 @@ pub(crate) const TOPICS: &[Topic] = &[
         turkish: "sınırlar",
         about: <dyn Words>::about_limits,
         parts: &[chapter!("limits.md")],
+    },
+    Topic {
+        name: "glossary",
+        turkish: "sözlük",
+        about: <dyn Words>::about_glossary,
+        parts: &[chapter!("glossary.md")],
     },
 ];
 

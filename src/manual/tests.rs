@@ -65,6 +65,25 @@ fn every_function_is_told_of() {
     }
 }
 
+/// The topics that the last column of the questions names.
+#[cfg(feature = "tui")]
+#[test]
+fn thirty_questions_lead_to_topics() {
+    for language in Language::ALL {
+        language.speak();
+        let text = find("how").unwrap().text(String::new);
+        let rows = text.lines().filter(|line| line.contains("? | "));
+        let mut questions = 0;
+        for row in rows {
+            let cell = row.trim_end_matches(" |").rsplit("| ").next().unwrap();
+            let topic = cell.trim_matches('`');
+            assert!(find(topic).is_some(), "{row}");
+            questions += 1;
+        }
+        assert_eq!(questions, 30, "{language:?}");
+    }
+}
+
 /// Every word of a topic is shown at every width.
 #[test]
 fn no_word_is_lost() {

@@ -66,7 +66,7 @@ fn the_topics_of_the_manual_stand_behind_the_keys() {
     }
     assert_eq!(session.press("Tab").look(), keys);
     let screen = session.press("Left").look();
-    assert!(screen.contains("Help: limits"), "{screen}");
+    assert!(screen.contains("Help: glossary"), "{screen}");
     assert!(!session.press("Esc").look().contains("Help"));
 }
 
@@ -75,7 +75,7 @@ fn the_manual_is_searched_through_all_its_topics() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? Tab /").type_in("SECOND dyad").look();
     assert!(
-        screen.contains("Help: tutorial  1/14 /SECOND dyad"),
+        screen.contains("Help: tutorial  1/16 /SECOND dyad"),
         "{screen}"
     );
     assert!(
@@ -276,7 +276,7 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert!(line.contains("C=- now; F6 saves it"), "{line}");
     let help = session.press("F9 /").type_in("preset").look();
     assert!(!help.contains("the next preset"), "{help}");
-    let topic = session.press("Tab Tab Tab Tab /").type_in("pause").look();
+    let topic = session.press("Tab Tab Tab Tab Tab /").type_in("pause").look();
     assert!(topic.contains("Help: keys"), "{topic}");
     assert!(
         topic.contains("`F5`") && !topic.contains("`space`"),

@@ -7,6 +7,7 @@ catalogue! {
     trait ManualWords for English {
         topic_told(about: &str, turkish: &str) = "{about}";
         about_tutorial = "from an empty file to a six-bar";
+        about_how = "how do I ...? thirty questions, each with a command or key";
         about_scene = "the scene file: an example, and every key";
         about_views = "what the workbench shows, view by view";
         about_keys = "every key of the workbench, and how to choose others";
@@ -20,5 +21,6 @@ catalogue! {
         about_trust = "assemblies, ends, bounds: what is promised and how it was tried";
         about_terminals = "characters, colours, slow lines, and what a frame costs";
         about_limits = "what krank does not do, and where its answers end";
+        about_glossary = "terms of mechanisms and of krank";
     }
 }

@@ -7,6 +7,7 @@ catalogue! {
     impl ManualWords for Turkish {
         topic_told(about: &str, turkish: &str) = "{about} ({turkish})";
         about_tutorial = "boş dosyadan altı uzuvlu mekanizmaya";
+        about_how = "nasıl ...? komutu ya da tuşuyla otuz soru";
         about_scene = "sahne dosyası: bir örnek ve her anahtar";
         about_views = "tezgâhın gösterdikleri, görünüm görünüm";
         about_keys = "tezgâhın her tuşu ve başkasını seçmek";
@@ -20,5 +21,6 @@ catalogue! {
         about_trust = "montajlar, uçlar, sınırlar: verilen sözler ve denenmesi";
         about_terminals = "karakterler, renkler, yavaş hatlar, bir karenin bedeli";
         about_limits = "krank'ın yapmadıkları, yanıtlarının bittiği yer";
+        about_glossary = "mekanizmaların ve krank'ın terimleri";
     }
 }
