@@ -40,7 +40,7 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
         "the mobility is 2, not 1",
         "`r3` floats",
         "`r4` floats",
-        "1 constraint repeats others and holds nothing",
+        "1 constraint is redundant",
         "1 constraint is missing",
     ];
     says(&scene, &fault, &phrases);
@@ -53,7 +53,7 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     };
     let phrases = [
         "the mobility is 0, not 1: nothing can move",
-        "2 constraints repeat others and hold nothing, among link `r3`",
+        "2 constraints are redundant, among link `r3`",
         "this cannot be told for certain",
         "take out a link or a joint",
     ];
@@ -70,9 +70,9 @@ fn an_open_loop_says_by_how_much_and_where() {
     };
     let phrases = [
         "`C` is out of reach by 12.3457 mm",
-        "`r3` has to reach it",
-        "`r4` has to reach it",
-        "the driver stands at 60 deg",
+        "`r3` must reach it",
+        "`r4` must reach it",
+        "the driver is at 60 deg",
     ];
     says(&scene, &fault, &phrases);
 }
@@ -208,7 +208,7 @@ fn a_singular_group_names_its_elements() {
     says(
         &scene,
         &fault,
-        &["the scene opens where", "open the scene elsewhere"],
+        &["the scene opens at a change point or a dead point", "open the scene at another"],
     );
 }
 

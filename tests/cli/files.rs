@@ -441,7 +441,7 @@ fn a_file_that_another_process_writes_is_left_alone() {
         ] {
             let told = shell(&folder, &line);
             assert_eq!(told.code, 1, "{line}: {}", told.err);
-            let busy = format!("cannot write `{name}`: another program is writing there");
+            let busy = format!("cannot write `{name}`: another program is writing to it");
             assert!(told.err.contains(&busy), "{line}: {}", told.err);
             assert_eq!(fs::read_to_string(&file).unwrap(), "kept", "{line}");
         }

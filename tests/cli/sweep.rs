@@ -195,7 +195,7 @@ fn what_makes_no_sweep_is_refused() {
         (&["--columns", "C.x,E.*"], "`E.*`"),
         (
             &["--columns", "C.x.bound"],
-            "`C.x.bound`; name `C.x`, and --bounds puts `C.x.bound` behind it",
+            "`C.x.bound`; name `C.x`: --bounds adds `C.x.bound`",
         ),
         (&["--columns", ""], "no quantity is named"),
     ] {
@@ -571,7 +571,7 @@ fn formulas_that_are_wrong_say_why() {
         ("x = C.x-C.y", "between blanks"),
         ("x = r4.omgea * 2", "did you mean `r4.omega`?"),
         ("C = C.x", "names something else already"),
-        ("x = C.ax,x.rate", "no rate of C.ax is known"),
+        ("x = C.ax,x.rate", "the rate of C.ax is not known"),
         ("= C.x", "behind a name and `=`"),
         (
             "pi = C.x",

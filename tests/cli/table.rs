@@ -485,7 +485,7 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
     for at in ["60", "-300", "780"] {
         let heard = table(at);
         assert!(heard.out.contains("driver r2 at 420 deg"), "{}", heard.out);
-        let note = format!("note: {at} deg is taken as 420 deg: the driver covers 396.8698976458");
+        let note = format!("note: using 420 deg instead of {at} deg: the driver covers 396.8698976458");
         assert!(heard.err.contains(&note), "{}", heard.err);
     }
     assert!(!table("420").err.contains("taken as"));

@@ -116,12 +116,12 @@ mod sent {
         let arguments = ["four-bar", "--picture", "sixel"];
         let mut session = Setup::krank(&arguments).manner(Manner::Slow).start();
         session.wait_for("-3.9164").send("V");
-        session.wait_for("on this line; V again sends it");
+        session.wait_for("on this line; press V again");
         session.send(".");
         session.wait_for("65.00 deg");
         assert!(!has(&session.seen.lock().unwrap().bytes, begins));
         session.send("V");
-        session.wait_for("on this line; V again sends it").send("V");
+        session.wait_for("on this line; press V again").send("V");
         session.wait_until("the picture begins", |seen| has(&seen.bytes, begins));
         session.hurry();
         session.send("q");

@@ -131,7 +131,7 @@ fn a_preset_is_saved_under_a_name_that_is_typed() {
     let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
     other.press("w Ctrl-U").press(&keys.join(" "));
     let screen = other.press("Enter").look();
-    assert!(screen.contains("write over new.toml?"), "{screen}");
+    assert!(screen.contains("overwrite new.toml?"), "{screen}");
     other.press("Esc");
     assert!(
         !std::fs::read_to_string(&file)
