@@ -54,8 +54,8 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     let phrases = [
         "the mobility is 0, not 1: nothing can move",
         "2 constraints are redundant, among link `r3`",
-        "this cannot be told for certain",
-        "take out a link or a joint",
+        "this is not certain",
+        "remove a link or a joint",
     ];
     says(&scene, &fault, &phrases);
 }
@@ -138,7 +138,7 @@ fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() 
         points: vec![given],
         gap: 3.0,
     };
-    says(&scene, &fault, &["bring the positions in [start] nearer"]);
+    says(&scene, &fault, &["move the positions in [start] closer"]);
     let fault = Fault::NotAssembled {
         points: Vec::new(),
         gap: 3.0,
@@ -199,7 +199,7 @@ fn a_singular_group_names_its_elements() {
     says(
         &scene,
         &fault,
-        &["never determine a position", "the driver"],
+        &["determine no position", "the driver"],
     );
     let fault = Fault::Singular {
         elements: vec![ElementId::Point(point)],

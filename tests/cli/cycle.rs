@@ -100,7 +100,7 @@ fn a_dead_point_has_as_many_digits_as_are_known() {
     let text = done(&["cycle", "peaucellier"]);
     let turns: Vec<&str> = text
         .lines()
-        .filter(|line| line.contains("where the driver turns"))
+        .filter(|line| line.contains("where the driver reverses"))
         .collect();
     assert_eq!(turns.len(), 4, "{text}");
     // By the cell's own closed form the limit is acos(1/8), and the arms stand at half of it.

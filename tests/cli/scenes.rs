@@ -153,7 +153,7 @@ fn a_drawing_of_few_digits_is_accepted_where_the_scene_says_so() {
     let heard = run(command(&["check", "-"]).write_stdin(drawn.clone()));
     assert_eq!(heard.code, 2);
     assert!(
-        heard.err.contains("does not fit the others by 1e-5 m"),
+        heard.err.contains("misses the others by 1e-5 m"),
         "{}",
         heard.err
     );
@@ -254,7 +254,7 @@ fn a_near_miss_of_a_change_point_is_noted() {
     let heard = run(command(&["check", "-"]).write_stdin(scene.as_str()));
     assert_eq!(heard.err, "");
     assert!(
-        heard.out.contains("\nnear miss  all but a change"),
+        heard.out.contains("\nnear miss  almost a change"),
         "{}",
         heard.out
     );
@@ -407,7 +407,7 @@ fn check_tells_knots_that_the_motion_never_comes_to() {
     let found = json(&done(&["check", name, "--format", "json"]));
     let dead = serde_json::json!([{ "on": "P", "at": [0.0, 400.0] }]);
     assert_eq!(found["dead_knots"], dead);
-    assert!(!done(&["check", "drag-link-press"]).contains("never comes to"));
+    assert!(!done(&["check", "drag-link-press"]).contains("never reaches"));
 }
 
 /// A figure is made of columns and of parameters, with their units or plain.

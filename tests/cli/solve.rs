@@ -148,7 +148,7 @@ fn what_is_no_search_is_refused_with_a_mend() {
         ),
         (
             vec!["--vary", "r2.length", "--goal", "r4.length.stroke 3"],
-            "figure, a sign",
+            "quantity, a sign",
         ),
         (
             vec!["--vary", "r2.length", "--goal", "r4.length.stroke = 3 deg"],

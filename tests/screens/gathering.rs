@@ -153,7 +153,7 @@ fn a_formula_that_waits_is_shown_and_so_are_the_keys_that_make_it() {
         .press("Enter Esc");
     assert_eq!(row(&mut session), ">+r3 length mm = 3 * a");
     let keys = session.last_line();
-    assert!(keys.contains("b make  Esc drop"), "{keys}");
+    assert!(keys.contains("b apply  Esc drop"), "{keys}");
     session.press("Enter").type_in("301").press("Enter");
     assert_eq!(row(&mut session), ">+r3 length 301 mm");
     let keys = session.press("b u").last_line();
@@ -179,7 +179,7 @@ fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
         session
             .press("b b")
             .last_line()
-            .contains("made at once again")
+            .contains("edits apply immediately")
     );
     assert_eq!(row(session.press(">")), ">*r3 length 302 mm 300");
 }

@@ -176,7 +176,7 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
     assert!(line.contains("90.00 deg"), "{line}");
 }
 
-/// An edit never changes to the other assembly: where the text would, its [start] follows.
+/// An edit never changes to the other assembly: where the text would, its [start] changed.
 #[test]
 fn an_edit_keeps_the_assembly() {
     let mut session = four_bar(80, 24);
@@ -184,7 +184,7 @@ fn an_edit_keeps_the_assembly() {
     // and D meet at (158.9, 366.1) and (348.4, 55.4), which are 203 mm and 179 mm away.
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
-    assert!(line.contains("[start] follows"), "{line}");
+    assert!(line.contains("[start] changed"), "{line}");
     let screen = session.look();
     assert!(screen.contains("*C start x     158.9"), "{screen}");
     assert!(screen.contains("*C start y     366.1"), "{screen}");

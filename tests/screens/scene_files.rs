@@ -21,7 +21,7 @@ fn a_file_is_saved_with_nothing_else_changed() {
     let (file, opened) = file(&folder("scene-saved"), &text);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let line = session.press("w").last_line();
-    assert!(line.contains("nothing has changed"), "{line}");
+    assert!(line.contains("no changes to save"), "{line}");
     session
         .press("6")
         .find("r2 len")

@@ -583,9 +583,9 @@ fn what_is_given_is_told_as_it_is_given() {
         "F at (30, 40.5) mm in its frame",
         "ram slides on the frame through Q (0, 20) mm, at 0 deg",
         "the axis of ram stays at 90 deg to the guide",
-        "Positions, given",
-        "Velocities, given",
-        "Accelerations, given",
+        "Positions, with a question mark",
+        "Velocities, with a question mark",
+        "Accelerations, with a question mark",
     ] {
         assert!(sheet.contains(piece), "{piece}: {sheet}");
     }
@@ -615,7 +615,7 @@ fn a_sheet_names_all_that_it_asks() {
             // Points stand in a table of their own, and one of them tells how all are called.
             let ends = [".v", ".a", ".v.angle", ".a.angle"];
             let mut points = ends.iter().filter_map(|end| name.strip_suffix(end));
-            let is_in_table = sheet.contains("Of a point stand there")
+            let is_in_table = sheet.contains("For each point it contains")
                 && points.any(|point| sheet.contains(&format!(" {point} ? ")));
             assert!(
                 is_in_table || words.contains(&name),

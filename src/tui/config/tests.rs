@@ -192,7 +192,7 @@ fn faults_are_told_with_line_and_mend() {
             "[keys]\nplay = space",
             2,
             "not valid TOML",
-            "texts and keys are quoted",
+            "quote texts and keys",
         ),
         (
             "[keys]\nplay = \"F5\"\nplay = \"F6\"",

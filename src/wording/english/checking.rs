@@ -113,7 +113,7 @@ catalogue! {
             format!("coupled group at {point}, {}", some(unknowns, "unknown"))
         };
         closed_form = "closed form";
-        by_newton = "Newton's method";
+        by_newton = "by Newton";
         group_of_driver(driven: &str) = "driver: {driven}";
         group_of_nothing(group: &str, how: &str) = "{group} ({how})";
         group_of_link(group: &str, link: &str, how: &str) = "{group}: link {link} ({how})";

@@ -108,7 +108,7 @@ catalogue! {
             format!("bağlaşık grup, {point} noktasında, {}", some(unknowns, "bilinmeyen"))
         };
         closed_form = "kapalı form";
-        by_newton = "Newton yöntemi";
+        by_newton = "Newton ile";
         group_of_driver(driven: &str) = "tahrik: {driven}";
         group_of_nothing(group: &str, how: &str) = "{group} ({how})";
         group_of_link(group: &str, link: &str, how: &str) = "{group}: uzuv {link} ({how})";
