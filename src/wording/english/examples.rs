@@ -200,8 +200,8 @@ Examples:
 
 Every method computes positions, velocities and accelerations, and is compared with
 a computation in doubled precision. Methods that do not work for a scene are listed
-with the reason. Times are measured on this machine: keep it idle meanwhile. Stop
-with Ctrl-C.";
+with the reason. Times are measured on this machine: keep it idle meanwhile.
+Ctrl-C stops the measurement.";
         examples_of_config = "\
 Example:
   krank config > ~/.config/krank/config.toml
