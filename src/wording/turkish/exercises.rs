@@ -94,11 +94,11 @@ catalogue! {
         no_exercise(seed: u64) =
             "{seed} tohumu için ödev bulunamadı: rastgele boylar mekanizmanın gerektirdiği bağıntıları bozuyor";
         no_dimensions = "sahnede rastgele seçilebilecek boy yok";
-        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: başka bir konum seçin";
-        folder_for_many = "--count birçok dosya yazar: -o DIR ile bir klasör verin";
+        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: başka bir konum seç";
+        folder_for_many = "--count birçok dosya yazar: -o DIR ile bir klasör ver";
         seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
         would_be_lost(file: &str) =
-            "`{file}` bu ödevin yazdığı gibi değil ve içeriği kaybolurdu: başka bir klasöre yazın";
+            "`{file}` bu ödevin yazdığı gibi değil ve içeriği kaybolurdu: başka bir klasöre yaz";
         holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir satırda bir değerin adı yok";
         names_no_figure(file: &str, sheet: &str) =
             "`{file}` içinde cevap yok: hiçbir satırda `{sheet}` sahnesinin bir değeri yok";
