@@ -43,7 +43,7 @@ catalogue! {
         write_over(name: &str) = "{name} üstüne yazılsın mı?";
         write_over_changed(name: &str) = "{name} diskte değişmiş: üstüne yazılsın mı?";
         write_over_newer(name: &str) = "{name} bu değişikliklerden yeni: üstüne yazılsın mı?";
-        write_read_only(name: &str) = "{name} salt okunur: yine de yazılsın mı?";
+        write_read_only(name: &str) = "{name} salt okunur: yazılsın mı?";
 
         // Writing.
         unchanged_since_saved = "kaydedilecek değişiklik yok";
