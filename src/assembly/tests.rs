@@ -43,32 +43,32 @@ fn what_cannot_be_meant_is_told_with_what_can() {
         (
             "four-bar",
             &["X=+"][..],
-            "`X` names no group with a choice; the only one is `C`",
+            "no group `X` has a choice of assemblies; the only one is `C`",
         ),
         (
             "four-bar",
             &["c=+"],
-            "`c` names no group with a choice; did you mean `C`?",
+            "no group `c` has a choice of assemblies; did you mean `C`?",
         ),
         (
             "press",
             &["B=+"],
-            "`B` names no group with a choice; there are `C`, `F`",
+            "no group `B` has a choice of assemblies; there are `C`, `F`",
         ),
         (
             "scotch-yoke",
             &["B=+"],
-            "`B` names no group with a choice; there is none in this scene",
+            "no group `B` has a choice of assemblies; this scene has none",
         ),
         (
             "four-bar",
             &["C=1"],
-            "`C` is chosen by its sign, `C=+` or `C=-`: it is a dyad",
+            "`C` needs a sign, `C=+` or `C=-`: it is a dyad",
         ),
         (
             "stephenson-six-bar",
             &["E=+"],
-            "`E` is chosen by a number, `E=1`: it is a coupled group, and `krank check` lists its assemblies",
+            "`E` needs a number, such as `E=1`: it is a coupled group; list its assemblies with `krank check`",
         ),
         ("four-bar", &["C=+", "C=-"], "`C` is given twice"),
     ] {

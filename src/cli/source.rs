@@ -210,7 +210,7 @@ mod tests {
     fn an_unknown_name_gets_the_nearest_preset() {
         assert_eq!(
             found("forbar", false),
-            "there is no preset and no file `forbar`; did you mean the preset `four-bar`?"
+            "no preset or file is named `forbar`; did you mean the preset `four-bar`?"
         );
         assert!(found("slider", false).ends_with("did you mean the preset `slider-crank`?"));
         assert!(found("hatch", false).ends_with("it is a task: krank synthesize hatch"));

@@ -40,7 +40,7 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
         "the mobility is 2, not 1",
         "`r3` floats",
         "`r4` floats",
-        "1 constraint repeats others and holds nothing",
+        "1 constraint is redundant",
         "1 constraint is missing",
     ];
     says(&scene, &fault, &phrases);
@@ -53,9 +53,9 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     };
     let phrases = [
         "the mobility is 0, not 1: nothing can move",
-        "2 constraints repeat others and hold nothing, among link `r3`",
-        "this cannot be told for certain",
-        "take out a link or a joint",
+        "2 constraints are redundant, among link `r3`",
+        "this is not certain",
+        "remove a link or a joint",
     ];
     says(&scene, &fault, &phrases);
 }
@@ -70,9 +70,9 @@ fn an_open_loop_says_by_how_much_and_where() {
     };
     let phrases = [
         "`C` is out of reach by 12.3457 mm",
-        "`r3` has to reach it",
-        "`r4` has to reach it",
-        "the driver stands at 60 deg",
+        "`r3` must reach it",
+        "`r4` must reach it",
+        "the driver is at 60 deg",
     ];
     says(&scene, &fault, &phrases);
 }
@@ -138,7 +138,7 @@ fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() 
         points: vec![given],
         gap: 3.0,
     };
-    says(&scene, &fault, &["bring the positions in [start] nearer"]);
+    says(&scene, &fault, &["move the positions in [start] closer"]);
     let fault = Fault::NotAssembled {
         points: Vec::new(),
         gap: 3.0,
@@ -199,7 +199,7 @@ fn a_singular_group_names_its_elements() {
     says(
         &scene,
         &fault,
-        &["never determine a position", "the driver"],
+        &["determine no position", "the driver"],
     );
     let fault = Fault::Singular {
         elements: vec![ElementId::Point(point)],
@@ -208,7 +208,7 @@ fn a_singular_group_names_its_elements() {
     says(
         &scene,
         &fault,
-        &["the scene opens where", "open the scene elsewhere"],
+        &["the scene opens at a change point or a dead point", "open the scene at another"],
     );
 }
 

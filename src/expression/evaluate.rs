@@ -530,24 +530,24 @@ mod tests {
         for (text, message) in [
             (
                 "a / (0.1 + 0.2 - 0.3)",
-                "`(0.1 + 0.2 - 0.3)` is 0, and nothing is divided by that",
+                "`(0.1 + 0.2 - 0.3)` is 0: division by zero",
             ),
-            ("2 / 0", "`0` is 0, and nothing is divided by that"),
-            ("0 ^ -1", "`0` is 0, and nothing is divided by that"),
-            ("1 + sqrt(-1)", "`sqrt(-1)` is no number"),
-            ("(0 - 2) ^ 1.2", "`(0 - 2)` is no number"),
-            ("asin(1.01)", "`asin(1.01)` is no number"),
-            ("atan2(0, 0)", "`atan2(0, 0)` is no number"),
-            ("tan(90)", "`tan(90)` is no number"),
+            ("2 / 0", "`0` is 0: division by zero"),
+            ("0 ^ -1", "`0` is 0: division by zero"),
+            ("1 + sqrt(-1)", "`sqrt(-1)` has no value"),
+            ("(0 - 2) ^ 1.2", "`(0 - 2)` has no value"),
+            ("asin(1.01)", "`asin(1.01)` has no value"),
+            ("atan2(0, 0)", "`atan2(0, 0)` has no value"),
+            ("tan(90)", "`tan(90)` has no value"),
             ("1e200 * 1e200", "the number `1e200 * 1e200` is too large"),
             (
                 "1e-200 * 1e-200",
                 "the number `1e-200 * 1e-200` is too small",
             ),
-            ("b + 1", "there is no parameter `b`"),
+            ("b + 1", "unknown parameter `b`"),
             (
                 "5 mm + 3 deg",
-                "`5 mm` is in inch and `3 deg` is in deg: these do not go together",
+                "`5 mm` is in inch and `3 deg` is in deg: the units do not match",
             ),
             (
                 "5 mm * 2 mm",
@@ -556,9 +556,9 @@ mod tests {
             ("(5 mm)^2", "`(5 mm)^2` multiplies one unit by another"),
             (
                 "sqrt(4 mm)",
-                "sqrt() takes a plain number, and this is in inch: divide it by a figure of that unit",
+                "sqrt() takes a plain number, but this is in inch: divide it by a value of that unit",
             ),
-            ("sin(4 mm)", "sin() takes an angle, and this is in inch"),
+            ("sin(4 mm)", "sin() takes an angle, but this is in inch"),
         ] {
             assert_eq!(worth(text), Err(message.to_owned()), "{text}");
         }

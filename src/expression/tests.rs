@@ -104,22 +104,22 @@ fn half_a_turn_is_the_way_there_and_not_the_way_back() {
 #[test]
 fn what_does_not_go_together_is_told_with_its_place() {
     for (text, place, phrase) in [
-        ("", 0..0, "ends where a number"),
-        ("C.x +", 5..5, "ends where"),
+        ("", 0..0, "the formula ends, but a number"),
+        ("C.x +", 5..5, "the formula ends"),
         ("(C.x", 4..4, "`)`"),
         ("C.x)", 3..4, "expected"),
-        ("C.x ? 2", 4..5, "`?` is no part"),
-        ("C.x -b-c", 4..8, "or subtracted"),
+        ("C.x ? 2", 4..5, "`?` is not allowed"),
+        ("C.x -b-c", 4..8, "or a subtraction"),
         ("C.x-b-c", 0..7, "no quantity"),
         ("2 * nix", 4..7, "no quantity is named `nix`"),
-        ("sine(turn)", 0..4, "no function `sine`"),
-        ("sin(turn, turn)", 0..15, "takes 1 figure, not 2"),
+        ("sine(turn)", 0..4, "unknown function `sine`"),
+        ("sin(turn, turn)", 0..15, "takes 1 argument, not 2"),
         (
             "1 + C.x + turn",
             0..7,
             "`1` is a plain number and `C.x` is in mm",
         ),
-        ("2 * (C.x + omega)", 5..16, "do not go together"),
+        ("2 * (C.x + omega)", 5..16, "the units do not match"),
         ("turn + 90", 0..9, "write a unit"),
         ("sin(30)", 0..7, "takes an angle"),
         ("sin(C.x)", 0..8, "in mm"),
@@ -128,13 +128,13 @@ fn what_does_not_go_together_is_told_with_its_place() {
         ("C.x ^ 2.5", 0..3, "root of mm"),
         ("C.x ^ 99", 6..8, "must be a number"),
         ("C.x ^ 0", 6..7, "must be a number"),
-        ("((C.x ^ 8) ^ 8)", 0..15, "beyond all use"),
-        ("min(C.x, f)", 4..10, "do not go together"),
+        ("((C.x ^ 8) ^ 8)", 0..15, "too large an exponent"),
+        ("min(C.x, f)", 4..10, "the units do not match"),
         ("1e999 mm", 0..5, "too large"),
         (
             "1 mm deg^4 deg^4 deg^4 deg^4 deg^4 deg^4 deg^4",
             2..46,
-            "beyond all use",
+            "too large an exponent",
         ),
     ] {
         let fault = compiled(text).map(|_| ()).unwrap_err();

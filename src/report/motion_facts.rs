@@ -232,7 +232,7 @@ mod tests {
         };
         let (told, json) = check("rod = [100, 380]\n");
         assert!(
-            told.contains("goes on past the stop of rod: 32.0734124 deg, at 1.39632938 s"),
+            told.contains("passes the stop of rod: 32.0734124 deg, at 1.39632938 s"),
             "{told}"
         );
         let leaves = &json["motion"]["leaves"];
@@ -247,10 +247,10 @@ mod tests {
         assert_eq!(steps[2]["ramp"], 0.2);
         assert!(steps[0].get("ramp").is_none() && steps[0].get("knots").is_none());
         let (told, json) = check("rod = [100, 500]\n");
-        assert!(!told.contains("goes on past"), "{told}");
+        assert!(!told.contains("the motion over time passes"), "{told}");
         assert!(json["motion"]["leaves"].is_null());
         // Neither end of it is ever met.
-        assert!(told.contains("never met: rod from 100 to 500 mm"), "{told}");
+        assert!(told.contains("never reached: rod from 100 to 500 mm"), "{told}");
         assert_eq!(json["unmet"][0]["name"], "rod");
     }
 }

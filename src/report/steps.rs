@@ -331,7 +331,7 @@ mod tests {
         let away = steps("0", "1", "-0.5").unwrap_err();
         assert_eq!(
             away.to_string(),
-            "a step of -0.5 never leads from 0 to 1; a step of 0.5 does"
+            "a step of -0.5 does not lead from 0 to 1: use 0.5"
         );
         let full = steps("1", "1e9", "1").unwrap();
         assert_eq!(full.count(), 1_000_000_000);

@@ -189,7 +189,7 @@ mod tests {
     fn what_turns_freely_has_none() {
         let (text, verdict, json) = told("rod = [100, 500]\n");
         assert!(
-            text.contains("stops      never met: rod from 100 to 500 mm\n"),
+            text.contains("stops      never reached: rod from 100 to 500 mm\n"),
             "{text}"
         );
         assert_eq!(verdict, ["turns fully", "turns fully"]);

@@ -69,7 +69,7 @@ error: the scene has no links: nothing moves
          [links]
          r2 = { from = `A`, to = `B`, length = 100 }
 
-error: y of ground point `A`: `\u{202e}` is no part of a formula
+error: y of ground point `A`: `\u{202e}` is not allowed in a formula
  --> caf\u{e9}\u{1b}.toml:4:10
   |
 4 | A    = [0, `?1`] # ??

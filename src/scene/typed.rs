@@ -408,7 +408,7 @@ mod tests {
             |name: &str, text: &str| value_in(TEXT, name).typed(text).unwrap_err().to_string();
         assert_eq!(
             refused("r2 length", "long"),
-            "no number: long; type one, alone or with a unit: mm, cm, m, in"
+            "not a number: long; type one, plain or in mm, cm, m, in"
         );
         assert_eq!(
             refused("r2 length", "12 kg"),
@@ -424,14 +424,14 @@ mod tests {
         );
         assert_eq!(
             refused("r2 length", "1,500"),
-            "1,500: write digits without groups: 1234.5 or 1234,5"
+            "1,500: leave out the thousands separator: 1234.5 or 1234,5"
         );
         for (typed, why) in [
             (
                 "2 *",
-                "the formula ends where a number, a name or a bracket should follow",
+                "the formula ends, but a number, a name or a bracket must follow",
             ),
-            ("2 * (3 + 4", "the formula ends where `)` should follow"),
+            ("2 * (3 + 4", "the formula ends, but `)` must follow"),
             (
                 "2 * ) 3",
                 "character 5: expected a number, a name or a bracket, found `)`",
@@ -442,7 +442,7 @@ mod tests {
             ),
             (
                 "sqr(4)",
-                "character 1: there is no function `sqr`; did you mean `sqrt`?",
+                "character 1: unknown function `sqr`; did you mean `sqrt`?",
             ),
             ("10 kg mm^2", "kg mm^2 does not fit here: mm, cm, m, in"),
         ] {

@@ -112,45 +112,45 @@ fn every_command_withholds_forces_that_do_not_balance_says_so_and_fails() {
     for (arguments, said, shown) in [
         (
             "sweep four-bar-load --columns driver.torque,driver.torque.residual,r3.B.fx,B.x --from 0 --to 20 --step 10",
-            "in 3 of 3 rows figures are withheld; the forces at 0 deg are withheld: driver.torque.residual is",
+            "3 of 3 rows have values that are not shown: the forces at 0 deg are not shown: driver.torque.residual is",
             "\n10,,",
         ),
         (
             "sweep four-bar-load --columns driver.power --bounds --from 10 --to 10",
-            "in 1 of 1 rows figures are withheld; the forces at 10 deg are withheld: driver.torque.residual is",
+            "1 of 1 rows have values that are not shown: the forces at 10 deg are not shown: driver.torque.residual is",
             "\n10,,,ok\n",
         ),
         (
             "table four-bar-load --at 60",
-            "the forces at 60 deg are withheld: driver.torque.residual is",
+            "the forces at 60 deg are not shown: driver.torque.residual is",
             "checks miss by",
         ),
         (
             "table four-bar-load --at 60 --format json",
-            "the forces at 60 deg are withheld",
+            "the forces at 60 deg are not shown",
             "\"driver.torque\": null",
         ),
         (
             "explain four-bar-load --at 60",
-            "the forces at 60 deg are withheld",
-            "The forces at 60 deg are withheld: driver.torque.residual is",
+            "the forces at 60 deg are not shown",
+            "The forces at 60 deg are not shown: driver.torque.residual is",
         ),
         (
             "plot four-bar-load --columns driver.torque,B.x",
-            "the forces at 0 deg are withheld",
+            "the forces at 0 deg are not shown",
             "B.x",
         ),
         (
             "motor four-bar-load",
-            "are withheld: driver.torque.residual is",
+            "are not shown: driver.torque.residual is",
             "no figures: the forces at",
         ),
         (
             "motor four-bar-load --format json",
-            "are withheld: driver.torque.residual is",
+            "are not shown: driver.torque.residual is",
             "\"cycle\": null",
         ),
-        ("motor four-bar-load --format csv", "are withheld", ""),
+        ("motor four-bar-load --format csv", "are not shown", ""),
     ] {
         let done = krank(arguments);
         let out = String::from_utf8(done.stdout).unwrap();
@@ -187,7 +187,7 @@ fn every_view_that_has_forces_says_in_words_that_they_are_withheld() {
     for key in ["5", "8"] {
         let screen = look(key);
         assert!(
-            screen.contains("are withheld: driver.torque.residual is"),
+            screen.contains("are not shown: driver.torque.residual is"),
             "{key}: {screen}"
         );
         assert!(screen.contains("please report it"), "{key}: {screen}");
@@ -200,6 +200,6 @@ fn every_view_that_has_forces_says_in_words_that_they_are_withheld() {
     );
     // The working tells of it further down.
     look("7");
-    let found = (0..60).any(|_| look("PgDn").contains("are withheld: driver.torque.residual is"));
+    let found = (0..60).any(|_| look("PgDn").contains("are not shown: driver.torque.residual is"));
     assert!(found, "{}", look("7"));
 }

@@ -63,17 +63,17 @@ fn what_cannot_be_chosen_is_refused() {
         (
             2,
             "X=-",
-            "--assembly: `X` names no group with a choice; there are `C`, `F`",
+            "--assembly: no group `X` has a choice of assemblies; there are `C`, `F`",
         ),
         (2, "c=-", "did you mean `C`?"),
-        (2, "C=1", "`C` is chosen by its sign"),
+        (2, "C=1", "`C` needs a sign"),
         (2, "C=+,C=-", "`C` is given twice"),
         (2, "C:-", "write NAME=+ or NAME=-"),
         // The scene is sound; with this wish it cannot be put together.
         (
             1,
             "C=-",
-            "--assembly C=-: the linkage cannot close at the start: `F` is out of reach by",
+            "--assembly C=-: the mechanism cannot be assembled at the start: `F` is out of reach by",
         ),
     ] {
         let message = refused(code, &["table", "press", "--assembly", wish]);
@@ -86,7 +86,7 @@ fn the_numbers_of_a_coupled_group_are_told() {
     let args = ["check", "stephenson-six-bar", "--assembly", "E=3"];
     let message = refused(1, &args);
     assert!(
-        message.contains("`E` has 2 assemblies here, numbered from 1 to 2"),
+        message.contains("`E` has 2 assemblies here: choose a number from 1 to 2"),
         "{message}"
     );
 }

@@ -3,7 +3,7 @@
 use super::{command, done, folder, refused, run};
 
 /// Without a terminal the workbench is refused: that it comes so far tells that the configuration was read.
-const NO_TERMINAL: &str = "standard output is no terminal";
+const NO_TERMINAL: &str = "standard output is not a terminal";
 
 #[test]
 fn the_template_is_a_configuration() {

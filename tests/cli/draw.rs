@@ -137,7 +137,7 @@ fn where_there_is_no_assembly_it_is_said_as_by_table() {
     assert_eq!(heard.code, 0);
     assert_eq!(
         heard.err,
-        "note: there are no arrows: at a dead point there are no rates\n"
+        "note: no arrows: velocities and accelerations do not exist at a dead point\n"
     );
     assert!(heard.out.contains("/_\\"), "{}", heard.out);
 }

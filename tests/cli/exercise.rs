@@ -161,11 +161,11 @@ fn the_notes_are_graded() {
     for piece in [
         "week4\n",
         "rounded early: r3.angle as 345,5",
-        "wrong in sign",
-        "4 points of 18: 2 figures are right, 2 but for rounding",
-        "The first that differs is r3.omega: rounded early: r3.angle as 345,5.",
-        "The first mistake is r4.rate: wrong in sign.",
-        "Rows that name no figure of this scene: x.y [1] in line 7.",
+        "wrong sign",
+        "4 points of 18: 2 values are right, 2 are right except for rounding",
+        "The first difference is r3.omega: rounded early: r3.angle as 345,5.",
+        "The first mistake is r4.rate: wrong sign.",
+        "Rows that name no value of this scene: x.y [1] in line 7.",
     ] {
         let joined = told.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(joined.contains(piece.trim_end()), "{piece}\n{told}");
@@ -479,7 +479,7 @@ fn a_class_tells_its_files() {
     assert!(!heard.out.contains(['\u{1b}', '\u{7}']), "{}", heard.out);
     assert!(heard.out.contains("[31mAli"), "{}", heard.out);
     let twice = format!(
-        "Ayse is the student of more than one file: {}, {}",
+        "Ayse appears in more than one file: {}, {}",
         paths[0], paths[1]
     );
     assert!(heard.err.contains(&twice), "{}", heard.err);

@@ -77,7 +77,7 @@ fn the_scene_that_is_read_is_not_written_over() {
         ] {
             let told = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
             assert_eq!(told.code, 2, "{command} {name}: {}", told.err);
-            assert!(told.err.contains("the output is the scene"), "{}", told.err);
+            assert!(told.err.contains("the output file is the input scene"), "{}", told.err);
         }
         let told = shell(&folder, &format!("$KRANK sweep - -o {name} < scene.toml"));
         assert_eq!(told.code, 2, "{name}: {}", told.err);
@@ -441,7 +441,7 @@ fn a_file_that_another_process_writes_is_left_alone() {
         ] {
             let told = shell(&folder, &line);
             assert_eq!(told.code, 1, "{line}: {}", told.err);
-            let busy = format!("cannot write `{name}`: another program is writing there");
+            let busy = format!("cannot write `{name}`: another program is writing to it");
             assert!(told.err.contains(&busy), "{line}: {}", told.err);
             assert_eq!(fs::read_to_string(&file).unwrap(), "kept", "{line}");
         }

@@ -22,7 +22,7 @@ fn forces(text: &str) -> &str {
 fn forces_stand_below_the_motion() {
     let text = done(&["table", "four-bar-load", "--at", "60"]);
     let expected = "\
-driver r2            in all      loads     gravity    inertia
+driver r2             total      loads     gravity    inertia
 torque [N m]       -6.44714   -7.30178   0.0577280   0.796909
 power [W]          -96.7071
 

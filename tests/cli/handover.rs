@@ -120,7 +120,7 @@ fn dxf_is_in_millimetres_whatever_the_unit() {
     );
     let wrong = refused(2, &["draw", "four-bar", "--format", "dxf", "--forces"]);
     assert!(
-        wrong.contains("a drawing as dxf takes no `--forces`"),
+        wrong.contains("`--forces` does not work with `--format dxf`"),
         "{wrong}"
     );
 }
@@ -162,7 +162,7 @@ fn an_svg_to_scale_prints_at_that_scale() {
     assert!(wrong.contains("a scale is meant, as 1:2 or 5:1"), "{wrong}");
     let wrong = refused(2, &["draw", "four-bar", "--scale", "1:2"]);
     assert!(
-        wrong.contains("takes no `--scale`: that is for svg"),
+        wrong.contains("`--scale` does not work with `--format text`; use svg"),
         "{wrong}"
     );
 }

@@ -228,15 +228,15 @@ fn a_word_too_much_is_told_from_a_mistyped_command() {
     for (args, message) in [
         (
             &["chek", "four-bar"][..],
-            "error: there is no command `chek`; did you mean the command `check`?\n",
+            "error: unknown command `chek`; did you mean the command `check`?\n",
         ),
         (
             &["four-bar", "table"],
-            "error: the command comes first: `krank table SCENE`\n",
+            "error: put the command first: `krank table SCENE`\n",
         ),
         (
             &["four-bar", "press"],
-            "error: `press` is too much: krank opens one scene, and `krank --help` names its commands\n",
+            "error: unexpected argument `press`: krank opens one scene at a time; list the commands with `krank --help`\n",
         ),
     ] {
         assert_eq!(refused(2, args), message);

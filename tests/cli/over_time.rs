@@ -319,7 +319,7 @@ fn check_tells_of_the_motion_as_a_whole() {
     let path = scene("told.toml", INDEXED);
     let h = 120_f64.to_radians();
     let told = done(&["check", &path]);
-    let line = "motion     cycloidal, harmonic, in 1.1 s, 0.2 s of them at rest; at most 8.378 rad/s and 64.60 rad/s^2";
+    let line = "motion     cycloidal, harmonic, in 1.1 s, of which 0.2 s at rest; at most 8.378 rad/s and 64.60 rad/s^2";
     assert!(
         told.split_whitespace()
             .collect::<Vec<_>>()

@@ -119,7 +119,7 @@ fn what_lies_outside_the_motion_is_a_gap_and_said() {
     let Run { code, out, err } = outside("0", "360");
     assert_eq!(code, 0, "{err}");
     assert!(
-        err.contains("a part of the plot lies outside the motion"),
+        err.contains("part of the plot is outside the motion"),
         "{err}"
     );
     assert!(out.contains("C.x"));

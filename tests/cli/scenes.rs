@@ -28,8 +28,8 @@ fn a_slide_that_counts_backwards_is_told() {
     let text = presets::find("slider-crank").unwrap().text;
     let turned = text.replace("\"A\", angle = 0 }", "\"A\", angle = 180 }");
     assert_ne!(text, turned);
-    let told = "r4 is negative where the scene opens, -28.0252 cm: it counts from `through` along `angle = 180`, and its \
-                vector runs back; with `angle = 0` it is positive, at theta 180 deg, as lecture notes write it";
+    let told = "r4 is negative where the scene opens, -28.0252 cm: it is measured from `through` along `angle = 180`, and \
+                its vector points back; set `angle = 0` to make it positive, at theta 180 deg, as in lecture notes";
     // However the direction is written, the table has it from 0 to below 360.
     let down = text.replace("\"A\", angle = 0 }", "\"A\", angle = -180 }");
     let over = text.replace("\"A\", angle = 0 }", "\"A\", angle = 540 }");
@@ -109,7 +109,7 @@ fn check_names_slides_and_coupled_groups() {
 #[test]
 fn check_tells_of_redundant_constraints_and_driven_slides() {
     let heard = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
-    let line = "mobility   1, with 1 redundant constraint set aside: ";
+    let line = "mobility   1, not counting 1 redundant constraint: ";
     assert!(heard.out.contains(line), "{}", heard.out);
     let boom = done(&["check", "excavator-boom"]);
     assert!(boom.contains("groups     1. driver: slide rod\n"), "{boom}");
@@ -122,7 +122,7 @@ fn check_tells_of_redundant_constraints_and_driven_slides() {
 #[test]
 fn check_tells_what_repeats_what_and_how_well_it_fits() {
     let text = done(&["check", "triple-parallelogram"]);
-    let line = "redundant  r5 repeats r2, r3, r4; they disagree by at most ";
+    let line = "redundant  r5 repeats r2, r3, r4; they differ by at most ";
     assert!(text.contains(line), "{text}");
     let facts = json(&done(&[
         "check",
@@ -153,7 +153,7 @@ fn a_drawing_of_few_digits_is_accepted_where_the_scene_says_so() {
     let heard = run(command(&["check", "-"]).write_stdin(drawn.clone()));
     assert_eq!(heard.code, 2);
     assert!(
-        heard.err.contains("does not fit the others by 1e-5 m"),
+        heard.err.contains("misses the others by 1e-5 m"),
         "{}",
         heard.err
     );
@@ -246,7 +246,7 @@ fn a_near_miss_of_a_change_point_is_noted() {
     for args in [&["table", "-"][..], &["sweep", "-", "--to", "5"]] {
         let heard = run(command(args).write_stdin(scene.as_str()));
         assert_eq!(heard.code, 0, "{}", heard.err);
-        let note = "note: all but a change point or a dead point at 0 deg: the sine of the \
+        let note = "note: almost a change point or dead point at 0 deg: the sine of the \
                     transmission angle at C is 0.000365; the motion keeps its assembly\n";
         assert!(heard.err.starts_with(note), "{}", heard.err);
         assert_eq!(heard.err.lines().count(), 2, "at 0 and 180: {}", heard.err);
@@ -254,7 +254,7 @@ fn a_near_miss_of_a_change_point_is_noted() {
     let heard = run(command(&["check", "-"]).write_stdin(scene.as_str()));
     assert_eq!(heard.err, "");
     assert!(
-        heard.out.contains("\nnear miss  all but a change"),
+        heard.out.contains("\nnear miss  almost a change"),
         "{}",
         heard.out
     );
@@ -321,7 +321,7 @@ fn what_cannot_be_read_is_refused() {
     for (name, phrase) in [
         ("four-bra", "did you mean the preset `four-bar`?"),
         ("tabel", "did you mean the command `table`?"),
-        ("qqqqqqqqqq", "`krank list` names the presets"),
+        ("qqqqqqqqqq", "list the presets with `krank list`"),
         (
             "no/such/file.toml",
             "cannot read `no/such/file.toml`: No such file",
@@ -402,12 +402,12 @@ fn check_tells_knots_that_the_motion_never_comes_to() {
     std::fs::write(&file, text.replacen("[vectors]", load, 1)).unwrap();
     let name = file.to_str().unwrap();
     let shown = done(&["check", name]);
-    let told = "knots of `over` at P that the motion never comes to: 0 deg, 400 deg";
+    let told = "`over` of P: the motion never reaches the knots at 0 deg, 400 deg";
     assert!(shown.contains(told), "{shown}");
     let found = json(&done(&["check", name, "--format", "json"]));
     let dead = serde_json::json!([{ "on": "P", "at": [0.0, 400.0] }]);
     assert_eq!(found["dead_knots"], dead);
-    assert!(!done(&["check", "drag-link-press"]).contains("never comes to"));
+    assert!(!done(&["check", "drag-link-press"]).contains("never reaches"));
 }
 
 /// A figure is made of columns and of parameters, with their units or plain.

@@ -148,7 +148,7 @@ fn what_is_no_search_is_refused_with_a_mend() {
         ),
         (
             vec!["--vary", "r2.length", "--goal", "r4.length.stroke 3"],
-            "figure, a sign",
+            "quantity, a sign",
         ),
         (
             vec!["--vary", "r2.length", "--goal", "r4.length.stroke = 3 deg"],
@@ -197,7 +197,7 @@ fn a_figure_that_no_design_has_is_told_with_the_reason() {
     };
     let text = asked("driver.angle.ratio = 40", &[]);
     assert!(
-        text.contains("driver.angle.ratio: it turns round"),
+        text.contains("driver.angle.ratio: it turns fully"),
         "{text}"
     );
     // The number of cells is that of the heads.
@@ -209,7 +209,7 @@ fn a_figure_that_no_design_has_is_told_with_the_reason() {
         "{text}"
     );
     let found = json(&asked("driver.angle.ratio = 40", &["--format", "json"]));
-    assert_eq!(found["lacks"]["driver.angle.ratio"], "it turns round");
+    assert_eq!(found["lacks"]["driver.angle.ratio"], "it turns fully");
     let best = krank(&[
         "solve",
         "four-bar",
@@ -221,7 +221,7 @@ fn a_figure_that_no_design_has_is_told_with_the_reason() {
         "1",
     ]);
     assert!(
-        best.err.contains("driver.angle.ratio: it turns round"),
+        best.err.contains("driver.angle.ratio: it turns fully"),
         "{}",
         best.err
     );

@@ -103,7 +103,7 @@ fn a_file_is_gone_on_with() {
     }
     let done = krank(&resume);
     assert!(
-        done.err.contains("has 40 of 40 designs already"),
+        done.err.contains("already has 40 of 40 designs"),
         "{}",
         done.err
     );
@@ -116,9 +116,9 @@ fn a_file_is_gone_on_with() {
         "--resume",
     ]);
     // The last row has another crank.
-    assert!(refused(2, &other).contains("is not of this study: line 41 "));
+    assert!(refused(2, &other).contains("belongs to another study: line 41 "));
     let other = study(&["--vary", "r2.length=30..50/4", "-o", file, "--resume"]);
-    assert!(refused(2, &other).contains("is not of this study: line 1 "));
+    assert!(refused(2, &other).contains("belongs to another study: line 1 "));
     assert_eq!(fs::read_to_string(&path).unwrap(), whole);
     for wrong in [
         &["--resume"][..],
@@ -163,7 +163,7 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     let Run { code, out, err } = krank(&study(&["--vary", vary]));
     assert_eq!(code, 0);
     assert!(
-        err.contains("of 2 designs 1 do not assemble as the scene does, and 0 make no scene"),
+        err.contains("1 of 2 designs cannot be assembled like the scene, and 0 are not valid scenes"),
         "{err}"
     );
     let found = rows(&out);
@@ -202,7 +202,7 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     );
 
     assert!(
-        refused_with_rows(&study(&["--vary", "r3.length=10..20/2"])).contains("no design has any")
+        refused_with_rows(&study(&["--vary", "r3.length=10..20/2"])).contains("none of the values exists")
     );
 }
 
@@ -239,9 +239,9 @@ fn a_hypercube_is_the_same_for_the_same_seed() {
 fn what_varies_is_named_and_has_ends() {
     for (vary, message) in [
         ("r3.lenght=1..2/2", "r3.length"),
-        ("r3.length", "has no ends: write r3.length=280..320"),
-        ("r3.length=1..2/2,r3.length=3..4/2", "varies twice"),
-        ("r3.length=1..2/0", "does not say how a value varies"),
+        ("r3.length", "has no limits: write r3.length=280..320"),
+        ("r3.length=1..2/2,r3.length=3..4/2", "is given twice"),
+        ("r3.length=1..2/0", "is not a valid range"),
         (
             "r3.length=1..2/4000000000,r2.length=1..2/10",
             "more than 10^9 designs",
@@ -290,7 +290,7 @@ fn json_and_text_say_the_same() {
     let Run { code, out, err } = krank(&study(&[&vary[..], &["text"]].concat()));
     assert_eq!(code, 0);
     assert_eq!(out.lines().count(), 3);
-    let told = format!("greatest {stroke:.4} mm at r2.length = 40.0000 mm");
+    let told = format!("maximum {stroke:.4} mm at r2.length = 40.0000 mm");
     assert!(err.contains(&told), "{told}: {err}");
 }
 

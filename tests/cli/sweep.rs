@@ -143,7 +143,7 @@ fn rows_outside_the_motion_are_empty_and_noted() {
     assert_eq!(rows[0], ["0", "", "", "", "", "", "", "no-assembly"]);
     assert_eq!(rows[1][7], "ok");
     assert!(
-        err.starts_with("note: 1 of 3 rows lie outside the motion"),
+        err.starts_with("note: 1 of 3 rows are outside the motion"),
         "{err}"
     );
     assert!(err.contains("36.8698976458"), "{err}");
@@ -162,7 +162,7 @@ fn a_sweep_without_any_value_ends_with_1() {
     assert_eq!(run.code, 1);
     assert!(
         run.err
-            .starts_with("error: no row of the sweep lies within the motion"),
+            .starts_with("error: no row of the sweep is within the motion"),
         "{}",
         run.err
     );
@@ -195,7 +195,7 @@ fn what_makes_no_sweep_is_refused() {
         (&["--columns", "C.x,E.*"], "`E.*`"),
         (
             &["--columns", "C.x.bound"],
-            "`C.x.bound`; name `C.x`, and --bounds puts `C.x.bound` behind it",
+            "`C.x.bound`; name `C.x`: --bounds adds `C.x.bound`",
         ),
         (&["--columns", ""], "no quantity is named"),
     ] {
@@ -357,14 +357,14 @@ fn errors_that_cannot_be_told_are_empty_and_counted() {
     assert!(
         heard
             .err
-            .starts_with("note: 3 of 5 figures have no bound: "),
+            .starts_with("note: 3 of 5 values have no error bound: "),
         "{}",
         heard.err
     );
     assert!(
         heard
             .err
-            .contains("note: in 3 of 5 rows the figures have no derivatives"),
+            .contains("note: in 3 of 5 rows no derivatives by the lengths exist"),
         "{}",
         heard.err
     );
@@ -567,12 +567,12 @@ fn formulas_that_are_wrong_say_why() {
     let sweep = |columns| refused(2, &["sweep", "four-bar", "--to", "0", "--columns", columns]);
     for (columns, phrase) in [
         ("x = C.x + C.vx", "`C.x` is in mm and `C.vx` is in mm/s"),
-        ("x = r4.angle + 90", "write a unit behind the number"),
-        ("x = C.x-C.y", "between blanks"),
+        ("x = r4.angle + 90", "write a unit after the number"),
+        ("x = C.x-C.y", "put blanks around `-`"),
         ("x = r4.omgea * 2", "did you mean `r4.omega`?"),
-        ("C = C.x", "names something else already"),
-        ("x = C.ax,x.rate", "no rate of C.ax is known"),
-        ("= C.x", "behind a name and `=`"),
+        ("C = C.x", "is already in use"),
+        ("x = C.ax,x.rate", "the rate of C.ax is not known"),
+        ("= C.x", "a name and `=`"),
         (
             "pi = C.x",
             "the name `pi` is reserved; columns use `driver`,",
@@ -658,7 +658,7 @@ fn a_sweep_ends_at_the_stops_with_all_rates() {
     assert!(swept.iter().all(|row| row[3] == "ok" && !row[2].is_empty()));
     let past = refused(1, &["table", scene, "--at", "120"]);
     assert!(
-        past.contains("a stop of rod ends the motion before 120 deg"),
+        past.contains("the stop of rod ends the motion before 120 deg"),
         "{past}"
     );
 }

@@ -125,12 +125,12 @@ fn where_there_is_no_sensitivity_it_is_said() {
     assert!(
         heard
             .err
-            .starts_with("note: the figures have no derivatives"),
+            .starts_with("note: no derivatives by the lengths"),
         "{}",
         heard.err
     );
     let text = krank(&["table", "triple-parallelogram", "--sensitivity"]).out;
-    assert!(text.contains("change for 1 mm: the figures have"), "{text}");
+    assert!(text.contains("change for 1 mm: no derivatives"), "{text}");
     assert!(text.lines().all(|line| line.len() <= 80), "{text}");
 }
 
@@ -174,7 +174,7 @@ fn where_no_bound_is_proved_it_is_said() {
     let heard = krank(&args);
     assert_eq!(heard.code, 0);
     assert!(
-        heard.err.contains(" figures have no bound: "),
+        heard.err.contains(" values have no error bound: "),
         "{}",
         heard.err
     );
@@ -485,7 +485,7 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
     for at in ["60", "-300", "780"] {
         let heard = table(at);
         assert!(heard.out.contains("driver r2 at 420 deg"), "{}", heard.out);
-        let note = format!("note: {at} deg is taken as 420 deg: the driver covers 396.8698976458");
+        let note = format!("note: using 420 deg instead of {at} deg: the driver covers 396.8698976458");
         assert!(heard.err.contains(&note), "{}", heard.err);
     }
     assert!(!table("420").err.contains("taken as"));

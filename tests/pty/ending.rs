@@ -60,7 +60,7 @@ fn a_panic_is_told_after_the_terminal_was_put_back() {
     // A backtrace would push the message off the screen.
     let mut session = setup.env("RUST_BACKTRACE", "0").start();
     assert!(!session.ended_as_found().success());
-    session.wait_for("krank is broken: KRANK_FAULT=panic");
+    session.wait_for("internal error: KRANK_FAULT=panic");
 }
 
 /// While the main thread computes, another one hears what ends the program.
@@ -138,7 +138,7 @@ fn a_full_disk_leaves_the_file_as_it_was() {
     session.wait_for("Enter edit").send(">");
     session.wait_for("edits are not kept").send("w");
     session
-        .wait_for("not written, a file may not be so large")
+        .wait_for("not written, the file is too large")
         .send("\x03");
     session.ended_as_found();
     assert_eq!(std::fs::read(&scene).unwrap(), before);

@@ -20,7 +20,7 @@ fn pixels_that_are_not_built_in_are_told_in_the_workbench_too() {
     for wish in ["kitty", "auto"] {
         let mut session = Setup::krank(&["four-bar", "--picture", wish]).start();
         session.wait_for("60.00 deg").send("V");
-        session.wait_for("built without pictures").send("q");
+        session.wait_for("built without the feature").send("q");
         assert!(session.ended_as_found().success());
     }
 }
@@ -77,7 +77,7 @@ mod sent {
                 !seen.rows().join("").contains("60.00 deg")
             });
             session.send("V");
-            session.wait_for("any key takes it away");
+            session.wait_for("any key closes it");
             session.wait_until("the picture", |seen| {
                 has(&seen.bytes, begins) && seen.bytes.ends_with(ends)
             });
@@ -116,12 +116,12 @@ mod sent {
         let arguments = ["four-bar", "--picture", "sixel"];
         let mut session = Setup::krank(&arguments).manner(Manner::Slow).start();
         session.wait_for("-3.9164").send("V");
-        session.wait_for("on this line; V again sends it");
+        session.wait_for("on this line; press V again");
         session.send(".");
         session.wait_for("65.00 deg");
         assert!(!has(&session.seen.lock().unwrap().bytes, begins));
         session.send("V");
-        session.wait_for("on this line; V again sends it").send("V");
+        session.wait_for("on this line; press V again").send("V");
         session.wait_until("the picture begins", |seen| has(&seen.bytes, begins));
         session.hurry();
         session.send("q");

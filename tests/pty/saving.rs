@@ -310,7 +310,7 @@ fn saving_that_takes_long_keeps_no_key_waiting() {
     session.wait_for("writing mine.toml").send("1.");
     session.wait_for("65.00 deg");
     // It gives up, and nothing is lost.
-    session.wait_for("another program is writing there");
+    session.wait_for("another program is writing to it");
     session.send("w");
     session.wait_for("writing mine.toml");
     flock(&lock, FlockOperation::Unlock).unwrap();

@@ -54,7 +54,7 @@ fn what_does_not_fit_on_the_disk_leaves_nothing_behind() {
     );
     let mut session = Setup::script(&script).start();
     session.wait_for("> ").send("Y\r");
-    session.wait_for("not written: a file may not be so large");
+    session.wait_for("not written: the file is too large");
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
     // What was asked for is still there to be written elsewhere.
     session.wait_for("write to: jansen-leg-").send("\x1b");

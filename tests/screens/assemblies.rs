@@ -126,12 +126,12 @@ fn a_preset_is_saved_under_a_name_that_is_typed() {
     assert!(std::fs::read_to_string(&file).unwrap().contains("[start]"));
     // It is the scene's own file now.
     let line = session.press("w").last_line();
-    assert!(line.contains("nothing has changed"), "{line}");
+    assert!(line.contains("no changes to save"), "{line}");
     // Another scene does not write over it unasked.
     let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
     other.press("w Ctrl-U").press(&keys.join(" "));
     let screen = other.press("Enter").look();
-    assert!(screen.contains("write over new.toml?"), "{screen}");
+    assert!(screen.contains("overwrite new.toml?"), "{screen}");
     other.press("Esc");
     assert!(
         !std::fs::read_to_string(&file)

@@ -234,7 +234,7 @@ fn it_ends_by_its_key_and_with_the_scene() {
         session
             .press("D")
             .last_line()
-            .contains("no longer compared")
+            .contains("comparison ended")
     );
     // The message goes with the next key.
     assert_eq!(session.press("Esc").look(), before);

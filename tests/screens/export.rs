@@ -147,7 +147,7 @@ fn what_does_not_exist_is_an_empty_cell() {
         session.look()
     );
     let line = session.press("y v").last_line();
-    assert!(line.ends_with("there is no value to copy"), "{line}");
+    assert!(line.ends_with("no value to copy"), "{line}");
     assert_eq!(session.workbench.take_sent(), b"");
     session.press("y r");
     let row = on_clipboard(&session.workbench.take_sent());
@@ -215,13 +215,13 @@ fn no_file_is_written_over_unasked() {
         " write  write to: four-bar-60.csv    Enter write  Esc cancel"
     );
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
-    let asked = ["write over kept.csv?", "Enter write Esc cancel"];
+    let asked = ["overwrite kept.csv?", "Enter write Esc cancel"];
     assert_told(&session.press("Enter").look(), &asked);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     session.press("Y Ctrl-U").type_in(file.to_str().unwrap());
     let line = session.press("Enter").pass(1.0).press("Enter").last_line();
-    assert!(line.contains("the figures written to"), "{line}");
+    assert!(line.contains("the values written to"), "{line}");
     assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
     // A folder is no file.
     session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
@@ -290,7 +290,7 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
         "{svg}"
     );
     let line = session.press("2 S").last_line();
-    assert!(line.contains("there is no drawing in this view"), "{line}");
+    assert!(line.contains("this view has no drawing"), "{line}");
 }
 
 /// The ending of the name that is typed says how a report is written.

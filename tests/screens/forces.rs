@@ -224,8 +224,8 @@ fn at_a_dead_point_no_force_is_shown_as_a_number() {
     let mut session = session("excavator-boom", 80, 24);
     // Further steps than there is way.
     let shown = session.press("5 ] ] ] ] ] . . . . . . . .").body();
-    let none = "No force of the driver exists here: at a dead point it cannot move the linkage, and what \
-                would hold that, in the joints too, grows beyond all bounds.";
+    let none = "No force of the driver exists here: at a dead point the driver cannot move the mechanism, and \
+                the forces grow without bound.";
     assert_eq!(said(&shown), none);
     let line = " forces  3.0382305285 m  dead point: no rates  the motion ends here";
     assert_eq!(session.last_line(), line);
@@ -239,8 +239,8 @@ fn at_a_change_point_the_torque_is_all_there_is() {
     let shown = session.press("g").type_in("0").press("Enter").body();
     let all = "driver torque loads gravity inertia power N m N m N m N m W \
                r2 1.000000 1.000000 0.000000 0.000000 1.000000 \
-               Of the forces only the driver's torque has a value here: at a change point the links lie \
-               so that any force can run round among them.";
+               Of the forces only the driver's torque has a value here: at a change point, the links can \
+               carry internal forces of any size.";
     assert_eq!(said(&shown), all);
     let line = session.last_line();
     assert!(

@@ -72,7 +72,7 @@ fn what_follows_from_a_formula_is_not_nudged_but_typed() {
     let mut session = session(120, 30);
     session.press("6").find("r3 len").press(">");
     let said = session.last_line();
-    let told = "r3 length follows from rod: change rod, or type another by Enter";
+    let told = "r3 length is given by rod: change rod, or press Enter to edit";
     assert!(said.contains(told), "{said}");
     assert_eq!(row(&mut session), "> r3 length 300 mm = rod");
     session
@@ -82,7 +82,7 @@ fn what_follows_from_a_formula_is_not_nudged_but_typed() {
     assert_eq!(row(&mut session), ">*r3 length 310 mm rod");
     session.press("Enter").type_in("3 * b").press("Enter");
     let said = session.last_line();
-    assert!(said.contains("there is no parameter `b`"), "{said}");
+    assert!(said.contains("unknown parameter `b`"), "{said}");
     session
         .press("Esc")
         .press("Enter")
@@ -106,7 +106,7 @@ fn gathered_edits_are_made_and_taken_back_as_one() {
         .press("Enter");
     assert!(session.last_line().contains("out of reach by"));
     session.press("Esc").press("b");
-    assert!(session.look().contains("edits wait from now on"));
+    assert!(session.look().contains("edits are staged"));
     session.press("Enter").type_in("1000").press("Enter");
     assert_eq!(row(&mut session), ">+r3 length 1000 mm");
     session
@@ -118,24 +118,24 @@ fn gathered_edits_are_made_and_taken_back_as_one() {
         .press(">");
     let waiting = row(&mut session);
     assert!(waiting.starts_with(">+D x 1104"), "{waiting}");
-    assert!(session.look().contains("2 edits wait"));
+    assert!(session.look().contains("2 staged"));
     // Nothing has changed so far, and nothing else is begun meanwhile.
     for key in ["w", "u", "q", "o"] {
         let line = session.press(key).last_line();
         assert!(
-            line.contains("edits wait: b makes them together, Esc drops them"),
+            line.contains("staged edits: b applies them, Esc discards them"),
             "{line}"
         );
     }
     let line = session.press("b").last_line();
-    assert!(line.contains("2 edits made together"), "{line}");
+    assert!(line.contains("2 edits applied"), "{line}");
     assert_eq!(row(&mut session), ">*D x 1104 mm 400");
     assert_eq!(row(session.find("r3 len")), ">*r3 length 1000 mm 300");
     assert!(
         session
             .press("u")
             .last_line()
-            .contains("r3 length, D x taken back")
+            .contains("r3 length, D x undone")
     );
     assert_eq!(row(&mut session), "> r3 length 300 mm");
     assert_eq!(session.find("A x").press("Esc {").look(), before);
@@ -153,7 +153,7 @@ fn a_formula_that_waits_is_shown_and_so_are_the_keys_that_make_it() {
         .press("Enter Esc");
     assert_eq!(row(&mut session), ">+r3 length mm = 3 * a");
     let keys = session.last_line();
-    assert!(keys.contains("b make  Esc drop"), "{keys}");
+    assert!(keys.contains("b apply  Esc drop"), "{keys}");
     session.press("Enter").type_in("301").press("Enter");
     assert_eq!(row(&mut session), ">+r3 length 301 mm");
     let keys = session.press("b u").last_line();
@@ -179,7 +179,7 @@ fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
         session
             .press("b b")
             .last_line()
-            .contains("made at once again")
+            .contains("edits apply immediately")
     );
     assert_eq!(row(session.press(">")), ">*r3 length 302 mm 300");
 }
@@ -193,23 +193,23 @@ fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
     session.find("D x").press("Enter").type_in("1099");
     session.press("Enter");
     let line = session.press("Esc").last_line();
-    let told = "the edits that waited are dropped; u brings them back";
+    let told = "discarded the staged edits; u restores them";
     assert!(line.contains(told), "{line}");
     assert_eq!(row(&mut session), "> D x 400 mm = 4 * a");
-    // What was edited since is taken back before.
+    // What was edited since is undone before.
     session.find("r4 len").press("> u");
-    assert!(session.last_line().contains("r4 length taken back"));
+    assert!(session.last_line().contains("r4 length undone"));
     let line = session.press("u").last_line();
-    assert!(line.contains("edits wait: b makes them together"), "{line}");
+    assert!(line.contains("staged edits: b applies them"), "{line}");
     assert_eq!(row(session.find("D x")), ">+D x 1099 mm");
     assert_eq!(row(session.find("r3 len")), ">+r3 length 1000 mm");
     let line = session.press("b u").last_line();
-    assert!(line.contains("r3 length, D x taken back"), "{line}");
+    assert!(line.contains("r3 length, D x undone"), "{line}");
     let line = session.press("u").last_line();
-    assert!(line.contains("no edit to take back"), "{line}");
+    assert!(line.contains("nothing to undo"), "{line}");
     // To gather nothing is nothing that could be had back.
     let line = session.press("b Esc").last_line();
-    assert!(line.contains("edits are made at once again"), "{line}");
+    assert!(line.contains("edits apply immediately"), "{line}");
 }
 
 /// The goals that the manual and the help of commands give as examples.
@@ -341,5 +341,5 @@ fn a_goal_that_no_design_can_be_told_of_has_its_reason() {
     session.press("6").find("r4 len").press("@");
     session.type_in("driver.angle.ratio = 2").press("Enter");
     let said = session.look();
-    assert!(said.contains("it turns round"), "{said}");
+    assert!(said.contains("it turns fully"), "{said}");
 }

@@ -101,8 +101,8 @@ fn every_layer_goes_as_it_came() {
     let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
     let before = session.body();
     for (key, name) in [
-        ("v", "arrows of velocity on"),
-        ("A", "arrows of acceleration on"),
+        ("v", "velocity arrows on"),
+        ("A", "acceleration arrows on"),
         ("T", "traces on"),
         ("G", "other positions on"),
         ("c", "centres of mass on"),

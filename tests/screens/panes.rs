@@ -271,7 +271,7 @@ fn lists_go_to_their_ends_and_are_searched() {
 fn what_a_pane_does_not_take_goes_to_the_drawing_beside_it() {
     let mut session = four_bar(120, 40);
     let line = session.press("2 v").last_line();
-    assert!(line.contains("arrows of velocity on"), "{line}");
+    assert!(line.contains("velocity arrows on"), "{line}");
     // Alone, there is nothing that could take it, and that is said.
     let line = session.press("O v").last_line();
     assert!(
@@ -291,7 +291,7 @@ fn commands_are_listed_and_searched_loosely() {
         assert_eq!(session.press("Esc").body(), before);
         session.press(":").type_in("velocit").press("Enter");
         let line = session.last_line();
-        assert!(line.contains("arrows of velocity on"), "{line}");
+        assert!(line.contains("velocity arrows on"), "{line}");
         // What belongs to another view leads there.
         session.press(":").type_in("choose plots").press("Enter");
         assert!(session.look().contains("plot what?"));

@@ -167,7 +167,7 @@ fn empty_states_say_why_and_what_to_do() {
         let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
         let nothing = session.press("3 x c Esc").look();
         assert!(nothing.contains("nothing is plotted yet"), "{nothing}");
-        assert!(nothing.contains("x  choose what is plotted"), "{nothing}");
+        assert!(nothing.contains("x  choose what to plot"), "{nothing}");
         // The road leads on.
         assert!(session.press("x Enter Esc").look().contains("* r2."));
     }

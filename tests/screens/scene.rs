@@ -108,7 +108,7 @@ fn what_cannot_be_leaves_the_last_good_state() {
         ("5 kg", "kg does not fit here: mm, cm, m, in"),
         (
             "much",
-            "no number: much; type one, alone or with a unit: mm, cm, m, in",
+            "not a number: much; type one, plain or in mm, cm, m, in",
         ),
     ] {
         let line = session
@@ -139,12 +139,12 @@ fn nudges_follow_the_step_and_are_taken_back_as_one() {
     assert_eq!(session.row(), ">*r2 length 103.5 mm 100");
     assert!(session.look().contains("nudge by 0.5 mm"));
     let line = session.press("u").last_line();
-    assert!(line.contains("r2 length taken back"), "{line}");
+    assert!(line.contains("r2 length undone"), "{line}");
     assert_eq!(session.row(), "> r2 length 100 mm");
     session.press("Ctrl-R");
     assert_eq!(session.row(), ">*r2 length 103.5 mm 100");
     let line = session.press("Ctrl-R").last_line();
-    assert!(line.contains("no edit to make again"), "{line}");
+    assert!(line.contains("nothing to redo"), "{line}");
     // Other views show the linkage with its new crank.
     let tables = session.press("2").look();
     assert!(tables.contains("103.5"), "{tables}");
@@ -176,7 +176,7 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
     assert!(line.contains("90.00 deg"), "{line}");
 }
 
-/// An edit never changes to the other assembly: where the text would, its [start] follows.
+/// An edit never changes to the other assembly: where the text would, its [start] changed.
 #[test]
 fn an_edit_keeps_the_assembly() {
     let mut session = four_bar(80, 24);
@@ -184,7 +184,7 @@ fn an_edit_keeps_the_assembly() {
     // and D meet at (158.9, 366.1) and (348.4, 55.4), which are 203 mm and 179 mm away.
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
-    assert!(line.contains("[start] follows"), "{line}");
+    assert!(line.contains("[start] changed"), "{line}");
     let screen = session.look();
     assert!(screen.contains("*C start x     158.9"), "{screen}");
     assert!(screen.contains("*C start y     366.1"), "{screen}");
@@ -276,7 +276,7 @@ proptest! {
             session.press("u");
         }
         let line = session.last_line();
-        prop_assert!(line.contains("no edit to take back"), "{}", line);
+        prop_assert!(line.contains("nothing to undo"), "{}", line);
         let changed = format!("{}*", preset.name);
         let screen = session.press("1").look();
         prop_assert!(!screen.contains(&changed), "{}", screen);

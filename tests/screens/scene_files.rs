@@ -21,7 +21,7 @@ fn a_file_is_saved_with_nothing_else_changed() {
     let (file, opened) = file(&folder("scene-saved"), &text);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let line = session.press("w").last_line();
-    assert!(line.contains("nothing has changed"), "{line}");
+    assert!(line.contains("no changes to save"), "{line}");
     session
         .press("6")
         .find("r2 len")
@@ -83,13 +83,13 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     .unwrap();
     wait(&mut session);
     let line = session.press("[").last_line();
-    assert!(line.contains("mine.toml was read again"), "{line}");
+    assert!(line.contains("mine.toml reloaded"), "{line}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
     // Broken meanwhile: the last good state stays until it is mended.
     std::fs::write(&file, "[ground]\nA = [0").unwrap();
     wait(&mut session);
     let screen = said(&session.press("[").look());
-    let told = "mine.toml is broken, not shown: ";
+    let told = "mine.toml invalid, not shown: ";
     assert!(screen.contains(told), "{screen}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
     std::fs::write(
@@ -113,7 +113,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     assert!(line.contains("has changed on disk: R reads it"), "{line}");
     assert_eq!(session.row(), edited);
     let asked = [
-        "mine.toml has changed on disk: write over it?",
+        "mine.toml has changed on disk: overwrite it?",
         "Enter write Esc cancel",
     ];
     assert_told(&session.press("w").look(), &asked);
@@ -242,7 +242,7 @@ fn edits_that_waited_are_offered_too() {
         assert!(screen.contains(part), "{screen}");
     }
     let line = session.press("t").last_line();
-    assert!(line.contains("edits wait: b makes them together"), "{line}");
+    assert!(line.contains("staged edits: b applies them"), "{line}");
     let row = |session: &mut Session, name| {
         let row = session.find(name).row();
         row.trim_end_matches(" |").to_owned()
@@ -259,7 +259,7 @@ fn edits_that_waited_are_offered_too() {
     let mut session = begin();
     session.press("t").find("r3 len").press("Enter");
     session.type_in("302").press("Enter b");
-    assert!(session.last_line().contains("2 edits made together"));
+    assert!(session.last_line().contains("2 edits applied"));
     drop(session);
     let screen = begin().press("c").look();
     assert!(
@@ -324,7 +324,7 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
     let mut session = begin();
     let screen = session.look();
     assert!(screen.contains("made on another text"), "{screen}");
-    let asked = ["mine.toml is newer than these edits: write over", "it?"];
+    let asked = ["mine.toml is newer than these edits: overwrite", "it?"];
     assert_told(&session.press("t w").look(), &asked);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
@@ -345,7 +345,7 @@ fn a_read_only_file_is_asked_about() {
     std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let screen = session.press("6").find("r2 len").press("> w").look();
-    assert_told(&screen, &["mine.toml is read-only: write it?"]);
+    assert_told(&screen, &["mine.toml is read-only: overwrite?"]);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
     session.press("w").pass(1.0).press("Enter");
@@ -373,7 +373,7 @@ fn a_point_that_is_gone_is_followed_no_longer() {
     assert_ne!(without, named);
     std::fs::write(&file, &without).unwrap();
     let line = session.press("R").last_line();
-    assert!(line.contains("was read again"), "{line}");
+    assert!(line.contains("reloaded"), "{line}");
     // It comes back with the reading that is taken back, and is not followed by that.
     session.press("u");
     let line = session.press("s").last_line();

@@ -133,5 +133,5 @@ fn a_file_that_is_gone_is_not_offered() {
     session.press("Esc");
     std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
     let line = session.press("R").last_line();
-    assert!(line.contains("a.toml is gone: w writes it again"), "{line}");
+    assert!(line.contains("a.toml deleted: w saves it again"), "{line}");
 }

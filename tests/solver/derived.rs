@@ -228,7 +228,7 @@ fn rates_of_formulas_are_exact() {
         .select(&["share.rate"])
         .unwrap_err()
         .to_string();
-    assert!(told.contains("no rate of C.ax is known"), "{told}");
+    assert!(told.contains("the rate of C.ax is not known"), "{told}");
 }
 
 #[test]

@@ -112,7 +112,7 @@ fn the_slip_of_sign_of_week_4_is_told() {
         told("slider-crank", notes),
         [
             "r3.angle -14.47: cut off, not rounded",
-            "r4.length -28: wrong in sign",
+            "r4.length -28: wrong sign",
         ]
     );
     // The other root, with the angle that belongs to it.
@@ -169,14 +169,14 @@ fn each_mistake_has_its_name() {
         ("r3.angle 0.5128", "in rad"),
         ("r3.angle 29,379 deg", "right"),
         ("r3.angle 389.379", "right"),
-        ("r3.angle 209.379", "the other way round"),
-        ("r3.angle -29.379", "wrong in sign"),
+        ("r3.angle 209.379", "opposite direction"),
+        ("r3.angle -29.379", "wrong sign"),
         ("r3.angle 35", "wrong"),
         ("r3.angle 29", "too few digits"),
         ("r3.angle no", "no figure"),
         ("r3.omega -37.40", "in rpm"),
         ("r3.omega -224.4", "in deg/s"),
-        ("r3.omega 3.916", "wrong in sign"),
+        ("r3.omega 3.916", "wrong sign"),
         ("r3.omega -4", "wrong"),
         ("r3.omega -3.9", "too few digits"),
         ("r3.omega -37.4 rpm", "right"),
@@ -345,7 +345,7 @@ fn a_small_direction_has_a_sign_and_a_unit() {
     assert!(small.abs() < 0.03, "{small}");
     for (answer, verdict) in [
         (format!("{small:.6}"), "right"),
-        (format!("{:.6}", -small), "wrong in sign"),
+        (format!("{:.6}", -small), "wrong sign"),
         (format!("{:.8}", small.to_radians()), "in rad"),
         (format!("{:.6}", 1.4 * small), "rounded early"),
     ] {
@@ -411,7 +411,7 @@ fn the_other_assembly_of_a_four_bar_is_known() {
     let r3 = scene.mechanism.link_ids().nth(1).unwrap();
     let angle = other.state.angle(r3).unwrap();
     let told = told("four-bar", &format!("r3.angle {angle:.3}"));
-    assert_eq!(told, [format!("r3.angle {angle:.3}: of another assembly")]);
+    assert_eq!(told, [format!("r3.angle {angle:.3}: other assembly")]);
 }
 
 /// The exact figures of every preset, to six digits, are right; and none is asked for twice.
@@ -577,15 +577,15 @@ fn what_is_given_is_told_as_it_is_given() {
     let scene = Scene::parse(text, "test").unwrap();
     let sheet = sheet_of(&scene);
     for piece in [
-        "r2 stands at 40 deg, with 35 rpm (3.66519 rad/s) and 0 rad/s^2",
-        "E 200 mm from C, at 72 deg to the link's axis",
-        "r3.com 150 mm from B, at 4 deg to the link's axis",
+        "r2 is at 40 deg, with 35 rpm (3.66519 rad/s) and 0 rad/s^2",
+        "E 200 mm from C, at 72 deg to the axis of the link",
+        "r3.com 150 mm from B, at 4 deg to the axis of the link",
         "F at (30, 40.5) mm in its frame",
         "ram slides on the frame through Q (0, 20) mm, at 0 deg",
         "the axis of ram stays at 90 deg to the guide",
-        "Positions, given",
-        "Velocities, given",
-        "Accelerations, given",
+        "Positions, with a question mark",
+        "Velocities, with a question mark",
+        "Accelerations, with a question mark",
     ] {
         assert!(sheet.contains(piece), "{piece}: {sheet}");
     }
@@ -615,7 +615,7 @@ fn a_sheet_names_all_that_it_asks() {
             // Points stand in a table of their own, and one of them tells how all are called.
             let ends = [".v", ".a", ".v.angle", ".a.angle"];
             let mut points = ends.iter().filter_map(|end| name.strip_suffix(end));
-            let is_in_table = sheet.contains("Of a point stand there")
+            let is_in_table = sheet.contains("For each point it contains")
                 && points.any(|point| sheet.contains(&format!(" {point} ? ")));
             assert!(
                 is_in_table || words.contains(&name),

@@ -487,11 +487,11 @@ fn a_formula_is_shown_and_replaced_and_every_other_byte_stays() {
     let refused = |name: &str, typed: &str| named(name).typed(typed).unwrap_err().to_string();
     assert_eq!(
         refused("a", "2 * cranck"),
-        "there is no parameter `cranck`; did you mean `crank`?"
+        "unknown parameter `cranck`; did you mean `crank`?"
     );
     assert_eq!(
         refused("a", "1 / (n - 30)"),
-        "`(n - 30)` is 0, and nothing is divided by that"
+        "`(n - 30)` is 0: division by zero"
     );
     assert_eq!(
         refused("r3 length", "12 kg"),

@@ -70,8 +70,8 @@ fn goals_are_converted_to_the_unit_of_their_figure() {
     }
     for (text, told) in [
         ("r4.length.stroke = 5 kg", "has the unit cm, not kg"),
-        ("r4.length.ratio = 5 mm", "is a plain number, not in mm"),
-        ("r4.length.stroke = long", "is no goal"),
+        ("r4.length.ratio = 5 mm", "has no unit, not mm"),
+        ("r4.length.stroke = long", "is not a goal"),
     ] {
         let why = number(text).unwrap_err().to_string();
         assert!(why.contains(told), "{why}");

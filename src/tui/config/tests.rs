@@ -90,24 +90,24 @@ fn faults_are_told_with_line_and_mend() {
             "[keys]\ncoffee-with-milk = \"F5\"",
             2,
             "unknown action",
-            "`krank config` lists all actions",
+            "list the actions with `krank config`",
         ),
         (
             "[keys]\nplay = \"spcae\"",
             2,
-            "no key is called `spcae`",
+            "no key is named `spcae`",
             "did you mean `space`?",
         ),
         (
             "[keys]\nplay = \"ctrl-p\"",
             2,
-            "no key is called `ctrl-p`",
+            "no key is named `ctrl-p`",
             "did you mean `Ctrl-P`?",
         ),
         (
             "[keys]\nplay = \"\u{e4}\"",
             2,
-            "no key is called",
+            "no key is named",
             "a printable ASCII character",
         ),
         (
@@ -126,30 +126,30 @@ fn faults_are_told_with_line_and_mend() {
             "[keys]\nquit = []",
             2,
             "`quit` must have a key",
-            "by default it has q",
+            "default: q",
         ),
         (
             "[keys]\nhelp = []",
             2,
             "`help` must have a key",
-            "by default it has ? F1",
+            "default: ? F1",
         ),
         (
             "[keys]\nleave = \"F9\"",
             2,
-            "[keys]: `leave` keeps its key",
-            "Ctrl-C always leaves",
+            "[keys]: the key of `leave` is fixed",
+            "Ctrl-C always quits",
         ),
         (
             "[keys]\nback = \"F9\"",
             2,
-            "[keys]: `back` keeps its key",
+            "[keys]: the key of `back` is fixed",
             "Esc always goes back",
         ),
         (
             "[keys]\nplay = \"Ctrl-C\"",
             2,
-            "Ctrl-C always leaves",
+            "Ctrl-C always quits",
             "choose another key",
         ),
         (
@@ -167,32 +167,32 @@ fn faults_are_told_with_line_and_mend() {
         (
             "[keys]\nplay = \"n\"",
             2,
-            "the key n is given to `play` and to `next`",
+            "the key n is assigned to both `play` and `next`",
             "or none: next = []",
         ),
         (
             "[keys]\nplay = \"F5\"\nnext = \"F5\"",
             3,
-            "the key F5 is given to `play` and to `next`",
+            "the key F5 is assigned to both `play` and `next`",
             "",
         ),
         (
             "[keys]\nplay = [\"F5\", \"F5\"]",
             2,
-            "the key F5 is given to `play` twice",
+            "the key F5 is assigned to `play` twice",
             "",
         ),
         (
             "[keys]\nsave = \"m\"",
             2,
-            "the key m is given to `extrema` and to `save`",
+            "the key m is assigned to both `extrema` and `save`",
             "extrema = []",
         ),
         (
             "[keys]\nplay = space",
             2,
             "not valid TOML",
-            "texts and keys are quoted",
+            "quote texts and keys",
         ),
         (
             "[keys]\nplay = \"F5\"\nplay = \"F6\"",
@@ -207,7 +207,7 @@ fn faults_are_told_with_line_and_mend() {
         };
         assert_eq!(faults.items.len(), 1, "{text:?}: {faults}");
         let fault = &faults.items[0];
-        let is_unknown = message.contains("unknown") || message.contains("no key is called");
+        let is_unknown = message.contains("unknown") || message.contains("no key is named");
         assert_eq!(
             (fault.is_warning, can_start),
             (is_unknown, is_unknown),

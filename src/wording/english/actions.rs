@@ -1,9 +1,9 @@
-//! What keys ask for: in a word or two for the hints of the last line, and in a line for the help.
+//! Actions: a short name for the key hints and a line for the help.
 
 use super::English;
 
 catalogue! {
-    /// Actions, and what groups of them are called.
+    /// Names of actions and of their groups.
     trait ActionsWords for English {
         the_motion = "The motion";
         play = "play";
@@ -11,7 +11,7 @@ catalogue! {
         step_back = "step back";
         one_step_back = "one step back";
         step = "step";
-        one_step_on = "one step on";
+        one_step_on = "one step forward";
         smaller = "smaller";
         a_smaller_step = "a smaller step";
         larger = "larger";
@@ -21,60 +21,60 @@ catalogue! {
         faster = "faster";
         play_faster = "play faster";
         reverse = "reverse";
-        play_the_other_way = "play the other way";
+        play_the_other_way = "play in reverse";
         go_to = "go to";
-        type_where_to_go = "type where to go";
+        type_where_to_go = "go to a position";
         opening = "opening";
-        where_the_scene_opens = "where the scene opens";
+        where_the_scene_opens = "initial position";
         assemblies = "assemblies";
         other_assemblies = "other assemblies";
 
         the_views = "The views";
         view = "view";
         the_next_view = "the next view";
-        previous_view = "view before";
-        the_view_before = "the view before";
+        previous_view = "prev view";
+        the_view_before = "the previous view";
         motion = "motion";
         motion_and_live_tables = "motion and live tables";
         tables = "tables";
         all_tables = "all tables";
         plots = "plots";
-        figures_over_the_motion = "figures over the motion";
+        figures_over_the_motion = "values over the motion";
         accuracy = "accuracy";
-        speed_against_error = "speed against error";
+        speed_against_error = "speed and error";
         forces = "forces";
         scene = "scene";
         edit_the_scene = "edit the scene";
         working = "working";
-        the_working_shown = "the working shown";
+        the_working_shown = "step-by-step working";
         motor = "motor";
         the_motor_over_a_cycle = "the motor over a cycle";
         lengths = "lengths";
-        what_each_length_does = "what each length does";
+        what_each_length_does = "effect of each length";
 
         the_panes = "The panes";
         pane = "pane";
         the_next_pane = "the next pane";
         alone = "alone";
-        the_pane_alone_or_not = "the pane alone, or not";
+        the_pane_alone_or_not = "maximize/restore pane";
         split_left = "split left";
-        the_split_to_the_left = "the split to the left";
+        the_split_to_the_left = "move the split left";
         split_right = "split right";
-        the_split_to_the_right = "the split to the right";
+        the_split_to_the_right = "move the split right";
         layout = "layout";
         the_next_layout = "the next layout";
 
         what_the_motion_view_shows = "What the motion view shows";
         names = "names";
-        names_of_points_links = "names of points, links";
+        names_of_points_links = "point and link names";
         velocities = "velocities";
-        arrows_of_velocity = "arrows of velocity";
+        arrows_of_velocity = "velocity arrows";
         accelerations = "accelerations";
-        arrows_of_acceleration = "arrows of acceleration";
+        arrows_of_acceleration = "acceleration arrows";
         force_arrows = "forces";
         loads_and_forces = "loads and forces";
         traces = "traces";
-        traces_of_points = "traces of points";
+        traces_of_points = "paths of points";
         ghosts = "ghosts";
         other_positions = "other positions";
         centres = "centres";
@@ -84,11 +84,11 @@ catalogue! {
         zoom_in = "zoom in";
         zoom_out = "zoom out";
         fit = "fit";
-        the_whole_motion_again = "the whole motion again";
+        the_whole_motion_again = "show the whole motion";
         fit_pose = "fit pose";
-        the_linkage_as_it_stands = "the linkage as it is";
+        the_linkage_as_it_stands = "show the whole linkage";
         follow = "follow";
-        stay_with_a_point = "stay with a point";
+        stay_with_a_point = "follow a point";
         pan_left = "pan left";
         move_the_window_left = "move the window left";
         pan_down = "pan down";
@@ -118,32 +118,32 @@ catalogue! {
         search = "search";
         find_by_name = "find by name";
         choose = "choose";
-        show_it_in_the_motion = "show it in the motion";
+        show_it_in_the_motion = "show in the motion view";
         left = "left";
-        the_figure_to_the_left = "the figure to the left";
+        the_figure_to_the_left = "value to the left";
         right = "right";
-        the_figure_to_the_right = "the figure to the right";
+        the_figure_to_the_right = "value to the right";
         choose_plots = "choose plots";
-        choose_what_is_plotted = "choose what is plotted";
-        abscissa = "abscissa";
-        what_stands_along_x = "what stands along x";
+        choose_what_is_plotted = "choose what to plot";
+        abscissa = "x axis";
+        what_stands_along_x = "choose the x axis";
         extrema = "extrema";
         mark_the_extrema = "mark the extrema";
         tolerance = "tolerance";
-        what_tolerances_do_to_it = "one figure's tolerances";
+        what_tolerances_do_to_it = "tolerance analysis";
         band = "band";
-        draw_the_band = "what tolerances do";
+        draw_the_band = "draw tolerance band";
 
         the_scene = "The scene";
         edit = "edit";
-        type_another_value = "type another value";
+        type_another_value = "type a new value";
         nudge_down = "nudge down";
-        a_little_less = "a little less";
+        a_little_less = "decrease the value";
         nudge_up = "nudge up";
-        a_little_more = "a little more";
+        a_little_more = "increase the value";
         finer = "finer";
-        nudge_by_less = "nudge by less";
-        // What else commands are looked for by.
+        nudge_by_less = "smaller increment";
+        // Additional search words of commands.
         open_is_sought_by = "task synthesis synthesize candidates linkages preset file load";
         assemblies_are_sought_by = "branch circuit configuration closure mirror";
         undo_is_sought_by = "revert back";
@@ -154,54 +154,54 @@ catalogue! {
         gathering_is_sought_by = "stage staged batch together several";
         goal_is_sought_by = "goals stroke swing solve find optimize design";
 
-        gather = "gather";
-        gather_edits = "gather or make edits";
+        gather = "stage";
+        gather_edits = "stage or apply edits";
         coarser = "coarser";
         next_part = "next part";
         to_the_next_part = "to the next part";
         previous_part = "previous part";
-        to_the_part_before = "to the part before";
-        nudge_by_more = "nudge by more";
+        to_the_part_before = "to the previous part";
+        nudge_by_more = "larger increment";
         undo = "undo";
-        take_an_edit_back = "take an edit back";
+        take_an_edit_back = "undo the last edit";
         redo = "redo";
-        make_it_again = "make it again";
+        make_it_again = "redo the undone edit";
         save = "save";
-        write_to_the_file = "write to the file";
+        write_to_the_file = "save to the file";
         save_as = "save as";
-        write_to_another_file = "write to another file";
+        write_to_another_file = "save to another file";
         reload = "reload";
-        read_the_file_again = "read the file again";
+        read_the_file_again = "reload the file";
         open = "open";
         open_a_preset_or_file = "open a preset or file";
         next = "next";
         the_next_preset = "the next preset";
         previous = "previous";
-        the_preset_before = "the preset before";
+        the_preset_before = "the previous preset";
         compare = "compare";
-        beside_another_scene = "beside another scene";
+        beside_another_scene = "compare with a scene";
 
-        taking_things_out = "Taking things out";
+        taking_things_out = "Exporting";
         copy = "copy";
         copy_to_the_clipboard = "copy to the clipboard";
         csv = "csv";
-        write_a_csv_file = "write CSV, or working";
+        write_a_csv_file = "export CSV or working";
         picture = "picture";
-        write_the_screen = "write the screen";
+        write_the_screen = "export the screen";
         still = "still";
-        the_drawing_in_pixels = "the drawing in pixels";
+        the_drawing_in_pixels = "draw in pixels";
         svg = "svg";
-        write_an_svg_file = "write an SVG file";
+        write_an_svg_file = "export SVG";
 
         the_program = "The program";
         glyphs = "glyphs";
         ascii_lines_braille = "ASCII, Braille, blocks";
         colours = "colours";
-        how_many_colours = "how many colours";
+        how_many_colours = "number of colours";
         mouse = "mouse";
-        take_the_mouse_or_not = "the mouse, or not";
-        mouse_on = "the mouse turns the crank and points; with Shift it selects";
-        mouse_off = "the mouse is the terminal's again";
+        take_the_mouse_or_not = "mouse on or off";
+        mouse_on = "mouse on: turns the crank and points; Shift selects text";
+        mouse_off = "mouse off: the terminal has it";
         language = "language";
         turkish_or_english = "Turkish or English";
         help = "help";
@@ -209,16 +209,16 @@ catalogue! {
         commands = "commands";
         all_commands = "all commands";
         tour = "tour";
-        the_tour = "the tour";
+        the_tour = "show the tour";
         back = "back";
         one_level_back = "one level back";
         redraw = "redraw";
-        draw_everything_again = "draw everything again";
+        draw_everything_again = "redraw the screen";
         suspend = "suspend";
-        stop_and_fg_goes_on = "stop; fg goes on";
+        stop_and_fg_goes_on = "suspend (fg resumes)";
         quit = "quit";
-        leave = "leave";
-        leave_from_anywhere = "leave from anywhere";
+        leave = "quit krank";
+        leave_from_anywhere = "quit from anywhere";
         no_key = "(no key)";
     }
 }

@@ -1,4 +1,4 @@
-//! What `krank check` tells of a scene.
+//! The facts that `krank check` prints.
 
 use super::{English, counted};
 use std::fmt::Display;
@@ -6,7 +6,7 @@ use std::fmt::Display;
 catalogue! {
     /// Facts of a mechanism.
     trait CheckingWords for English {
-        // What they are called.
+        // Labels.
         fact_source = "source";
         fact_note = "note";
         fact_unit = "unit";
@@ -17,7 +17,7 @@ catalogue! {
         fact_links = "links";
         fact_joints = "joints";
         fact_slides = "slides";
-        knots_outside(of: &str, at: &str) = "knots of `over` at {of} that the motion never comes to: {at}";
+        knots_outside(of: &str, at: &str) = "`over` of {of}: the motion never reaches the knots at {at}";
         fact_mobility = "mobility";
         fact_redundant = "redundant";
         fact_groups = "groups";
@@ -50,7 +50,7 @@ catalogue! {
             "{driven}, opens at {at}, {speed}, {acceleration}";
         driver_opens_at(driven: &str, at: &str) = "{driven}, opens at {at}";
         motion_in_time(laws: &str, period: &str) = "{laws}, in {period} s";
-        motion_rests(rest: &str) = ", {rest} s of them at rest";
+        motion_rests(rest: &str) = ", of which {rest} s at rest";
         motion_at_most(speed: &str, acceleration: &str) = "; at most {speed} and {acceleration}";
         motion_jumps(time: &str) = "; the speed jumps at {time} s";
         motion_verdict(period: &str, speed: &str, acceleration: &str) =
@@ -65,45 +65,44 @@ catalogue! {
         table_repeats(period: &str) = ", which repeats after {period} deg";
         knots_beyond_motion(knots: usize) = {
             match knots {
-                1 => "; 1 of them lies beyond the motion".into(),
-                _ => format!("; {knots} of them lie beyond the motion"),
+                1 => "; 1 of them is outside the motion".into(),
+                _ => format!("; {knots} of them are outside the motion"),
             }
         };
         input_given_by_table(driven: &str, knots: &str, units: [&str; 2], closes: bool) = {
             let [driver, own] = units;
             let ends = match closes {
-                true => "whose end goes on as it begins",
+                true => "periodic",
                 false => "at rest at both ends",
             };
             format!(
-                "{driven} follows by the cubic spline {ends} through [driver in {driver}, own coordinate in {own}]: {knots}"
+                "{driven} follows a cubic spline, {ends}, through [driver in {driver}, own coordinate in {own}]: {knots}"
             )
         };
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pin {pin} in a slot of {of}";
         link_along(name: &str, link: &str, guide: &str) =
-            "{name}: link {link} along {guide}, without turning against it";
+            "{name}: link {link} along {guide}, without relative rotation";
         slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], theta: Option<&String>) = {
             let [angle, other] = angles;
             let at = theta.map(|theta| format!(", at theta {theta} deg")).unwrap_or_default();
             format!(
-                "{name} is negative where the scene opens, {r} {unit}: it counts from `through` along \
-                 `angle = {angle}`, and its vector runs back; with `angle = {other}` it is positive{at}, as \
-                 lecture notes write it"
+                "{name} is negative where the scene opens, {r} {unit}: it is measured from `through` along \
+                 `angle = {angle}`, and its vector points back; set `angle = {other}` to make it positive{at}, as \
+                 in lecture notes"
             )
         };
 
         // Mobility and groups.
         mobility_set_aside(mobility: &dyn Display, count: usize, which: &str) = {
             let count = some(count, "redundant constraint");
-            format!("{mobility}, with {count} set aside: {which}")
+            format!("{mobility}, not counting {count}: {which}")
         };
-        mobility_not_certain =
-            "all but 2 or more: dimensions that differ by little would leave a link free";
+        mobility_not_certain = "almost 2 or more: with slightly different dimensions a link would be free";
         mobility_more_at_opening =
-            "more where the scene opens: it is a change point or a dead point of a coupled group";
-        repeats_others(part: &str) = "{part} repeats others";
+            "higher where the scene opens: a change point or dead point of a coupled group";
+        repeats_others(part: &str) = "{part} repeats other constraints";
         repeats(part: &str, others: &str) = "{part} repeats {others}";
-        disagree_by(what: &str, misfit: &str) = "{what}; they disagree by at most {misfit}";
+        disagree_by(what: &str, misfit: &str) = "{what}; they differ by at most {misfit}";
         some_and_more(some: &str, more: usize) = "{some} and {more} more";
         dyad(class: &str) = "dyad {class}";
         dyad_at(class: &str, point: &str) = "dyad {class} at {point}";
@@ -121,13 +120,13 @@ catalogue! {
         group_of_links(group: &str, links: &str, how: &str) = "{group}: links {links} ({how})";
 
         // Assemblies.
-        those_of_more(count: usize) = "and those of {count} more";
+        those_of_more(count: usize) = "and {count} more";
         more_than(count: usize) = "more than {count}";
         chosen_now(choice: &str) = "{choice} now";
         rest_open(choice: &str) = "{choice} (the rest does not close)";
         at_place(choice: &str, x: &str, y: &str) = "{choice} at ({x}, {y})";
 
-        // A first loop.
+        // The first loop.
         driven_coupler_follower_frame(lengths: &[String; 4], unit: &str) = {
             let [driven, coupler, follower, frame] = lengths;
             format!("driven {driven}, coupler {coupler}, follower {follower}, frame {frame} {unit}")
@@ -160,20 +159,21 @@ catalogue! {
         end_error(bound: &str, unit: &str) = "at most {bound} {unit}";
         end_error_not_proved = "not proved";
         never_met(name: &str, low: &str, high: &str, unit: &str) =
-            "never met: {name} from {low} to {high} {unit}";
+            "never reached: {name} from {low} to {high} {unit}";
         stop_at(at: &str, unit: &str, name: &str, value: &str) =
             "{at} {unit}: {name} at {value}";
         table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: the table of {name} ends";
         table_named(name: &str) = "the table of {name}";
-        change_points_at(places: &str, unit: &str) = "points at {places} {unit}, passed smoothly";
-        equal_as_typed = "lengths count as equal where they are equal as typed";
+        change_points_at(places: &str, unit: &str) = "at {places} {unit}, passed smoothly";
+        equal_as_typed = "lengths count as equal if their written values are equal";
         equal_within(tolerance: &str, unit: &str) =
-            "lengths count as equal within {tolerance} {unit}: coordinates have been rounded";
+            "lengths count as equal if they differ by at most {tolerance} {unit}: coordinates are rounded";
         ends_lined_up(at: &str, unit: &str, group: &str) =
-            "the links at {group} line up at {at} {unit}, where the range ends: it is not proved how the motion goes on";
+            "the links at {group} line up at {at} {unit}, the end of the range: how the motion continues is not \
+             proved";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
-            "all but a change point or a dead point at {at} {unit}: the sine of the transmission angle at \
-             {group} is {sine}; the motion keeps its assembly";
+            "almost a change point or dead point at {at} {unit}: the sine of the transmission angle at {group} \
+             is {sine}; the motion keeps its assembly";
         transmission_throughout(group: &str, angle: &str) =
             "transmission angle at {group}: {angle} deg throughout";
         transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
@@ -198,7 +198,7 @@ catalogue! {
         nothing_of_it = "none";
         became(old: &str, new: &str) = "{old} -> {new}";
 
-        // What acts.
+        // Loads.
         count_of_forces(count: usize) = { counted(count, "force", "forces") };
         count_of_torques(count: usize) = { counted(count, "torque", "torques") };
         count_of_presses(count: usize) = { counted(count, "press", "presses") };
@@ -206,7 +206,7 @@ catalogue! {
         count_of_masses(count: usize) = { counted(count, "link with a mass", "links with a mass") };
         gravity = "gravity";
         repeated_after(what: &str, period: &dyn Display) = "{what}; repeated after {period} deg";
-        not_settled(reactions: &str) = "reactions that equilibrium does not settle: {reactions}";
+        not_settled(reactions: &str) = "reactions not determined by equilibrium: {reactions}";
     }
 }
 

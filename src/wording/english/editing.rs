@@ -1,54 +1,54 @@
-//! Edits of the scene, and another scene beside it.
+//! Edits of the scene, and the comparison with another scene.
 
 use super::English;
 
 catalogue! {
-    /// Values that are changed, and scenes that are compared.
+    /// Edits and comparisons.
     trait EditingWords for English {
         // Values.
-        no_numbers = "the scene has no numbers";
+        no_numbers = "the scene has no values";
         nudge_by(step: &str, unit: &str) = "nudge by {step} {unit}";
         value_in_file(value: &str) = "file: {value}";
         in_the_file = "in the file";
         values_changed(count: usize) = "{count} changed";
         gathering(count: usize) = {
             match count {
-                0 => "edits wait from now on".to_owned(),
-                1 => "1 edit waits".to_owned(),
-                count => format!("{count} edits wait"),
+                0 => "edits are staged".to_owned(),
+                1 => "1 edit staged".to_owned(),
+                count => format!("{count} staged"),
             }
         };
-        edits_wait(key: &str) = "edits wait: {key} makes them together, Esc drops them";
-        make_gathered = "make";
+        edits_wait(key: &str) = "staged edits: {key} applies them, Esc discards them";
+        make_gathered = "apply";
         drop_gathered = "drop";
         gathered_made(count: usize) = {
             match count {
-                0 => "edits are made at once again".to_owned(),
-                1 => "1 edit made".to_owned(),
-                count => format!("{count} edits made together"),
+                0 => "edits apply immediately".to_owned(),
+                1 => "1 edit applied".to_owned(),
+                count => format!("{count} edits applied"),
             }
         };
-        gathered_dropped(key: &str) = "the edits that waited are dropped; {key} brings them back";
-        start_follows = "[start] follows, so that this assembly stays";
+        gathered_dropped(key: &str) = "discarded the staged edits; {key} restores them";
+        start_follows = "[start] changed to keep this assembly";
 
-        // Why an edit cannot be shown.
+        // Reasons why an edit cannot be shown.
         this_assembly(why: &str) = "this assembly {why}";
-        no_start_tells_it = "no [start] could tell this assembly from the others";
+        no_start_tells_it = "no [start] identifies this assembly";
         a_joint = "a joint";
         joint_out_of_reach(joint: &str, gap: &str, unit: &str) = "{joint} out of reach by {gap} {unit}";
 
-        // Edits, and the way back.
+        // Undo and redo.
         assembly = "assembly";
-        reading_the_file = "reading the file";
+        reading_the_file = "reload";
         recovered_edits = "recovered edits";
-        nothing_to_undo = "no edit to take back";
-        nothing_to_redo = "no edit to make again";
-        undone(edit: &str) = "{edit} taken back";
-        redone(edit: &str) = "{edit} made again";
+        nothing_to_undo = "nothing to undo";
+        nothing_to_redo = "nothing to redo";
+        undone(edit: &str) = "{edit} undone";
+        redone(edit: &str) = "{edit} redone";
 
-        // Beside another scene.
+        // Comparison.
         esc_ends_comparison = "Esc ends the comparison";
-        no_longer_compared = "no longer compared";
+        no_longer_compared = "comparison ended";
         has_no_assembly_here(scene: &str) = "{scene} has no assembly here";
         this_less(scene: &str) = "this - {scene}";
         difference_from(scene: &str) = "difference: this - {scene}";
@@ -58,8 +58,8 @@ catalogue! {
         a_link_that_turns = "a link that turns";
         a_slide = "a slide";
         no_common_coordinate(scene: &str, by: &str, this_by: &str) =
-            "{scene} is driven by {by}, this scene by {this_by}: no coordinate is common";
-        against(scene: &str) = "against {scene}";
+            "{scene} is driven by {by}, this scene by {this_by}: they share no coordinate";
+        against(scene: &str) = "compared: {scene}";
         against_without_assembly(scene: &str) = "against {scene}: no assembly here";
     }
 }

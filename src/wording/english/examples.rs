@@ -1,15 +1,15 @@
-//! What stands below the help of each command: examples, and what is to be known.
+//! Text below the options in the help of each command: examples and notes.
 
 use super::English;
 
 catalogue! {
-    /// Examples, and more than an option's line can tell.
+    /// Examples and notes.
     trait ExamplesWords for English {
         keys_of_workbench = "\
 Keys of the workbench:
-  space play or pause   . one step on   , one step back   r the other way
-  g type where to go    2 all tables    n the next preset t other characters
-  a other assemblies    ? all keys        q leave
+  space play or pause   . one step forward  , one step back   r play in reverse
+  g go to a position    2 all tables        n the next preset t other characters
+  a other assemblies    ? all keys          q quit
 
 ";
         examples_of_krank = "\
@@ -18,20 +18,20 @@ Examples:
   krank slider-crank --at 30     open a preset at 30 degrees
   krank my-press.toml            open a scene file
   krank press --view tables      open a preset with all its tables
-  krank press --print            print the screen that opens, and leave
+  krank press --print            print the first screen and exit
   krank sweep four-bar -o four-bar.csv
 
 SCENE is a file, a preset's name (krank list) or - for standard input. A name
 with a slash or ending in .toml is always a file: ./four-bar.
 
-krank help lists the topics of the manual: the scene file, keys, columns and more.
+krank help lists the topics of the manual: scene files, keys, columns and more.
 krank completions SHELL and krank man print a completion script and a man page.
 
-Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
-cannot be written; 2 the command line or the scene is wrong.";
+Exit codes: 0 success; 1 the mechanism cannot do what was asked, or the output
+cannot be written; 2 the command line or the scene is invalid.";
         examples_of_list = "\
 Example:
-  krank list                     their names and titles";
+  krank list                     names and titles of the presets";
         examples_of_check = "\
 Examples:
   krank check four-bar
@@ -56,15 +56,15 @@ Examples:
   krank explain four-bar --method bisection --guess r3=0..90
 
 Vector polygons, position table, loop equations in components and projected,
-the solution of every group, velocities and accelerations by the differentiated
-equations, joints and centres of mass by their tangential and normal parts, and
-the check. They are worked out by the formula in their line, from figures that
-the lines before it have; of a coupled group equations and solution are shown,
-not the elimination. Where something acts, the balance of every link and loaded
-pin follows with its reactions, and virtual work checks the driver's
-effort. At a dead point positions alone exist; outside the range the loops and
-what is given are told, and the exit code is 1. Greek letters are
-spelled where the terminal or the locale has none.";
+the solution of every group, velocities and accelerations from the differentiated
+equations, joints and centres of mass with their tangential and normal parts, and
+a check. Each value is computed by the formula in its line from values in earlier
+lines. For a coupled group the equations and the solution are shown, but not the
+elimination. With loads, springs or masses the equilibrium of every link and
+loaded pin follows with its reactions, and virtual work checks the force or
+torque of the driver. At a dead point only positions exist. Outside the range
+only the loops and the given values are printed, and the exit code is 1. Greek
+letters are spelled out if the terminal or the locale does not have them.";
         examples_of_draw = "\
 Examples:
   krank draw four-bar --at 60
@@ -74,12 +74,12 @@ Examples:
   krank draw slider-crank --format svg --scale 1:2 -o print.svg
   krank draw four-bar --traces C --format dxf -o four-bar.dxf
 
-POINTS are names of points separated by commas, or all. Without them --traces
-draws the curves that are no circles about a ground pin (or these, where there
-is nothing else), --velocities and --accelerations the arrows of all joints and
-riders, --forces those of loads, joints, guides and the driver, each with its
-size. Arrows of one kind have one scale over the whole motion; the line below
-tells it. One whose shaft is broken is longer than it is drawn.";
+POINTS are names of points separated by commas, or all. Without names --traces
+draws all curves except circles around a ground pin (these only if there are no
+others), --velocities and --accelerations draw the arrows of all joints and points
+on links, and --forces those of loads, joints, guides and the driver with their
+values. Arrows of one kind have one scale over the whole motion, shown in the line
+below. An arrow with a broken shaft is longer than it is drawn.";
         examples_of_export = "\
 Examples:
   krank export four-bar --format python -o four_bar.py
@@ -87,12 +87,12 @@ Examples:
   krank export press-ram --format matlab -o press_ram.m
   octave --eval 'press_ram(0, 360, 10)'
 
-The script has every length by its name, a line for each group and the formulas
-of groups in full; nothing of krank is in it. It takes where to begin, where to
-end and the step, and prints the columns of krank sweep; in MATLAB and Octave
-[rows, heads] = press_ram(0, 360, 10) hands them over instead. A length that is
-changed in it changes the motion as long as each group keeps its assembly.
-A drawing for CAD is krank draw --format dxf; figures are krank sweep.";
+The script defines every length by name, solves each group in one line with full
+formulas, and does not need krank. Its arguments are the start, the end and the
+step; it prints the columns of krank sweep. In MATLAB and Octave
+[rows, heads] = press_ram(0, 360, 10) returns them instead. You can change a
+length in the script as long as each group keeps its assembly. For a CAD drawing
+use krank draw --format dxf; for values use krank sweep.";
         examples_of_sweep = "\
 Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -101,19 +101,19 @@ Examples:
   krank sweep four-bar --columns 'C.v,C.a.t,swing = r4.angle - r3.angle,swing.rate'
 
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
-krank sweep SCENE | head -n 1 shows all of a scene's. Where anything acts there
-are driver.torque, driver.power, r3.B.fx (the force on link r3 at pin B),
-r4.normal, r6.moment, ground.fx, and the residuals of two checks, which would be
-zero but for rounding. C.v, C.a.angle, C.a.t, r3.B.f and the like come when they
-are named, and behind = stands a formula (krank help columns). The driver's coordinate always comes first and the state
-last: ok, change-point, dead-point or no-assembly. A value that does not exist
-is an empty cell (null in JSON).
---bounds puts C.x.bound behind each C.x, in the same unit: what the error of
-solving the scene as it is given does not exceed. --sensitivity puts
-C.x.sensitivity there: the change of C.x where every given length is off by one
-unit, at the worst.
-Without --from and --to a sweep covers the motion range and ends on its limits,
-or after one period; with forces among the figures, that of the loads.";
+krank sweep SCENE | head -n 1 lists all columns of a scene. With loads, springs or
+masses there are also driver.torque, driver.power, r3.B.fx (the force on link r3
+at pin B), r4.normal, r6.moment, ground.fx, and the residuals of two checks, which
+are zero except for rounding. C.v, C.a.angle, C.a.t, r3.B.f and others appear only
+if they are named; NAME = FORMULA defines a column (krank help columns). The first
+column is always the coordinate of the driver, the last one the state: ok,
+change-point, dead-point or no-assembly. A value that does not exist is an empty
+cell (null in JSON).
+--bounds adds C.x.bound after each C.x, in the same unit: a bound of the error of
+solving the scene as given. --sensitivity adds C.x.sensitivity: the largest change
+of C.x if every given length is wrong by one unit.
+Without --from and --to a sweep covers the range of the motion up to its limits,
+or one period; with forces, the period of the loads.";
         examples_of_plot = "\
 Examples:
   krank plot four-bar --columns r4.omega
@@ -122,10 +122,10 @@ Examples:
   krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
 
 Columns are named as in krank sweep; every unit has a panel of its own. Over
-time, 0 s is where the scene opens, and the driver goes on from there with its
-speed and acceleration. Maxima and minima are marked with their value and place,
-which are solved for, not read from the picture: the value to rounding, the
-place to about 1e-5 deg. Where no value exists there is a gap.";
+time, 0 s is the position where the scene opens, and the driver continues with its
+speed and acceleration. Maxima and minima are marked with their value and position.
+Both are computed, not read from the picture: the value to rounding, the position
+to about 1e-5 deg. There is a gap where no value exists.";
         examples_of_cycle = "\
 Examples:
   krank cycle whitworth
@@ -134,12 +134,11 @@ Examples:
   krank cycle slider-crank --columns 'F = C.x * cos(30 deg) + C.y * sin(30 deg)'
   krank cycle jansen-leg --format csv -o cycle.csv
 
-Of each figure its stroke, or of an angle its swing; every place where it turns,
-solved for; the time ratio, slow over quick, between its extremes; where it stays
-within --dwell of a turning place; its greatest rate and the greatest rate of that
-at the scene's speed. Then the transmission angle of every dyad where it is furthest
-from 90 deg, and every coupled group where its equations tell least. A figure that
-does not exist has a reason.";
+For each quantity: its stroke, or the swing of an angle; every maximum and minimum;
+the time ratio, slow to fast, between its extremes; the intervals within --dwell
+of an extreme; the maximum of its rate and of the rate of its rate at the speed of
+the scene. Then, for every dyad, the transmission angle furthest from 90 deg, and,
+for every coupled group, its worst condition. A missing value has a reason.";
         examples_of_study = "\
 Examples:
   krank study four-bar --vary r2.length=90..110/21 --columns r4.angle.swing
@@ -152,11 +151,10 @@ Examples:
 
 Values are named as in krank check and in the workbench, with dots for the blanks:
 r3.length, A.x, driver.angle, and parameters by their own names. The last value
-goes first. Every design is the scene with these numbers, opened in the assembly
-of the scene; the last columns are its state (ok, no-assembly, or unreadable
-where the numbers make no scene) and the reason why something is missing.
-A file of CSV grows while the command runs: after Ctrl-C --resume goes on with
-it. krank help designs tells more.";
+varies fastest. Every design is the scene with these values, opened in the assembly
+of the scene. The last columns are its state (ok, no-assembly, or unreadable if the
+values do not give a valid scene) and the reason for missing values. A CSV file is
+written row by row: after Ctrl-C, --resume continues it. See krank help designs.";
         examples_of_motor = "\
 Examples:
   krank motor four-bar-load
@@ -165,57 +163,58 @@ Examples:
   krank motor excavator-boom --from 1.8 --to 2.8
   krank motor engine --format csv -o engine.csv
 
-Torque and power with their peaks, which are solved for, means, and the energy put
-in and given back, split into loads, gravity and inertia; how uneven the speed is
-and the flywheel against it; what shakes the frame; what a motor lacks; and of a
-ram stroke, dead centres, time ratio, dwell, and speed and force at a height above
-the bottom. A cycle is the period of the motion, or of loads that take longer; a
-limited range is gone through there and back. Options stand for what the scene's
-[motor] has. Friction is not modelled.";
+Torque and power with their peaks and means, and the energy supplied and returned,
+split into loads, gravity and inertia; the fluctuation of the speed and the
+flywheel that limits it; the shaking force on the frame; what a motor lacks; and
+for a ram: stroke, dead centres, time ratio, dwell, and speed and force at a height
+above the bottom. A cycle is the period of the motion, or of the loads if theirs is
+longer; a limited range is travelled back and forth. Options replace the values in
+[motor] of the scene. Friction is not modelled.";
         examples_of_tolerance = "\
 Examples:
   krank tolerance four-bar --tolerance 0.1 --columns C.x,r4.angle --at 60
   krank tolerance press.toml --columns F.y
   krank tolerance press.toml --columns F.y --samples 10000 --format csv -o off.csv
 
-Of each figure: as it was given; the worst case within all tolerances; the root
-sum square of what each length does by itself; at one place also the figures of
-machines made by chance, and who contributes how much. The worst case is solved
-at every corner of the tolerances of up to 16 lengths, of a stroke up to 12. Of
-more lengths, and of loose pins, it is enclosed; what is neither is told to be
-estimated, and how it was found. The tolerances are the scene's: tolerance,
-clearance, [tolerances], [clearances].";
+For each quantity: its value as given; the worst case within all tolerances; and
+the root sum square of the effects of the single lengths. At one position also the
+values of random samples and the contribution of each length. The worst case is
+solved at every corner of the tolerances of up to 16 lengths, of a stroke up to 12.
+For more lengths, and for pins with clearance, it is enclosed; otherwise it is
+marked as estimated, with the method. The tolerances are those of the scene:
+tolerance, clearance, [tolerances], [clearances].";
         examples_of_start = "\
 Examples:
   krank start four-bar --assembly C=- > crossed.toml
   krank start my-press.toml --assembly C=-,F=+ -o my-press.toml
 
 Only [start] changes: comments, order and everything else stay as they are. The
-file is written at once or not at all, and may be the scene itself. Where the
-motion of the assembly does not come to where the scene opens, the opening of
-the driver changes too.";
+file is written completely or not at all, and may be the scene itself. If the
+motion of the assembly does not reach the position where the scene opens, that
+position changes too.";
         examples_of_accuracy = "\
 Examples:
   krank accuracy                 the four-bar of the lectures
   krank accuracy jansen-leg --format csv -o jansen.csv
   krank accuracy my-press.toml --positions 36000
 
-Every method gives positions, velocities and accelerations, and is held against
-a run in doubled precision. Methods that a scene does not allow are listed with
-the reason. Times are this machine's: let it rest meanwhile. Ctrl-C ends it.";
+Every method computes positions, velocities and accelerations, and is compared with
+a computation in doubled precision. Methods that do not work for a scene are listed
+with the reason. Times are measured on this machine: keep it idle meanwhile.
+Ctrl-C stops the measurement.";
         examples_of_config = "\
 Example:
   krank config > ~/.config/krank/config.toml
 
 The workbench reads $XDG_CONFIG_HOME/krank/config.toml, or ~/.config/krank/config.toml
-where that is not set, and never writes it: characters, colours, keys.";
+if that is not set, and never writes it: characters, colours, keys.";
         examples_of_help = "\
 Examples:
   krank help                     the topics
   krank help scene               every key of a scene file
-  krank help sweep               as krank sweep --help
+  krank help sweep               the same as krank sweep --help
 
-On a terminal it is shown by $PAGER, or by less or more.";
+On a terminal the text is shown with $PAGER, or with less or more.";
         examples_of_completions = "\
 Example:
   krank completions bash > ~/.local/share/bash-completion/completions/krank";

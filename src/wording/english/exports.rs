@@ -1,23 +1,23 @@
-//! What is taken out of the workbench: copied, or written to a file.
+//! Texts of the clipboard, of exported files and of scripts.
 
 use super::English;
 use std::fmt::Display;
 
 catalogue! {
-    /// Things that are copied or written.
+    /// Copied text, exported files and scripts.
     trait ExportsWords for English {
         no_clipboard = "this terminal has no clipboard";
-        nothing_to_copy = "nothing to copy here; the tables have all";
-        no_value_to_copy = "there is no value to copy";
+        nothing_to_copy = "nothing to copy here: see the tables";
+        no_value_to_copy = "no value to copy";
         sent_to_clipboard(bytes: usize) = "sent to the terminal's clipboard: {bytes} B";
         too_much_to_copy(bytes: usize) = "too much to copy, {bytes} B";
         use_instead(why: &str, key: &dyn Display) = "{why}: use {key}";
-        no_figures_to_write = "no figures can be written here";
-        no_drawing_here = "there is no drawing in this view";
-        still_shown(bytes: usize) = "in pixels, {bytes} B; any key takes it away";
+        no_figures_to_write = "nothing to write here";
+        no_drawing_here = "this view has no drawing";
+        still_shown(bytes: usize) = "in pixels, {bytes} B; any key closes it";
         still_takes(bytes: usize, seconds: f64, key: &dyn Display) =
-            "a picture of {bytes} B takes {seconds:.0} s on this line; {key} again sends it";
-        the_figures = "the figures";
+            "a picture of {bytes} B takes {seconds:.0} s on this line; press {key} again";
+        the_figures = "the values";
         the_working = "the working";
         the_screen = "the screen";
         the_drawing = "the drawing";
@@ -25,20 +25,26 @@ catalogue! {
 
         // Scripts.
         about_script(title: &str, driver: &str, unit: &str) =
-            "{title}: where its points lie, worked out again, each group in turn.\n\
-             Places are complex numbers x + i y in {unit}, directions have the size 1; q is {driver}.\n\
+            "{title}: positions of its points, computed group by group.\n\
+             Points are complex numbers x + i y in {unit}, directions are unit vectors; q is {driver}.\n\
              A side is 1 or -1: which of its two assemblies a group has.";
-        script_turn = "The direction at so many degrees from x.";
-        script_circles = "Where circles about P and Q meet: on the left of the line from P to Q, or on its right.";
-        script_circle_line = "Where a circle about P meets the line through Z along t: ahead of the foot of P, or behind.";
-        script_lines = "Where two lines meet.";
-        script_swing = "The direction of a guide that passes its pivot at an offset and leads to what is seen from there.";
-        script_side = "The side at q, where it changes over on the way.";
-        script_follow = "The coordinate of an input by its table: a cubic between each two knots, with the second derivatives there.";
-        script_newton = "Unknowns for which a misfit vanishes: Newton's method from a seed, by central differences.";
-        script_given = "What the scene gives.";
-        script_positions = "The points at q.";
-        script_table = "A row for each q.";
+        script_turn = "Unit vector at an angle in degrees from the x axis.";
+        script_circles =
+            "Intersection of the circles around P and Q: left of the line from P to Q, or right.";
+        script_circle_line =
+            "Intersection of a circle around P with the line through Z along t: after the foot of P, or before.";
+        script_lines = "Intersection of two lines.";
+        script_swing =
+            "Direction of a guide that passes its pivot at an offset and goes through a point seen from the \
+             pivot.";
+        script_side = "The side at q; it changes at some positions.";
+        script_follow =
+            "Coordinate of an input by its table: cubic splines with the second derivatives at the knots.";
+        script_newton =
+            "Unknowns for which a residual is zero: Newton's method from a seed, with central differences.";
+        script_given = "Given values of the scene.";
+        script_positions = "Positions of the points at q.";
+        script_table = "One row for each q.";
         script_group(links: &str) = "{links}";
     }
 }

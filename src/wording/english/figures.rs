@@ -1,18 +1,17 @@
-//! Figures in tables, what lengths do to them, and why some are not shown.
+//! Values in tables, their derivatives by lengths, and reasons for missing values.
 
 use super::English;
 
 catalogue! {
-    /// Figures by name.
+    /// Tables of values.
     trait FiguresWords for English {
-        // Why some are not shown.
+        // Reasons for values that are not shown.
         forces_disagree(at: &str, residual: &str, missed: &str, most: &str) =
-            "the forces at {at} are withheld: {residual} is {missed}, and rounding explains no more \
-             than {most}; two ways to find them disagree, which is a fault of krank and not of the \
-             scene: please report it";
+            "the forces at {at} are not shown: {residual} is {missed}, but rounding explains at most {most}; \
+             two methods disagree, which is an error in krank, not in the scene: please report it";
         forces_too_large(at: &str) =
-            "the forces at {at} are withheld: some are too large for a number; choose ordinary \
-             speeds, masses and loads";
+            "the forces at {at} are not shown: some are too large for a number; choose ordinary speeds, masses \
+             and loads";
         figure_too_large(figure: &str, at: &str) =
             "{figure} at {at} is too large for a number; choose ordinary lengths and speeds";
 
@@ -32,12 +31,12 @@ catalogue! {
             "driver {driver} at {at}, {speed}, {acceleration}";
         state_is(state: &str) = "state {state}";
         stars_are_found = "* found; entries without a star are given";
-        bounds_are = "+- what the error does not exceed; ? where nothing was proved";
+        bounds_are = "+- bound of the error; ? no bound is proved";
 
-        // What lengths do to them.
+        // Derivatives by lengths.
         no_derivatives_by_lengths =
-            "the figures have no derivatives by the lengths here: the motion ends or branches, or as \
-             good as does, or a length that is off jams the mechanism";
+            "no derivatives by the lengths exist here: the motion ends or branches, or almost does, or a wrong \
+             length jams the mechanism";
         per(figure: &str, length: &str) = "{figure} per {length}";
         change_for_one(unit: &str) = "change for 1 {unit}";
         change_for_length = "change for a length of 1";

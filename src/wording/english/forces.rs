@@ -1,14 +1,14 @@
-//! Forces: what the driver must do, and what joints, guides and the frame bear.
+//! Forces: the driver, joints, guides and the frame.
 
 use super::English;
 
 catalogue! {
-    /// Tables of forces, and what is said of those that are missing.
+    /// Tables of forces, and reasons for missing ones.
     trait ForcesWords for English {
         // Titles and columns.
         driver = "driver";
         driver_named(name: &str) = "driver {name}";
-        in_all = "in all";
+        in_all = "total";
         loads = "loads";
         inertia = "inertia";
         power = "power";
@@ -24,20 +24,20 @@ catalogue! {
         link_at_point_by(link: &str, point: &str, by: &str) = "{link} at {point}, by {by}";
         guide_on(guide: &str, slider: &str) = "{guide} on {slider}";
 
-        // What is missing.
+        // Missing forces.
         driver_alone_has_value(effort: &str) =
-            "Of the forces only the driver's {effort} has a value here: at a change point the links \
-             lie so that any force can run round among them.";
-        nothing_to_balance = "The mechanism cannot be here: there is nothing to balance.";
+            "Of the forces only the driver's {effort} has a value here: at a change point, the links can carry \
+             internal forces of any size.";
+        nothing_to_balance = "The mechanism cannot be assembled here, so there are no forces.";
         no_effort_exists(effort: &str) =
-            "No {effort} of the driver exists here: at a dead point it cannot move the linkage, and \
-             what would hold that, in the joints too, grows beyond all bounds.";
+            "No {effort} of the driver exists here: at a dead point the driver cannot move the mechanism, and \
+             the forces grow without bound.";
         indeterminate(reactions: &str) =
-            "Indeterminate: {reactions}. The linkage has more constraints than it needs, and those \
-             can press against each other with any force; all other figures stand.";
+            "Indeterminate: {reactions}. The mechanism has redundant constraints, which can act against each \
+             other with any force; all other values are valid.";
         indeterminate_with_least(reactions: &str) =
-            "Indeterminate: {reactions}. The linkage has more constraints than it needs, and those \
-             can press against each other with any force; all other figures stand. Of least norm: \
-             what they would be if all pins and guides gave way alike.";
+            "Indeterminate: {reactions}. The mechanism has redundant constraints, which can act against each \
+             other with any force; all other values are valid. Of least norm: the reactions if all pins and \
+             guides were equally elastic.";
     }
 }

@@ -1,4 +1,4 @@
-//! What keys ask for: in a word or two for the hints of the last line, and in a line for the help.
+//! Actions: a short name for the key hints and a line for the help.
 
 use super::Turkish;
 use crate::wording::english::ActionsWords;
@@ -21,13 +21,13 @@ catalogue! {
         faster = "hızlı";
         play_faster = "daha hızlı oynat";
         reverse = "ters yön";
-        play_the_other_way = "öbür yönde oynat";
+        play_the_other_way = "ters yönde oynat";
         go_to = "git";
-        type_where_to_go = "gidilecek yeri yaz";
+        type_where_to_go = "bir konuma git";
         opening = "açılış";
-        where_the_scene_opens = "sahnenin açıldığı yer";
+        where_the_scene_opens = "başlangıç konumu";
         assemblies = "montajlar";
-        other_assemblies = "öteki montaj biçimleri";
+        other_assemblies = "diğer montaj biçimleri";
 
         the_views = "Görünümler";
         view = "görünüm";
@@ -35,13 +35,13 @@ catalogue! {
         previous_view = "önceki";
         the_view_before = "önceki görünüm";
         motion = "hareket";
-        motion_and_live_tables = "hareket, canlı tablolar";
+        motion_and_live_tables = "hareket ve tablolar";
         tables = "tablo";
         all_tables = "bütün tablolar";
         plots = "grafik";
-        figures_over_the_motion = "hareket boyu grafikler";
+        figures_over_the_motion = "hareket boyu değerler";
         accuracy = "doğruluk";
-        speed_against_error = "süreye karşı hata";
+        speed_against_error = "süre ve hata";
         forces = "kuvvet";
         scene = "sahne";
         edit_the_scene = "sahneyi düzenle";
@@ -56,11 +56,11 @@ catalogue! {
         pane = "bölme";
         the_next_pane = "sonraki bölme";
         alone = "tek";
-        the_pane_alone_or_not = "bölme tek başına/değil";
+        the_pane_alone_or_not = "bölmeyi büyüt/küçült";
         split_left = "çizgi sola";
-        the_split_to_the_left = "bölme çizgisi sola";
+        the_split_to_the_left = "bölme çizgisini sola";
         split_right = "çizgi sağa";
-        the_split_to_the_right = "bölme çizgisi sağa";
+        the_split_to_the_right = "bölme çizgisini sağa";
         layout = "düzen";
         the_next_layout = "sonraki düzen";
 
@@ -74,9 +74,9 @@ catalogue! {
         force_arrows = "kuvvetler";
         loads_and_forces = "yükler ve kuvvetler";
         traces = "izler";
-        traces_of_points = "noktaların izleri";
+        traces_of_points = "noktaların yolları";
         ghosts = "konumlar";
-        other_positions = "öteki konumlar";
+        other_positions = "diğer konumlar";
         centres = "merkezler";
         centres_of_mass = "ağırlık merkezleri";
         guides = "kılavuzlar";
@@ -84,13 +84,13 @@ catalogue! {
         zoom_in = "yakınlaştır";
         zoom_out = "uzaklaştır";
         fit = "sığdır";
-        the_whole_motion_again = "yeniden bütün hareket";
+        the_whole_motion_again = "bütün hareketi göster";
         fit_pose = "konumu sığdır";
-        the_linkage_as_it_stands = "mekanizma durduğu gibi";
+        the_linkage_as_it_stands = "mekanizmayı göster";
         follow = "izle";
         stay_with_a_point = "bir noktayı izle";
         pan_left = "sola kay";
-        move_the_window_left = "pencereyi sola kaydır";
+        move_the_window_left = "görünümü sola kaydır";
         pan_down = "aşağı kay";
         move_it_down = "aşağı kaydır";
         pan_up = "yukarı kay";
@@ -118,32 +118,32 @@ catalogue! {
         search = "ara";
         find_by_name = "ada göre bul";
         choose = "seç";
-        show_it_in_the_motion = "harekette göster";
+        show_it_in_the_motion = "hareket görünümünde";
         left = "sol";
         the_figure_to_the_left = "soldaki değer";
         right = "sağ";
         the_figure_to_the_right = "sağdaki değer";
         choose_plots = "grafik seç";
         choose_what_is_plotted = "çizilecekleri seç";
-        abscissa = "yatay eksen";
-        what_stands_along_x = "x ekseninde ne olduğu";
+        abscissa = "x ekseni";
+        what_stands_along_x = "x eksenini seç";
         extrema = "uç değerler";
         mark_the_extrema = "uç değerleri işaretle";
         tolerance = "tolerans";
-        what_tolerances_do_to_it = "büyüklüğün toleransı";
+        what_tolerances_do_to_it = "tolerans analizi";
         band = "bant";
-        draw_the_band = "toleransların yaptığı";
+        draw_the_band = "tolerans bandını çiz";
 
         the_scene = "Sahne";
         edit = "düzenle";
-        type_another_value = "başka bir değer yaz";
+        type_another_value = "yeni bir değer yaz";
         nudge_down = "azalt";
-        a_little_less = "biraz azalt";
+        a_little_less = "değeri azalt";
         nudge_up = "artır";
-        a_little_more = "biraz artır";
+        a_little_more = "değeri artır";
         finer = "ince";
-        nudge_by_less = "daha az değiştir";
-        // What else commands are looked for by.
+        nudge_by_less = "değişim adımını küçült";
+        // Additional search words of commands.
         open_is_sought_by = "görev sentez aday mekanizma hazır dosya yükle";
         assemblies_are_sought_by = "dal devre kapanış ayna konfigürasyon";
         undo_is_sought_by = "geri dön";
@@ -154,54 +154,54 @@ catalogue! {
         gathering_is_sought_by = "birlikte biriktir toplu aşama";
         goal_is_sought_by = "hedefler strok kurs salınım çöz bul eniyile tasarım";
 
-        gather = "topla";
-        gather_edits = "topla ya da uygula";
+        gather = "beklet";
+        gather_edits = "beklet ya da uygula";
         coarser = "kaba";
         next_part = "sonraki parça";
         to_the_next_part = "sonraki parçaya";
         previous_part = "önceki parça";
         to_the_part_before = "önceki parçaya";
-        nudge_by_more = "daha çok değiştir";
+        nudge_by_more = "değişim adımını büyüt";
         undo = "geri al";
-        take_an_edit_back = "değişikliği geri al";
+        take_an_edit_back = "son değişikliği geri al";
         redo = "yinele";
-        make_it_again = "değişikliği yinele";
+        make_it_again = "geri alınanı yinele";
         save = "kaydet";
-        write_to_the_file = "dosyaya yaz";
+        write_to_the_file = "dosyaya kaydet";
         save_as = "farklı kaydet";
-        write_to_another_file = "başka bir dosyaya yaz";
+        write_to_another_file = "başka dosyaya kaydet";
         reload = "yeniden oku";
         read_the_file_again = "dosyayı yeniden oku";
         open = "aç";
-        open_a_preset_or_file = "hazır sahne ya da dosya";
+        open_a_preset_or_file = "hazır sahne/dosya aç";
         next = "sonraki";
         the_next_preset = "sonraki hazır sahne";
         previous = "önceki";
         the_preset_before = "önceki hazır sahne";
         compare = "karşılaştır";
-        beside_another_scene = "başka bir sahneyle";
+        beside_another_scene = "başka sahneyle";
 
-        taking_things_out = "Dışarı alma";
+        taking_things_out = "Dışa aktarma";
         copy = "kopyala";
         copy_to_the_clipboard = "panoya kopyala";
         csv = "csv";
-        write_a_csv_file = "CSV ya da çözümü yaz";
+        write_a_csv_file = "CSV/çözüm dosyası yaz";
         picture = "resim";
-        write_the_screen = "ekranı dosyaya yaz";
+        write_the_screen = "ekranı dışa aktar";
         still = "görüntü";
-        the_drawing_in_pixels = "çizim, piksellerle";
+        the_drawing_in_pixels = "piksellerle çiz";
         svg = "svg";
-        write_an_svg_file = "SVG dosyası yaz";
+        write_an_svg_file = "SVG olarak aktar";
 
         the_program = "Program";
         glyphs = "karakterler";
         ascii_lines_braille = "ASCII, Braille, bloklar";
         colours = "renkler";
-        how_many_colours = "kaç renk";
+        how_many_colours = "renk sayısı";
         mouse = "fare";
-        take_the_mouse_or_not = "fare alınsın/alınmasın";
-        mouse_on = "fare krankı çevirir ve gösterir; Shift ile metin seçer";
-        mouse_off = "fare yeniden terminalin";
+        take_the_mouse_or_not = "fareyi aç/kapat";
+        mouse_on = "fare açık: krankı çevirir, gösterir; Shift metin seçer";
+        mouse_off = "fare kapalı: terminalde";
         language = "dil";
         turkish_or_english = "Türkçe ya da İngilizce";
         help = "yardım";
@@ -213,11 +213,11 @@ catalogue! {
         back = "geri";
         one_level_back = "bir düzey geri";
         redraw = "yeniden çiz";
-        draw_everything_again = "her şeyi yeniden çiz";
+        draw_everything_again = "ekranı yeniden çiz";
         suspend = "askıya al";
-        stop_and_fg_goes_on = "durdur; fg ile sürer";
+        stop_and_fg_goes_on = "askıya al (fg: sürdür)";
         quit = "çık";
-        leave = "çık";
+        leave = "krank'tan çık";
         leave_from_anywhere = "her yerden çık";
         no_key = "(tuş yok)";
     }

@@ -1,4 +1,4 @@
-//! What `krank check` tells of a scene.
+//! The facts that `krank check` prints.
 
 use super::Turkish;
 use crate::wording::english::CheckingWords;
@@ -6,7 +6,7 @@ use std::fmt::Display;
 
 catalogue! {
     impl CheckingWords for Turkish {
-        // What they are called.
+        // Labels.
         fact_source = "kaynak";
         fact_note = "not";
         fact_unit = "birim";
@@ -17,7 +17,7 @@ catalogue! {
         fact_links = "uzuvlar";
         fact_joints = "mafsallar";
         fact_slides = "kızaklar";
-        knots_outside(of: &str, at: &str) = "`over` ({of}): hareketin hiç varmadığı düğümler: {at}";
+        knots_outside(of: &str, at: &str) = "`over` ({of}): hareketin ulaşmadığı düğümler: {at}";
         fact_mobility = "serbestlik";
         fact_redundant = "fazla";
         fact_groups = "gruplar";
@@ -50,14 +50,14 @@ catalogue! {
             "{driven}, açılışta {at}, {speed}, {acceleration}";
         driver_opens_at(driven: &str, at: &str) = "{driven}, açılışta {at}";
         motion_in_time(laws: &str, period: &str) = "{laws}, {period} s sürer";
-        motion_rests(rest: &str) = ", bunun {rest} s kadarı duruş";
+        motion_rests(rest: &str) = ", bunun {rest} s kadarı bekleme";
         motion_at_most(speed: &str, acceleration: &str) = "; en çok {speed} ve {acceleration}";
         motion_jumps(time: &str) = "; hız {time} s anında sıçrar";
         motion_verdict(period: &str, speed: &str, acceleration: &str) =
             "{period} s, en çok {speed} ve {acceleration}";
         motion_in_short(period: &str, speed: &str) = "{period} s, {speed}";
         input_follows(driven: &str, ratio: &str, phase: &str) =
-            "{driven} izler: tahrikin koordinatının {ratio} katı, artı {phase}";
+            "{driven} izler: tahrik koordinatının {ratio} katı artı {phase}";
         input_follows_table(driven: &str, knots: usize, ends: [&str; 2], unit: &str) = {
             let [first, last] = ends;
             format!("{driven} bir tabloyu izler: {knots} düğüm, tahrik {first} ile {last} {unit} arasında")
@@ -67,45 +67,45 @@ catalogue! {
         input_given_by_table(driven: &str, knots: &str, units: [&str; 2], closes: bool) = {
             let [driver, own] = units;
             let ends = match closes {
-                true => "sonu başı gibi süren",
+                true => "periyodik",
                 false => "iki ucunda duran",
             };
             format!(
-                "{driven}, şu düğümlerden geçen, {ends} kübik spline ile izler [tahrik {driver}, kendi koordinatı {own}]: {knots}"
+                "{driven}, {ends} bir kübik spline izler [tahrik {driver}, kendi koordinatı {own}]: {knots}"
             )
         };
         pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pim {pin}, yarığı taşıyan: {of}";
         link_along(name: &str, link: &str, guide: &str) =
-            "{name}: uzuv {link}, {guide} boyunca, ona göre dönmeden";
+            "{name}: uzuv {link}, {guide} boyunca, ona göre dönmez";
         slide_counts_backwards(name: &str, r: &str, unit: &str, angles: [&str; 2], theta: Option<&String>) = {
             let [angle, other] = angles;
-            let at = theta.map(|theta| format!(", açısı {theta} deg olur")).unwrap_or_default();
+            let at = theta.map(|theta| format!(" (theta {theta} deg)")).unwrap_or_default();
             format!(
-                "{name} sahne açılırken eksi, {r} {unit}: `through` noktasından `angle = {angle}` yönünde \
-                 ölçülür, vektörü ise geri döner; `angle = {other}` ile ders notlarındaki gibi artı{at}"
+                "{name} sahnenin açıldığı konumda negatif, {r} {unit}: `through` noktasından `angle = {angle}` yönünde \
+                 ölçülür, ama vektörü ters yöndedir; pozitif olması için ders notlarındaki gibi `angle = {other}` yaz{at}"
             )
         };
 
         // Mobility and groups.
         mobility_set_aside(mobility: &dyn Display, count: usize, which: &str) = {
             let count = some(count, "fazla kısıt");
-            format!("{mobility}, {count} bir yana bırakıldı: {which}")
+            format!("{mobility}, {count} hesaba katılmadı: {which}")
         };
         mobility_not_certain =
-            "neredeyse 2 ya da daha çok: az farklı boyutlarda bir uzuv serbest kalırdı";
+            "neredeyse 2 ya da daha fazla: boyutlar biraz farklı olsa bir uzuv serbest kalırdı";
         mobility_more_at_opening =
-            "sahnenin açıldığı yerde daha çok: orası bağlı bir grubun değişim ya da ölü konumu";
-        repeats_others(part: &str) = "{part} başkalarını yineler";
+            "sahnenin açıldığı konumda daha büyük: bağlaşık bir grubun değişim ya da ölü konumu";
+        repeats_others(part: &str) = "{part} başka kısıtları yineler";
         repeats(part: &str, others: &str) = "{part} şunları yineler: {others}";
         disagree_by(what: &str, misfit: &str) = "{what}; aralarındaki fark en çok {misfit}";
         some_and_more(some: &str, more: usize) = "{some} ve {more} tane daha";
-        dyad(class: &str) = "diad {class}";
-        dyad_at(class: &str, point: &str) = "diad {class}, {point} noktasında";
+        dyad(class: &str) = "ikili grup {class}";
+        dyad_at(class: &str, point: &str) = "ikili grup {class}, {point} noktasında";
         coupled_group(unknowns: usize) = {
-            format!("bağlı grup, {}", some(unknowns, "bilinmeyen"))
+            format!("bağlaşık grup, {}", some(unknowns, "bilinmeyen"))
         };
         coupled_group_at(point: &str, unknowns: usize) = {
-            format!("bağlı grup, {point} noktasında, {}", some(unknowns, "bilinmeyen"))
+            format!("bağlaşık grup, {point} noktasında, {}", some(unknowns, "bilinmeyen"))
         };
         closed_form = "kapalı form";
         by_newton = "Newton ile";
@@ -115,13 +115,13 @@ catalogue! {
         group_of_links(group: &str, links: &str, how: &str) = "{group}: uzuvlar {links} ({how})";
 
         // Assemblies.
-        those_of_more(count: usize) = "ve {count} tanesininkiler daha";
-        more_than(count: usize) = "en az {count}, dahası var";
+        those_of_more(count: usize) = "ve {count} tane daha";
+        more_than(count: usize) = "{count} taneden çok";
         chosen_now(choice: &str) = "{choice} şimdi";
-        rest_open(choice: &str) = "{choice} (gerisi kapanmaz)";
+        rest_open(choice: &str) = "{choice} (gerisi kurulamaz)";
         at_place(choice: &str, x: &str, y: &str) = "{choice}: ({x}, {y})";
 
-        // A first loop.
+        // The first loop.
         driven_coupler_follower_frame(lengths: &[String; 4], unit: &str) = {
             let [driven, coupler, follower, frame] = lengths;
             format!("tahrik {driven}, biyel {coupler}, çıkış {follower}, şase {frame} {unit}")
@@ -159,18 +159,17 @@ catalogue! {
             "{at} {unit}: {name} {value} değerinde";
         table_ends_at(at: &str, unit: &str, name: &str) = "{at} {unit}: {name} tablosunun sonu";
         table_named(name: &str) = "{name} tablosu";
-        change_points_at(places: &str, unit: &str) = "konumları: {places} {unit}, kesintisiz geçilir";
-        equal_as_typed = "yazıldığı gibi eşit olan boylar eşit sayılır";
+        change_points_at(places: &str, unit: &str) = "{places} {unit} konumunda, kesintisiz geçilir";
+        equal_as_typed = "yazılan değerleri eşit olan boylar eşit sayılır";
         equal_within(tolerance: &str, unit: &str) =
-            "farkı {tolerance} {unit} içinde kalan boylar eşit sayılır: koordinatlar yuvarlanmış";
+            "farkı en çok {tolerance} {unit} olan boylar eşit sayılır: koordinatlar yuvarlanmıştır";
         ends_lined_up(at: &str, unit: &str, group: &str) =
-            "{group} uzuvları {at} {unit} konumunda bir doğru üzerine gelir ve aralık orada biter: hareketin nasıl \
-             sürdüğü kanıtlanamadı";
+            "{group} noktasındaki uzuvlar aralığın sonunda, {at} {unit} konumunda bir doğru üzerine gelir: \
+             hareketin nasıl sürdüğü kanıtlanmadı";
         near_miss(at: &str, unit: &str, sine: &str, group: &str) =
-            "neredeyse değişim ya da ölü konum: {at} {unit}, bağlama açısının sinüsü {sine}, {group}; \
-             hareket montaj biçimini korur";
-        transmission_throughout(group: &str, angle: &str) =
-            "bağlama açısı, {group}: her yerde {angle} deg";
+            "neredeyse değişim ya da ölü konum: {at} {unit}, bağlama açısının sinüsü {sine} ({group}); hareket \
+             montaj biçimini korur";
+        transmission_throughout(group: &str, angle: &str) = "bağlama açısı, {group}: hep {angle} deg";
         transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
             let [least, at_least, most, at_most] = angles;
             format!(
@@ -193,7 +192,7 @@ catalogue! {
         nothing_of_it = "yok";
         became(old: &str, new: &str) = "{old} -> {new}";
 
-        // What acts.
+        // Loads.
         count_of_forces(count: usize) = "{count} kuvvet";
         count_of_torques(count: usize) = "{count} tork";
         count_of_presses(count: usize) = "{count} pres";
@@ -201,7 +200,7 @@ catalogue! {
         count_of_masses(count: usize) = "{count} kütleli uzuv";
         gravity = "yerçekimi";
         repeated_after(what: &str, period: &dyn Display) = "{what}; {period} deg sonra yinelenir";
-        not_settled(reactions: &str) = "dengenin belirlemediği tepkiler: {reactions}";
+        not_settled(reactions: &str) = "dengenin belirlemediği tepki kuvvetleri: {reactions}";
     }
 }
 

@@ -1,4 +1,4 @@
-//! The configuration: what is wrong with it, and how it begins.
+//! Errors of the configuration, and the template of `krank config`.
 
 use super::Turkish;
 use crate::wording::english::ConfigurationWords;
@@ -7,14 +7,14 @@ use std::fmt::Display;
 catalogue! {
     impl ConfigurationWords for Turkish {
         the_configuration = "ayar dosyası";
-        quote_texts_and_keys = "metinler ve tuşlar tırnak içinde yazılır: \"space\"";
+        quote_texts_and_keys = "metinleri ve tuşları tırnak içinde yaz: \"space\"";
         write_name_and_value = "ad = değer yaz";
 
         // Values.
-        value_cannot_be(key: &str, given: &dyn Display) = "`{key}` şu olamaz: {given}";
+        value_cannot_be(key: &str, given: &dyn Display) = "`{key}` değeri {given} olamaz";
         unknown_value = "bilinmeyen değer";
         known_values(quoted: &str) = "bilinen değerler: {quoted}";
-        separator_is_decimal = "`decimal` virgülken `separator` virgül olamaz";
+        separator_is_decimal = "`separator` ve `decimal` birlikte virgül olamaz";
         take_a_semicolon = "\"semicolon\" ya da \"tab\" yaz";
 
         ignored(first: &str, more: usize) = {
@@ -27,11 +27,11 @@ catalogue! {
         // Actions.
         unknown_action(name: &str) = "[keys]: bilinmeyen eylem {name}";
         unknown_action_here = "bilinmeyen eylem";
-        config_lists_actions = "`krank config` bütün eylemleri sayar";
-        must_have_a_key(name: &str) = "{name} için bir tuş olmalı";
+        config_lists_actions = "eylemleri `krank config` ile listele";
+        must_have_a_key(name: &str) = "{name} eyleminin bir tuşu olmalı";
         no_key_here = "tuş yok";
-        by_default(keys: &str) = "yerleşik tuşu {keys}";
-        keeps_its_key(name: &str) = "[keys]: {name} kendi tuşunda kalır";
+        by_default(keys: &str) = "varsayılan: {keys}";
+        keeps_its_key(name: &str) = "[keys]: {name} eyleminin tuşu sabittir";
         cannot_be_changed = "değiştirilemez";
         always_leaves(key: &dyn Display) = "{key} her zaman çıkar";
         always_goes_back(key: &dyn Display) = "{key} her zaman geri döner";
@@ -42,44 +42,44 @@ catalogue! {
         no_key_called(name: &str) = "{name} adında bir tuş yok";
         unknown_key = "bilinmeyen tuş";
         how_keys_are_called =
-            "tuş, yazılabilir bir ASCII karakteridir ya da yardımda göründüğü gibi\n\
-             adlandırılır: space, Enter, Tab, Shift-Tab, Backspace, Left, Right, Up, Down,\n\
-             Home, End, PgUp, PgDn, F1 .. F24, Ctrl-A .. Ctrl-Z";
-        cannot_be_given_away = "başka işe verilemez";
+            "yazdırılabilir bir ASCII karakteri ya da yardımdaki tuş adını yaz:\n\
+             space, Enter, Tab, Shift-Tab, Backspace, Left, Right, Up, Down, Home, End,\n\
+             PgUp, PgDn, F1 .. F24, Ctrl-A .. Ctrl-Z";
+        cannot_be_given_away = "başka eyleme atanamaz";
         choose_another_key = "başka bir tuş seç";
         sent_as(key: &dyn Display, sent: &dyn Display) = "terminaller {key} yerine {sent} gönderir";
-        never_seen = "hiç görülmez";
-        key_given_twice(key: &dyn Display, action: &str) = "{key} tuşu `{action}` eylemine iki kez verilmiş";
+        never_seen = "hiç alınmaz";
+        key_given_twice(key: &dyn Display, action: &str) = "{key} tuşu `{action}` eylemine iki kez atanmış";
         key_given_to_both(key: &dyn Display, one: &str, other: &str) =
-            "{key} tuşu hem `{one}` hem `{other}` eylemine verilmiş";
-        once_more = "bir kez daha";
+            "{key} tuşu hem `{one}` hem `{other}` eylemine atanmış";
+        once_more = "yine";
         here = "burada";
-        here_too = "burada da";
-        has_it_by_default(action: &str) = "yerleşik olarak `{action}` eyleminde";
+        here_too = "ve burada";
+        has_it_by_default(action: &str) = "`{action}` eyleminin varsayılan tuşu";
         give_another_key(action: &str) =
-            "`{action}` eylemine başka bir tuş ver ya da hiç verme: {action} = []";
+            "`{action}` eylemine başka bir tuş ata ya da boş bırak: {action} = []";
 
-        // What `krank config` prints.
+        // The template of `krank config`.
         template_head = "\
 # krank'ın ayarları; $XDG_CONFIG_HOME/krank/config.toml dosyasından, bu değişken yoksa
-# ~/.config/krank/config.toml dosyasından okunur. krank onu hiç yazmaz.
+# ~/.config/krank/config.toml dosyasından okunur. krank bu dosyayı hiç yazmaz.
 #
-# Buradaki her satır kapalıdır ve yerleşik olanı söyler: değiştirmek için satırın
-# başındaki # işaretini kaldır. Yanlış olan, krank açılırken satırıyla söylenir; krank'ın
-# tanımadığı adlar atlanır.
+# Her satır, varsayılan değeri gösteren bir yorumdur: değiştirmek için baştaki #
+# işaretini kaldır. krank açılırken hataları satırlarıyla bildirir ve tanımadığı
+# adları yok sayar.
 
 ";
-        for_a_ground(values: &str) = "zemine göre: {values}";
+        for_a_ground(values: &str) = "arka plan: {values}";
         pictures_are_sent_by(values: &str) = "{values}";
         languages_are(values: &str) = "{values}";
         decimals_of_csv(values: &str) = "CSV dosyalarında: {values}";
         separators_of_csv(values: &str) = "{values}";
-        panes_stand_as(values: &str) = "bölmeler: {values}";
-        mouse_from_the_start = "fare baştan krank'ın: true ya da false";
-        tour_on_first_start = "ilk açılışta tur: true ya da false";
+        panes_stand_as(values: &str) = "bölme düzeni: {values}";
+        mouse_from_the_start = "fareyi baştan kullan: true ya da false";
+        tour_on_first_start = "ilk açılışta turu göster: true ya da false";
         template_keys = "
 [keys]
-# Her eylem için bir tuş ya da bir tuş listesi, yardımda göründüğü gibi: \"g\", \"space\",
+# Her eylem için bir tuş ya da bir tuş listesi, yardımdaki adıyla: \"g\", \"space\",
 # \"F5\", \"Ctrl-R\", \"PgUp\". Boş liste tuşları kaldırır. Ctrl-C her zaman çıkar, Esc her
 # zaman geri döner.
 ";

@@ -1,39 +1,39 @@
-//! What figures do over the whole motion.
+//! Quantities over the whole motion.
 
 use super::Turkish;
 use crate::wording::english::CyclesWords;
 
 catalogue! {
     impl CyclesWords for Turkish {
-        // Names of such figures.
+        // Names.
         no_cycle_figure(name: &str, mend: &str) = "`{name}` adında bir döngü büyüklüğü yok{mend}";
-        column_can_be_asked(list: &str) = "; bir sütun adının arkasına şunlar yazılabilir: {list}";
+        column_can_be_asked(list: &str) = "; bir sütun adının sonuna şunlardan biri yazılır: {list}";
 
-        // Why there is none.
+        // Reasons for missing values.
         no_value_at(at: &str) = "{at} konumunda değeri yok";
-        turns_round = "tam dönüyor";
+        turns_round = "tam tur dönüyor";
         never_turns = "hiç geri dönmüyor";
         figure_stands = "hareket etmiyor";
         figure_rests = "uç değerinde bekliyor";
         figure_leaps = "bir uçtan öbürüne sıçrıyor";
         there_and_back_alike = "tahrik aynı yoldan gidip geliyor";
-        driver_has_no_speed = "tahrik duruyor";
-        driver_does_not_come_round = "tahrik turunu tamamlamadan geri dönüyor";
-        no_rate_known = "hızı bir konumun büyüklüğü değil";
-        rate_unbounded(at: &str) = "{at} konumuna doğru sınırsız büyüyor";
+        driver_has_no_speed = "tahrikin hızı yok";
+        driver_does_not_come_round = "tahrik tam tur dönmeden geri dönüyor";
+        no_rate_known = "hızı bilinmiyor";
+        rate_unbounded(at: &str) = "{at} yakınında sınırsız büyüyor";
         figure_jumps(at: &str) = "{at} konumunda sıçrıyor: formülündeki bir yön orada tam turu geçiyor";
         no_limit = "tahrik tam dönüyor";
         no_dyad = "bağlama açısı olan ikili grup yok";
         no_coupled_group = "yinelemeyle çözülen grup yok";
-        motion_never_at(at: &str) = "hareket {at} konumuna gelmiyor";
+        motion_never_at(at: &str) = "hareket {at} konumuna ulaşmıyor";
 
         // The page.
-        cycle_goes_round(speed: &str, range: &str) = "{range}; bir periyot, {speed}";
-        cycle_of_range(speed: &str, range: &str) = "{range}; bu aralık, {speed}";
+        cycle_goes_round(speed: &str, range: &str) = "{range}; {speed} ile bir periyot";
+        cycle_of_range(speed: &str, range: &str) = "{range}; {speed} ile bu aralık";
         cycle_leaves_motion_out =
-            "hızlar ve süreler, bu hızı koruyan bir tahrik içindir; zamana göre hareketinki değil";
+            "hızlar ve süreler bu sabit hızdaki tahrik içindir, zamana göre hareketi için değil";
         nothing_to_follow =
-            "izlenecek bir şey yok: ne kızak, ne sarkaç, ne de tanımlı bir büyüklük var; --columns ile sütun adı verin";
+            "izlenecek kızak, sarkaç ya da tanımlı büyüklük yok: --columns ile sütun adı ver";
         label_stroke = "strok";
         label_swing = "salınım";
         label_turns = "dönüşler";
@@ -60,7 +60,7 @@ catalogue! {
         way_there_and_back(way: &str) = "gidiş geliş {way}";
         stays_within(way: &str, from: &str, to: &str, tolerance: &str, of: &str) =
             "{way}: {from} ile {to} arasında; {of} değerine {tolerance} içinde";
-        never_dwells = "hiçbir yerde";
+        never_dwells = "yok";
         not_there(why: &str) = "yok: {why}";
         off_the_best(group: &str, off: &str, least: &str, at: &str) =
             "{group}: {least} deg, 90 dereceden {off} deg sapar, {at}";

@@ -1,4 +1,4 @@
-//! Many designs of a scene: what varies, and what is wished.
+//! Studies of many designs of a scene: ranges, goals and results.
 
 use super::Turkish;
 use crate::wording::english::DesignsWords;
@@ -6,35 +6,35 @@ use crate::wording::english::DesignsWords;
 catalogue! {
     impl DesignsWords for Turkish {
         no_axis(text: &str) =
-            "`{text}` bir değerin nasıl değiştiğini söylemiyor: `r3.length` (serbest), `r3.length=280..320` ya da \
-             `r3.length=280..320/9` (9 yerde) yazın";
+            "`{text}` geçerli bir aralık değil: `r3.length` (serbest), `r3.length=280..320` ya da \
+             `r3.length=280..320/9` (9 değer) yaz";
         no_goal(text: &str) =
-            "`{text}` bir hedef değil: bir büyüklük, bir işaret ve bir sayı yazın: `C.x.stroke = 120`, \
+            "`{text}` bir hedef değil: bir büyüklük, bir işaret ve bir sayı yaz: `C.x.stroke = 120`, \
              `transmission >= 40` ya da `r4.angle.swing <= 75`";
         unit_of_goal(figure: &str, unit: &str, found: &str) = {
             match unit {
-                "" => format!("{figure} birimsiz bir sayıdır, birimi {found} değil: sayıyı yalnız yazın"),
+                "" => format!("{figure} birimsizdir, birimi {found} değil: yalnız sayıyı yaz"),
                 unit => format!(
-                    "{figure} büyüklüğünün birimi {unit}, {found} değil: sayıyı yalnız ya da bu türden bir birimle yazın"
+                    "{figure} büyüklüğünün birimi {unit}, {found} değil: yalnız sayıyı ya da bu türden bir birimle yaz"
                 ),
             }
         };
 
-        // Goals and the best.
-        to_be_met = "karşılanacak";
-        to_be_best = "en iyisi";
-        to_be_kept = "korunacak";
+        // Goals and optimization.
+        to_be_met = "hedefler";
+        to_be_best = "eniyile";
+        to_be_kept = "koru";
         designs_found = "bulunan";
         given_design = "verilen";
         nearest_design = "en yakın";
         best_design = "en iyi";
         kind_of_motion = "hareket";
         motion_of_design(design: &str, motion: &str) = "{design}: {motion}";
-        moves_otherwise = "bu tasarım verilen gibi hareket etmiyor";
+        moves_otherwise = "bu tasarım verilenden farklı hareket ediyor";
         greatest_wished(figure: &str) = "en büyük {figure}";
         least_wished(figure: &str) = "en küçük {figure}";
         none_meets_goals(starts: u32) = {
-            format!("{starts} başlangıçtan hiçbir tasarım hepsini karşılamıyor; en yakını aşağıda")
+            format!("{starts} başlangıçtan hiçbir tasarım bütün hedefleri karşılamıyor; en yakını aşağıda")
         };
         no_design_opens(starts: u32) = {
             format!("{starts} başlangıçtan hiçbir tasarımda bu büyüklüklerin hepsi yok")
@@ -48,41 +48,49 @@ catalogue! {
             format!("{count} tasarım{first}, {starts} başlangıçtan")
         };
         family_of_designs(freedoms: usize) = {
-            format!("{freedoms} serbestlikli bir aileden: bunların yanındaki tasarımlar da hedefleri karşılar")
+            format!("{freedoms} serbestlik dereceli bir aileden: yakındaki tasarımlar da hedefleri karşılar")
         };
         generations_made(generations: u32, settled: bool) = {
             match settled {
-                true => format!("{generations} kuşağın en iyisi; hepsi bir yere vardı"),
-                false => format!("{generations} kuşağın en iyisi; bir yere varmadılar"),
+                true => format!("{generations} kuşağın en iyisi; arama yakınsadı"),
+                false => format!("{generations} kuşağın en iyisi; arama yakınsamadı"),
             }
         };
         polished_best(stationary: bool) = {
             match stationary {
-                true => "hepsini koruyan hiçbir küçük adım onu iyileştirmiyor",
-                false => "küçük bir adımın onu iyileştirip iyileştirmediği kesin değil",
+                true => "sınırlar içinde hiçbir küçük değişiklik onu iyileştirmiyor",
+                false => "küçük bir değişikliğin onu iyileştirmeyeceği kesin değil",
             }
             .to_owned()
         };
-        no_goal_given = "neyin karşılanacağını --goal ile, neyin en iyi olacağını --minimize ya da --maximize ile söyleyin";
-        goals_and_best = "ya bir hedef karşılanır ya da bir büyüklük en iyi olur: --goal ya da --keep ile birlikte --minimize veya --maximize verin";
-        free_without_ends(name: &str) = "`{name}` için burada sınırlar gerek: `{name}=ALT..ÜST` yazın";
-        no_such_design(number: usize, count: usize) = "{number} numaralı tasarım yok: {count} tasarım bulundu";
+        no_goal_given = "aranacak bir şey verilmemiş: --goal, --minimize ya da --maximize ver";
+        goals_and_best =
+            "--goal ile --minimize ya da --maximize birlikte kullanılamaz: sınırları --keep ile yaz";
+        free_without_ends(name: &str) = "`{name}` için burada sınırlar gerekir: `{name}=ALT..ÜST` yaz";
+        no_such_design(number: usize, count: usize) =
+            "{number} numaralı tasarım yok: yalnız {count} tasarım bulundu";
         given_lacks = "verilende yok";
-        goals_not_met = "bütün hedefleri karşılayan bir tasarım bulunamadı";
-        keeps_nothing = "hepsini koruyan bir tasarım bulunamadı";
-        start_was_written = "metin tek başına başka bir montaj biçiminde açılırdı: [start] yeniden yazıldı";
+        goals_not_met = "hiçbir tasarım bütün hedefleri karşılamıyor";
+        keeps_nothing = "hiçbir tasarım bütün sınırlara uymuyor";
+        start_was_written = "yeni bir [start] yazıldı: o olmadan sahne başka bir montaj biçiminde açılırdı";
 
         // The command.
-        does_solve = "Sahnenin hedefleri karşılayan ya da bir büyüklüğü en iyi yapan sayılarını bulur";
-        values_to_vary = "Değişen değerler, sahne görünümündeki adlarıyla, noktalı: r3.length, A.x, bir parametre; sınırlarıyla r3.length=280..320";
-        goal_to_meet = "Karşılanacak olan: C.x.stroke = 120, r4.angle.swing <= 75, C.x@60 = 310 (krank help designs); her hedef için bir kez";
-        limit_to_keep = "Ayrıca korunacak olan, >=, <= ya da = ile: transmission >= 40, r4.angle.swing = 75";
-        figure_to_minimize = "Değerlerin sınırları içinde, her şey korunarak en küçük olacak büyüklük";
-        figure_to_maximize = "En büyük olacak büyüklük";
-        starts_of_search = "Verilenin dışında kaç yerden başlayarak tasarım aranacağı";
-        generations_of_search = "En iyinin en çok kaç kuşak boyunca aranacağı";
-        seed_of_search = "Rastlantının tohumu: aynı tohum aynısını bulur";
-        design_to_write = "Tasarımlardan hangisinin -o dosyasına yazılacağı";
+        does_solve =
+            "Bir sahnenin hedefleri karşılayan ya da bir büyüklüğü en küçük veya en büyük yapan değerlerini bul";
+        values_to_vary =
+            "Değiştirilecek değerler, sahne görünümündeki adlarıyla ve noktayla: r3.length, A.x, bir parametre; \
+             sınırlarıyla: r3.length=280..320";
+        goal_to_meet =
+            "Karşılanacak hedef: C.x.stroke = 120, r4.angle.swing <= 75, C.x@60 = 310 (krank help designs); \
+             yinelenebilir";
+        limit_to_keep =
+            "Uyulacak sınır, >=, <= ya da = ile: transmission >= 40, r4.angle.swing = 75; yinelenebilir";
+        figure_to_minimize = "Sınırlar içinde en küçük yapılacak büyüklük";
+        figure_to_maximize = "Sınırlar içinde en büyük yapılacak büyüklük";
+        starts_of_search = "Verilen tasarıma ek olarak rastgele başlangıç sayısı";
+        generations_of_search = "Aramadaki en büyük kuşak sayısı";
+        seed_of_search = "Rastgele sayıların tohumu: aynı tohum aynı tasarımları bulur";
+        design_to_write = "-o ile yazılacak tasarımın numarası";
         starts_counted = "başlangıç";
         generations_counted = "kuşak";
         examples_of_solve = "\
@@ -94,37 +102,38 @@ catalogue! {
   krank solve four-bar --vary r2.length=60..140,r4.length=200..320 \\
       --maximize r4.angle.swing --keep 'transmission >= 45'
 
-Her tasarım sahnenin montaj biçiminde açılır, ya da hiç açılmaz. Hedefleri hiçbir
-tasarım karşılamıyorsa en yakını söylenir ve çıkış kodu 1 olur. Çok başlangıçlı bir
-arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
-        // What varies.
-        value_twice(name: &str) = "{name} iki kez değişiyor";
+Her tasarım sahnenin montaj biçimini korur. Hedefleri hiçbir tasarım karşılamıyorsa
+en yakını yazılır ve çıkış kodu 1 olur. Çok başlangıçlı bir arama, başka tasarım
+bulunmadığını kanıtlamaz.";
+        // Ranges.
+        value_twice(name: &str) = "{name} iki kez verilmiş: her değeri bir kez yaz";
         axis_without_ends(name: &str) =
-            "{name} için uç değer yok: {name}=280..320 ya da 9 yer için {name}=280..320/9 yazın";
+            "{name} için sınır yok: {name}=280..320 ya da 9 değer için {name}=280..320/9 yaz";
         hypercube_has_places(name: &str) =
-            "{name} için yer sayısı verilmiş, oysa --latin ile her değerin tasarım sayısı kadar yeri olur: / ve \
-             arkasındaki sayıyı silin";
+            "{name} için değer sayısı verilmiş, ama --latin ile bu sayı tasarım sayısıdır: / işaretini ve \
+             arkasındaki sayıyı sil";
         too_many_designs(most: &str) =
-            "ızgarada {most} tasarımdan fazlası var: daha az yer verin ya da --latin kullanın";
-        no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yazın";
+            "ızgarada {most} tasarımdan fazlası var: daha az değer ya da --latin kullan";
+        no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yaz";
         disk_without_locks(file: &str) =
-            "{file}: bu diskte dosya kilidi yok; aynı dosyaya ikinci bir çalışma başlatma";
-        resume_needs_file = "--resume bir CSV dosyasını sürdürür: dosyayı -o ile belirtin";
+            "{file}: bu diskte dosya kilidi yok; bu dosyayla ikinci bir çalışma başlatma";
+        resume_needs_file = "--resume için bir CSV dosyası gerekir: dosyayı -o ile ver";
         chart_needs_grid(most: &str) =
-            "çizim, bir ya da iki değerin ızgarasından, bütün parçalarıyla ve en çok {most} tasarımla yapılır";
+            "grafik için bir ya da iki değerin bütün parçalarıyla ızgarası ve en çok {most} tasarım gerekir";
 
-        // What came of it.
+        // Results.
         designs = "tasarım";
         file_of_other_study(file: &str, line: u64) =
-            "{file} bu çalışmanın dosyası değil: {line}. satırı farklı. Baştan yazmak için --resume seçeneğini kaldırın";
+            "{file} başka bir çalışmanın dosyası: {line}. satır farklı. Dosyayı baştan yazmak için --resume \
+             seçeneğini kaldır";
         row_was_changed(file: &str, line: u64) =
-            "{file} dosyasının {line}. satırı bu çalışmanın yazdığı değil: değiştirilmiş. Satırı geri getirin ya \
-             da baştan yazmak için --resume seçeneğini kaldırın";
+            "{file} dosyasının {line}. satırı, bu çalışma yazdıktan sonra değiştirilmiş. Satırı geri getir ya \
+             da dosyayı baştan yazmak için --resume seçeneğini kaldır";
         file_goes_on(file: &str, done: u64, all: u64) = "{file} içinde {all} tasarımın {done} tanesi hazır";
         designs_left_out(open: u64, unreadable: u64, all: u64) =
-            "{all} tasarımın {open} tanesi sahnedeki gibi kurulamıyor, {unreadable} tanesi bir sahne vermiyor: nedeni \
-             satırlarında yazılı";
-        no_design_has_figures(why: &str) = "hiçbir tasarımda bu büyüklükler yok: {why}";
+            "{all} tasarımın {open} tanesi sahnedeki gibi kurulamıyor, {unreadable} tanesi geçerli bir sahne \
+             değil: nedeni satırlarında yazılı";
+        no_design_has_figures(why: &str) = "bu değerlerin hiçbiri hiçbir tasarımda yok: {why}";
         has_no_value_in_designs(figure: &str) = "{figure} hiçbir tasarımda değer almıyor";
         designs_from_to(figure: &str, least: [&str; 2], greatest: [&str; 2]) = {
             let ([least, low], [greatest, high]) = (least, greatest);
@@ -138,16 +147,16 @@ arama, bulmadığı tasarımlar için hiçbir şey kanıtlamaz.";
         find_values_for_a_goal = "hedef için değer bul";
         goals_are_typed(value: &str) = "C.x.stroke = 120 by {value}";
         goal_not_met(nearest: &str, values: &str) =
-            "yakında bunu karşılayan tasarım yok; en yakınında {nearest} ({values})";
+            "yakında bunu karşılayan tasarım yok; en yakını: {nearest} ({values})";
         goal_is_met(values: &str) = "{values} karşılıyor";
         goal_needs_opening(why: &str) = {
             match why.is_empty() {
-                true => "yakında söylenebilecek bir tasarım yok".to_owned(),
-                false => format!("yakında söylenebilecek bir tasarım yok; bunda: {why}"),
+                true => "yakında hesaplanabilen bir tasarım yok".to_owned(),
+                false => format!("yakında hesaplanabilen bir tasarım yok; bunda: {why}"),
             }
         };
         looking_for_designs(percent: u32) = "tasarımlar aranıyor: %{percent}";
         design_of(number: usize, count: usize, values: &str) = "{number}/{count}: {values}";
-        moves_otherwise_as(motion: &str) = "başka türlü hareket ediyor: {motion}";
+        moves_otherwise_as(motion: &str) = "farklı hareket ediyor: {motion}";
     }
 }

@@ -1,4 +1,4 @@
-//! What stands below the help of each command: examples, and what is to be known.
+//! Text below the options in the help of each command: examples and notes.
 
 use super::Turkish;
 use crate::wording::english::ExamplesWords;
@@ -7,9 +7,9 @@ catalogue! {
     impl ExamplesWords for Turkish {
         keys_of_workbench = "\
 Tezgâhın tuşları:
-  space oynat, durdur   . bir adım ileri  , bir adım geri   r öbür yön
-  g yer yazarak git     2 bütün tablolar  n sonraki sahne   t öteki karakterler
-  a öteki montajlar     ? bütün tuşlar    q çık
+  space oynat, durdur   . bir adım ileri  , bir adım geri   r ters yön
+  g bir konuma git      2 bütün tablolar  n sonraki sahne   t diğer karakterler
+  a diğer montajlar     ? bütün tuşlar    q çık
 
 ";
         examples_of_krank = "\
@@ -24,14 +24,14 @@ Tezgâhın tuşları:
 SCENE bir dosya, hazır bir sahnenin adı (krank list) ya da standart girdi için -
 olur. İçinde / olan ya da .toml ile biten ad her zaman dosyadır: ./four-bar.
 
-krank help el kitabının konularını sayar: sahne dosyası, tuşlar, sütunlar ve ötesi.
+krank help el kitabının konularını listeler: sahne dosyası, tuşlar, sütunlar vb.
 krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
 
 Çıkış kodları: 0 tamam; 1 mekanizma isteneni yapamaz ya da çıktı yazılamaz;
-2 komut satırı ya da sahne yanlış.";
+2 komut satırı ya da sahne geçersiz.";
         examples_of_list = "\
 Örnek:
-  krank list                     adları ve başlıkları";
+  krank list                     hazır sahnelerin adları ve başlıkları";
         examples_of_check = "\
 Örnekler:
   krank check four-bar
@@ -60,11 +60,11 @@ Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle döng�
 denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve ivmeler,
 mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir de
 sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
-bağlı bir grubun denklemleri ve çözümü gösterilir, yok etme adımları değil. Bir şey
-etki ediyorsa her uzvun ve yüklü pimin dengesi tepkileriyle gelir, tahrikin
-yaptığını da sanal iş sağlar. Ölü konumda yalnız konumlar vardır; aralığın dışında
-döngüler ve verilenler söylenir, çıkış kodu 1 olur. Terminalde ya da yerelde Yunan
-harfleri yoksa adlarıyla yazılır.";
+bağlaşık bir grubun denklemleri ve çözümü gösterilir, yok etme adımları değil. Yük,
+yay ya da kütle varsa her uzvun ve yüklü pimin dengesi tepki kuvvetleriyle verilir,
+tahrikin kuvveti ya da torku sanal işle sağlanır. Ölü konumda yalnız konumlar
+vardır. Aralığın dışında yalnız döngüler ve verilenler yazılır, çıkış kodu 1 olur.
+Terminalde ya da yerel ayarda Yunan harfleri yoksa adlarıyla yazılır.";
         examples_of_draw = "\
 Örnekler:
   krank draw four-bar --at 60
@@ -75,10 +75,11 @@ harfleri yoksa adlarıyla yazılır.";
   krank draw four-bar --traces C --format dxf -o four-bar.dxf
 
 POINTS virgülle ayrılmış nokta adları ya da all olur. Ad verilmezse --traces, sabit
-bir mafsal çevresinde çember olmayan eğrileri (başkası yoksa onları da), --velocities
+bir mafsal çevresindeki çemberler dışındaki eğrileri (başka eğri yoksa onları),
+--velocities
 ve --accelerations bütün mafsal ve uzuv noktalarının oklarını, --forces yüklerin,
 mafsalların, kılavuzların ve tahrikin oklarını büyüklükleriyle çizer. Aynı türden
-okların ölçeği bütün harekette birdir; alttaki satır onu söyler. Gövdesi kesik olan
+okların ölçeği bütün harekette birdir; alttaki satırda yazar. Gövdesi kesik olan
 ok, çizildiğinden uzundur.";
         examples_of_export = "\
 Örnekler:
@@ -87,12 +88,11 @@ ok, çizildiğinden uzundur.";
   krank export press-ram --format matlab -o press_ram.m
   octave --eval 'press_ram(0, 360, 10)'
 
-Betikte her boy adıyla durur, her grubun bir satırı vardır, grupların bağıntıları
-tam yazılıdır; içinde krank'tan hiçbir şey yoktur. Başlangıcı, sonu ve adımı alır,
-krank sweep sütunlarını yazar; MATLAB ve Octave'da
-[rows, heads] = press_ram(0, 360, 10) onları değer olarak verir. İçinde değiştirilen
-bir boy, her grup montajını koruduğu sürece hareketi değiştirir.
-CAD için çizim krank draw --format dxf, sayılar krank sweep komutundadır.";
+Betik her boyu adıyla tanımlar, her grubu bir satırda, formülleri tam olarak çözer
+ve krank'ı gerektirmez. Başlangıcı, sonu ve adımı alır, krank sweep sütunlarını
+yazar; MATLAB ve Octave'da [rows, heads] = press_ram(0, 360, 10) bunları döndürür.
+Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsin.
+CAD çizimi için krank draw --format dxf, değerler için krank sweep kullan.";
         examples_of_sweep = "\
 Örnekler:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -101,15 +101,15 @@ CAD için çizim krank draw --format dxf, sayılar krank sweep komutundadır.";
   krank sweep press-ram --step 0.1 -o press.csv
 
 Sütunların adı C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax gibidir;
-krank sweep SCENE | head -n 1 bir sahneninkilerin hepsini gösterir. Bir şey etki
-ediyorsa driver.torque, driver.power, r3.B.fx (r3 uzvuna B piminde gelen kuvvet),
+krank sweep SCENE | head -n 1 bir sahnenin bütün sütunlarını listeler. Yük, yay ya
+da kütle varsa driver.torque, driver.power, r3.B.fx (r3 uzvuna B piminde gelen kuvvet),
 r4.normal, r6.moment, ground.fx ve yuvarlama olmasa sıfır olacak iki sağlamanın
 artıkları da vardır. Tahrikin koordinatı hep ilk, state hep son sütundur: ok,
 change-point, dead-point ya da no-assembly. Olmayan değer boş hücredir (JSON: null).
 --decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayraç ;.
---bounds her C.x ardına aynı birimde C.x.bound koyar: sahne verildiği gibi
-çözülürken hatanın aşmadığı değer. --sensitivity oraya C.x.sensitivity koyar: verilen
-boyların her biri bir birim yanlış olsa C.x en kötü ne kadar değişir.
+--bounds her C.x sonrasına aynı birimde C.x.bound ekler: sahne verildiği gibi
+çözülürken oluşan hatanın sınırı. --sensitivity C.x.sensitivity ekler: verilen her
+boy bir birim yanlış olursa C.x değerindeki en büyük değişim.
 --from ve --to yoksa tarama bütün hareketi kapsar, sınırlarında ya da bir periyot
 sonra biter; kuvvetler varsa yüklerin periyodunda.";
         examples_of_plot = "\
@@ -120,10 +120,10 @@ sonra biter; kuvvetler varsa yüklerin periyodunda.";
   krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
 
 Sütun adları krank sweep komutundaki gibidir; her birimin kendi paneli olur. Zamana
-karşı 0 s sahnenin açıldığı yerdir, tahrik oradan kendi hızı ve ivmesiyle sürer. En
-büyük ve en küçük değerler sayıları ve yerleriyle işaretlenir; bunlar resimden
-okunmaz, çözülür: değer yuvarlamaya, yer yaklaşık 1e-5 deg'e kadar. Değer yoksa
-boşluk olur.";
+göre 0 s sahnenin açıldığı konumdur, tahrik oradan kendi hızı ve ivmesiyle sürer. En
+büyük ve en küçük değerler konumlarıyla işaretlenir; bunlar resimden okunmaz,
+hesaplanır: değer yuvarlamaya, konum yaklaşık 1e-5 deg'e kadar. Değer yoksa boşluk
+olur.";
         examples_of_cycle = "\
 Örnekler:
   krank cycle whitworth
@@ -148,11 +148,11 @@ denklemlerinin en zayıf olduğu yer. Var olmayan bir büyüklüğün nedeni yaz
     --seed 7 --columns r6.angle.swing --format text
 
 Değerlerin adı krank check ve çalışma tezgâhındaki gibidir, boşluk yerine nokta:
-r3.length, A.x, driver.angle; parametreler kendi adlarıyla. Önce son değer
-değişir. Her tasarım bu sayılarla sahnenin kendisidir, sahnenin montaj biçiminde
-açılır; son sütunlar durumu (ok, no-assembly ya da sayılar bir sahne vermiyorsa
-unreadable) ve eksik olanın nedenidir. CSV dosyası komut çalışırken büyür:
-Ctrl-C ile kesilirse --resume onu sürdürür. Daha fazlası: krank help designs.";
+r3.length, A.x, driver.angle; parametreler kendi adlarıyla. En hızlı son değer
+değişir. Her tasarım, bu değerlerle sahnenin montaj biçiminde açılan sahnedir. Son
+sütunlar durumu (ok, no-assembly ya da değerler geçerli bir sahne vermiyorsa
+unreadable) ve eksik değerlerin nedenidir. CSV dosyası satır satır yazılır: Ctrl-C
+ile kesilirse --resume sürdürür. Ayrıntılar: krank help designs.";
         examples_of_motor = "\
 Örnekler:
   krank motor four-bar-load
@@ -175,10 +175,10 @@ sahnenin [motor] bölümünün yerine geçer. Sürtünme modellenmez.";
 
 Her büyüklük için: verildiği gibi değeri; bütün toleranslar içinde en kötü durum;
 her boyun tek başına yaptığının karelerinin toplamının karekökü; tek bir konumda
-ayrıca rastgele yapılan makinelerin değerleri ve kimin ne kadar payı olduğu. En kötü
+ayrıca rastgele örneklerin değerleri ve her boyun payı verilir. En kötü
 durum, 16 boya (bir strokta 12 boya) kadar toleransların her köşesinde çözülür. Daha
-çok boyda ve boşluklu pimlerde kuşatılır; ikisi de olmayanın tahmin olduğu ve nasıl
-bulunduğu söylenir. Toleranslar sahneninkidir: tolerance, clearance, [tolerances],
+çok boyda ve boşluklu pimlerde kuşatılır; bunlar olmazsa tahmin olduğu ve yöntemi
+yazılır. Toleranslar sahneden alınır: tolerance, clearance, [tolerances],
 [clearances].";
         examples_of_start = "\
 Örnekler:
@@ -187,7 +187,7 @@ bulunduğu söylenir. Toleranslar sahneninkidir: tolerance, clearance, [toleranc
 
 Yalnız [start] değişir: açıklamalar, sıra ve gerisi olduğu gibi kalır. Dosya ya bir
 kerede yazılır ya hiç yazılmaz; sahnenin kendisi de olabilir. Montaj biçiminin
-hareketi sahnenin açıldığı yere gelmiyorsa tahrikin açılışı da değişir.";
+hareketi sahnenin açıldığı konuma ulaşmıyorsa bu konum da değişir.";
         examples_of_accuracy = "\
 Örnekler:
   krank accuracy                 derslerdeki dört çubuk
@@ -195,8 +195,8 @@ hareketi sahnenin açıldığı yere gelmiyorsa tahrikin açılışı da değiş
   krank accuracy my-press.toml --positions 36000
 
 Her yöntem konum, hız ve ivme verir ve iki kat hassasiyetli bir hesapla
-karşılaştırılır. Sahnenin elvermediği yöntemler nedeniyle birlikte yazılır. Süreler bu
-makineninkidir: o sırada onu rahat bırak. Ctrl-C bitirir.";
+karşılaştırılır. Sahnede kullanılamayan yöntemler nedeniyle listelenir. Süreler bu
+makinede ölçülür: o sırada başka iş çalıştırma. Ctrl-C bitirir.";
         examples_of_config = "\
 Örnek:
   krank config > ~/.config/krank/config.toml

@@ -1,4 +1,4 @@
-//! Exercises: sheets, files of answers, and what becomes of them.
+//! Exercises: sheets, files of answers and grades.
 
 use super::Turkish;
 use crate::wording::english::ExercisesWords;
@@ -8,7 +8,7 @@ catalogue! {
         // The scene of an exercise.
         exercise_called(name: &str, seed: u64) = "{name}: ödev {seed}";
         exercise_made_by(scene: &str, seed: u64) = "krank exercise {scene} --seed {seed}";
-        made_by_chance = "boylar, hız ve açı rastgele seçildi; verilenler kesindir";
+        made_by_chance = "boylar, hız ve açı rastgeledir; verilen değerler kesindir";
 
         // The sheet.
         name_and_number = "Ad: ______________________________   Numara: ____________________";
@@ -28,20 +28,21 @@ catalogue! {
             "{name}: {at}, hız {speed}, ivme {acceleration}";
         what_is_asked =
             "Her döngünün vektörel poligonunu çizin, denklemlerini sinüs ve kosinüsle yazın, iki kez türevini \
-             alın ve tabloları doldurun. Ara hesapta bütün haneleri taşıyın; yazdığınızı en az dört haneye \
-             yuvarlayın. Uzvun eksen takımı ilk ucundan başlar, x ekseni uzuv boyuncadır.";
-        positions_asked = "Konumlar, verilenler ve soru işaretiyle bilinmeyenler:";
-        velocities_asked = "Hızlar, verilenler ve soru işaretiyle bilinmeyenler:";
-        accelerations_asked = "İvmeler, verilenler ve soru işaretiyle bilinmeyenler:";
+             alın ve tabloları doldurun. Ara hesaplarda bütün haneleri koruyun; cevapları en az dört haneye \
+             yuvarlayın. Uzvun eksen takımının başlangıcı uzvun ilk ucundadır, x ekseni uzuv boyuncadır.";
+        positions_asked = "Konumlar, bilinmeyenler soru işaretiyle:";
+        velocities_asked = "Hızlar, bilinmeyenler soru işaretiyle:";
+        accelerations_asked = "İvmeler, bilinmeyenler soru işaretiyle:";
         points_are_asked = "Noktaların hız ve ivmeleri, büyüklük ve yön:";
         where_answers_belong(file: &str) =
-            "Cevaplar hesap tablosunun açtığı {file} dosyasına yazılır; değerlerin adı ve birimi orada durur.";
+            "Cevapları bir hesap tablosuyla {file} dosyasına yazın; değerlerin adları ve birimleri orada \
+             listelenmiştir.";
 
         names_in_answers(names: &str) =
-            "Cevap dosyasındakiler: {names}. Bir uzvun açısı, ilk ucundan ikincisine giden ekseninin açısıdır; \
-             uzvun başka bir kenarı onunla sabit bir açı yapar.";
+            "Cevap dosyasındaki değerler: {names}. Bir uzvun açısı, ilk ucundan ikinci ucuna giden ekseninin \
+             açısıdır; öteki kenarları bu eksenle sabit açılar yapar.";
 
-        names_of_a_point(point: &str, names: &str) = "Her noktanınkiler, {point} noktasında olduğu gibi: {names}.";
+        names_of_a_point(point: &str, names: &str) = "Her nokta için, burada {point} için: {names}.";
 
         // Verdicts.
         is_right = "doğru";
@@ -51,7 +52,7 @@ catalogue! {
         too_few_digits = "hane az";
         right_by_own(figure: &str) = "kendi {figure} değerine göre doğru";
         wrong_in_sign = "işareti yanlış";
-        other_way_round = "yönü ters";
+        other_way_round = "ters yönde";
         in_other_unit(unit: &str) = "birimi {unit}";
         of_other_assembly = "öbür montaj biçimi";
         is_wrong = "yanlış";
@@ -70,62 +71,64 @@ catalogue! {
         file_head = "dosya";
         first_mistake_head = "ilk hata";
         points_of(points: usize, figures: usize, right: usize, nearly: usize) =
-            "{figures} değerden {points} puan: {right} değer doğru, {nearly} değer yuvarlama dışında ya da \
-             önceki yanlışa göre doğru.";
-        first_that_differs(figure: &str, verdict: &str) = "İlk ayrılan {figure}: {verdict}.";
+            "{figures} değerden {points} puan: {right} değer doğru, {nearly} değer yuvarlama ya da önceki bir \
+             hata dışında doğru.";
+        first_that_differs(figure: &str, verdict: &str) = "İlk farklı değer {figure}: {verdict}.";
         first_mistake(figure: &str, verdict: &str) = "İlk hata {figure}: {verdict}.";
         value_misread(name: &str, given: &str, read: &str) =
-            "Bu cevaplar `{name}` {given} yerine {read} olsaydı doğruydu: yanlış okunmuş olabilir.";
-        judged_besides = "Bunlar sorulmamıştı ve puan etmez:";
+            "Bu cevaplar, `{name}` {given} yerine {read} olsaydı doğru olurdu: yanlış okunmuş olabilir.";
+        judged_besides = "Bunlar sorulmamıştı ve puan getirmez:";
         strange_units(cells: &str) =
-            "Bilinmeyen ya da başka bir şeyi ölçen birimler: {cells}. Bilinmeyen birim yerine sorulan birim alındı.";
+            "Bilinmeyen birimler ya da başka bir büyüklüğün birimleri: {cells}. Bilinmeyen birim yerine sorulan \
+             birim alındı.";
         answers_unread(cells: &str) = "Sayı olmayan cevaplar: {cells}.";
-        answered_again(cells: &str) = "Sonraki bir satır aynısını cevapladığı için sayılmayan cevaplar: {cells}.";
-        no_figures_of_scene(cells: &str) = "Bu sahnenin hiçbir değerini söylemeyen satırlar: {cells}.";
+        answered_again(cells: &str) = "Sonraki bir satırın geçersiz kıldığı cevaplar: {cells}.";
+        no_figures_of_scene(cells: &str) = "Bu sahnenin hiçbir değerini göstermeyen satırlar: {cells}.";
         cell_of_line(line: u64, figure: &str, text: &str) = "{line}. satırda {figure} [{text}]";
         decoded_as(encoding: &str) =
             "Dosya UTF-8 değil; ISO 8859-9'u da içeren {encoding} olarak okundu.";
         file_decoded_as(file: &str, encoding: &str) =
             "`{file}` UTF-8 değil; ISO 8859-9'u da içeren {encoding} olarak okundu";
 
-        // What the commands cannot do.
+        // Errors of the commands.
         no_exercise(seed: u64) =
-            "{seed} tohumu için ödev bulunamadı: boylar arasında rastlantının bozduğu bağıntılar var";
-        no_dimensions = "sahnede rastgele seçilecek bir boy yok";
-        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: sorulacak bir şey yok";
-        folder_for_many = "--count birçok dosya yazar: nereye olduğunu -o DIR söyler";
+            "{seed} tohumu için ödev bulunamadı: rastgele boylar mekanizmanın gerektirdiği bağıntıları bozuyor";
+        no_dimensions = "sahnede rastgele seçilebilecek boy yok";
+        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: başka bir konum seç";
+        folder_for_many = "--count birçok dosya yazar: -o DIR ile bir klasör ver";
         seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
         would_be_lost(file: &str) =
-            "`{file}` bu ödevin yazdığı gibi değil: içine yazılanlar kaybolurdu; başka bir klasöre yazın";
-        holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir değerin satırı yok";
+            "`{file}` bu ödevin yazdığı gibi değil ve içeriği kaybolurdu: başka bir klasöre yaz";
+        holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir satırda bir değerin adı yok";
         names_no_figure(file: &str, sheet: &str) =
-            "`{file}` içinde cevap yok: hiçbir satırında `{sheet}` sahnesinin bir değeri yok";
-        too_many_answers(file: &str) = "`{file}` bir cevap dosyası değil: çok büyük";
-        names_no_sheet(file: &str, sheet: &str) =
-            "`{file}` klasördeki hiçbir ödevi söylemiyor: `{sheet}`";
+            "`{file}` içinde cevap yok: hiçbir satırda `{sheet}` sahnesinin bir değeri yok";
+        too_many_answers(file: &str) = "`{file}` bir cevap dosyası için çok büyük";
+        names_no_sheet(file: &str, sheet: &str) = "`{file}` dosyasında adı geçen `{sheet}` klasörde yok";
         answers_another_sheet(file: &str, named: &str, sheet: &str) =
-            "`{file}` dosyasına göre cevaplanan {named}, notlandıran ise {sheet}";
-        student_again(student: &str, files: &str) = "{student} birden çok dosyanın öğrencisi: {files}";
+            "`{file}` dosyası {named} için, ama {sheet} ile notlandırılıyor";
+        student_again(student: &str, files: &str) = "{student} birden çok dosyada geçiyor: {files}";
         some_not_graded(some: usize, files: usize) = "{files} dosyadan {some} tanesi notlandırılmadı";
 
         // On the command line.
-        does_exercise = "Sahneden ödev yap: rastgele boylar, ödev kâğıdı, cevap dosyası, çözüm";
+        does_exercise = "Bir sahneden ödev yap: rastgele boyutlu ödev kâğıdı, cevap dosyası, çözüm";
         does_grade = "Cevapları notlandır: her değer doğru, erken yuvarlanmış, işareti, birimi ya da kendisi yanlış";
-        seed_of_exercise = "Hangi ödev: aynı tohum her makinede aynı ödevi verir";
-        count_of_exercises = "Ardışık tohumlarla kaç ödev";
-        format_of_sheet = "Ödev ve çözüm nasıl yazılacak [yoksa: klasöre html, değilse metin]";
+        seed_of_exercise = "Ödevin tohumu: aynı tohum her makinede aynı ödevi verir";
+        count_of_exercises = "Ardışık tohumlarla ödev sayısı";
+        format_of_sheet = "Ödev ve çözümün biçimi [yoksa: klasöre html, değilse metin]";
         folder_of_exercises = "Sahneyi, ödevi, cevap dosyasını ve çözümü bu klasöre yaz";
-        sheet_to_grade = "Ödevin sahnesi, herhangi bir sahne ya da hazır sahne, ya da cevapların adını söylediği sahnelerin klasörü";
+        sheet_to_grade =
+            "Ödevin sahnesi, herhangi bir sahne ya da hazır sahne, ya da cevaplarda adı geçen sahnelerin \
+             klasörü";
         files_of_answers = "Cevap dosyaları, CSV";
-        how_to_write_grades = "Nasıl yazılacağı; CSV her dosyaya bir satır verir";
+        how_to_write_grades = "Çıktı biçimi; CSV'de her dosya bir satırdır";
         examples_of_exercise = "\
 Örnekler:
   krank exercise four-bar --seed 7
   krank exercise slider-crank --seed 1 --count 100 -o class
   krank exercise press --seed 3 --decimal comma --format latex -o class
 
-Bütün boylar, hız ve açı rastgele, iki haneli sayılardır; sahne montaj biçimini
-korur, eskisi gibi hareket eder ve ölü konumlardan uzakta durur. -o her tohum
+Bütün boylar, hız ve açı iki haneli rastgele sayılardır; sahne montaj biçimini ve
+hareket türünü korur, ölü konumlara yakın değildir. -o her tohum
 için four-bar-7.toml (sahne), four-bar-7.html (ödev), four-bar-7.csv (cevaplar)
 ve four-bar-7-solution.html (çözüm) dosyalarını yazar.";
         examples_of_grade = "\
@@ -134,8 +137,8 @@ ve four-bar-7-solution.html (çözüm) dosyalarını yazar.";
   krank grade class answered/*.csv --format csv -o points.csv
   krank grade four-bar --at 60 notes.csv
 
-Cevap, kesin değerin kendi hanelerine (en az üç) yuvarlanmışıysa doğrudur. Doğru
-olmayan, önceki cevapların yazıldığı hâlinden çıkıyor olabilir: o zaman erken
-yuvarlanmıştır ya da yanlış olan bir cevaba göre doğrudur; o cevap söylenir.";
+Cevap, kesin değerin kendi hanelerine (en az üç) yuvarlanmış hâliyse doğrudur.
+Başka bir cevap önceki cevaplardan çıkıyor olabilir: o zaman erken yuvarlanmıştır
+ya da önceki yanlış bir cevaba göre doğrudur; o cevabın adı verilir.";
     }
 }

@@ -1,17 +1,16 @@
-//! Figures in tables, what lengths do to them, and why some are not shown.
+//! Values in tables, their derivatives by lengths, and reasons for missing values.
 
 use super::Turkish;
 use crate::wording::english::FiguresWords;
 
 catalogue! {
     impl FiguresWords for Turkish {
-        // Why some are not shown.
+        // Reasons for values that are not shown.
         forces_disagree(at: &str, residual: &str, missed: &str, most: &str) =
-            "{at} konumundaki kuvvetler verilmedi: {residual} {missed}, oysa yuvarlama en çok {most} \
-             açıklar; onları bulmanın iki yolu uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen \
-             bildir";
+            "{at} konumundaki kuvvetler gösterilmiyor: {residual} {missed}, ama yuvarlama en çok {most} \
+             açıklar; iki yöntem uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen bildir";
         forces_too_large(at: &str) =
-            "{at} konumundaki kuvvetler verilmedi: kimileri bir sayıya sığmayacak kadar büyük; olağan \
+            "{at} konumundaki kuvvetler gösterilmiyor: bazıları bir sayıya sığmayacak kadar büyük; olağan \
              hızlar, kütleler ve yükler seç";
         figure_too_large(figure: &str, at: &str) =
             "{figure}, {at} konumunda bir sayıya sığmayacak kadar büyük; olağan boylar ve hızlar seç";
@@ -32,12 +31,12 @@ catalogue! {
             "tahrik {driver}: {at}, {speed}, {acceleration}";
         state_is(state: &str) = "durum: {state}";
         stars_are_found = "* bulunan; yıldızsız olanlar verilen";
-        bounds_are = "+- hatanın aşmadığı değer; ? kanıtlanamayan";
+        bounds_are = "+- hata sınırı; ? kanıtlanmış sınır yok";
 
-        // What lengths do to them.
+        // Derivatives by lengths.
         no_derivatives_by_lengths =
-            "burada büyüklüklerin boylara göre türevi yok: hareket burada biter ya da dallanır, ya da \
-             neredeyse öyle, ya da yanlış bir boy mekanizmayı sıkıştırır";
+            "burada boylara göre türev yok: hareket burada biter ya da dallanır, ya da neredeyse öyle, ya da \
+             yanlış bir boy mekanizmayı sıkıştırır";
         per(figure: &str, length: &str) = "{figure} / {length}";
         change_for_one(unit: &str) = "1 {unit} için değişim";
         change_for_length = "boydaki 1 için değişim";

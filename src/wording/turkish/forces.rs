@@ -1,4 +1,4 @@
-//! Forces: what the driver must do, and what joints, guides and the frame bear.
+//! Forces: the driver, joints, guides and the frame.
 
 use super::Turkish;
 use crate::wording::english::ForcesWords;
@@ -24,20 +24,20 @@ catalogue! {
         link_at_point_by(link: &str, point: &str, by: &str) = "{link}, {point} ({by})";
         guide_on(guide: &str, slider: &str) = "{guide} -> {slider}";
 
-        // What is missing.
+        // Missing forces.
         driver_alone_has_value(effort: &str) =
-            "Burada kuvvetlerden yalnız tahrikin değeri var ({effort}): değişim konumunda uzuvlar öyle \
-             durur ki aralarında herhangi bir kuvvet dolaşabilir.";
-        nothing_to_balance = "Mekanizma burada olamaz: dengelenecek bir şey yok.";
+            "Burada kuvvetlerden yalnız tahrikinki ({effort}) bellidir: değişim konumunda uzuvlar her \
+             büyüklükte iç kuvvet taşıyabilir.";
+        nothing_to_balance = "Mekanizma burada kurulamaz, bu yüzden kuvvet de yok.";
         no_effort_exists(effort: &str) =
-            "Burada tahrikin değeri yok ({effort}): ölü konumda mekanizmayı hareket ettiremez, onu \
-             tutacak olan, mafsallarda da, bütün sınırların ötesinde büyür.";
+            "Burada tahrikin değeri ({effort}) tanımsız: ölü konumda tahrik mekanizmayı hareket ettiremez, \
+             kuvvetler sınırsız büyür.";
         indeterminate(reactions: &str) =
-            "Belirsiz: {reactions}. Mekanizmada gerekenden çok kısıt var, bunlar birbirine herhangi bir \
-             kuvvetle basabilir; öteki bütün değerler geçerli.";
+            "Belirsiz: {reactions}. Mekanizmada fazla kısıtlar var, bunlar birbirine herhangi bir kuvvetle etki \
+             edebilir; öteki bütün değerler geçerli.";
         indeterminate_with_least(reactions: &str) =
-            "Belirsiz: {reactions}. Mekanizmada gerekenden çok kısıt var, bunlar birbirine herhangi bir \
-             kuvvetle basabilir; öteki bütün değerler geçerli. En küçük norm: bütün pimler ve kılavuzlar \
-             aynı ölçüde esneseydi ne olurlardı.";
+            "Belirsiz: {reactions}. Mekanizmada fazla kısıtlar var, bunlar birbirine herhangi bir kuvvetle etki \
+             edebilir; öteki bütün değerler geçerli. En küçük norm: bütün pimler ve kılavuzlar eşit esnek \
+             olsaydı çıkacak tepki kuvvetleri.";
     }
 }

@@ -1,82 +1,85 @@
-//! Formulas, and what is wrong with them.
+//! Formulas and their errors.
 
 use super::Turkish;
 use crate::wording::english::FormulasWords;
 
 catalogue! {
     impl FormulasWords for Turkish {
-        // How they are written.
-        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter olabilir";
-        formula_too_deep(most: usize) = "parantezler ve işaretler {most} kattan derin iç içe";
-        no_part_of_a_formula(character: &str) = "`{character}` formülün parçası olamaz";
-        minus_without_blank(word: &str) = "`{word}`: bu bir ad mı, yoksa çıkarma mı?";
-        minus_between_blanks = "`-` iki boşluk arasında çıkarır: adlarda geçebilir";
-        formula_ends_early(wanted: &str) = "formül bitiyor, oysa şu gelmeliydi: {wanted}";
+        // Syntax.
+        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter kullan";
+        formula_too_deep(most: usize) = "parantez ve işaretlerin iç içe derinliği {most} sınırını aşıyor";
+        no_part_of_a_formula(character: &str) = "`{character}` formülde kullanılamaz";
+        minus_without_blank(word: &str) = "`{word}` bir ad ya da çıkarma olabilir";
+        minus_between_blanks = "çıkarma için `-` çevresine boşluk koy: adlarda da geçebilir";
+        formula_ends_early(wanted: &str) = "formül bitiyor, ama şu gelmeli: {wanted}";
         expected_in_formula(wanted: &str, found: &str) = "beklenen: {wanted}, bulunan: `{found}`";
         operator_or_end = "`+`, `-`, `*`, `/`, `^` ya da formülün sonu";
         number_or_name = "bir sayı, bir ad ya da bir parantez";
         closing_bracket = "`)`";
-        exponent_must_be_number = "üs bir sayı olmalı ve 0 olmamalı";
-        exponents_go_to(most: usize) = "`^` {most} değerine kadar ve -{most} değerine dek sayıları alır; ötekiler için exp() ve ln() yazın";
+        exponent_must_be_number = "üs 0'dan farklı bir sayı olmalı";
+        exponents_go_to(most: usize) =
+            "`^` -{most} ile {most} arasındaki sayıları alır: ötekiler için exp() ve ln() kullan";
         of_plain_numbers_only(name: &str) =
-            "`{name}` yalnızca düz sayıları alır ([parameters] içinde olduğu gibi): hareket edenin bununla hızı yoktur";
-        no_function(name: &str) = "`{name}` diye bir fonksiyon yok";
+            "`{name}` yalnız birimsiz sayılarla kullanılır ([parameters] içindeki gibi): türevi yoktur";
+        no_function(name: &str) = "bilinmeyen fonksiyon `{name}`";
         functions_are(names: &str) = "fonksiyonlar: {names}";
         function_takes(name: &str, least: usize, most: usize, found: usize) = {
             let takes = match least == most {
                 true => format!("{least}"),
                 false => format!("{least} ile {most} arası"),
             };
-            format!("{name}() {takes} değer alır, {found} değil")
+            format!("{name}() {takes} argüman alır, {found} değil")
         };
 
         number_too_large(number: &str) = "{number} sayısı çok büyük";
         number_too_small(number: &str) = "{number} sayısı çok küçük";
         number_with_comma(head: &str, tail: &str) =
-            "virgül büyüklüklerin arasında durur, formülde sayının noktası olur: `{head}.{tail}`";
+            "virgül argümanları ayırır: sayıyı noktayla yaz, `{head}.{tail}`";
 
         at_character(at: usize, why: &str) = "{at}. karakter: {why}";
 
-        // What they are about.
-        blank_before_unit(number: &str, unit: &str) = "sayı ile birimi arasında boşluk olur: `{number} {unit}`";
+        // Units.
+        blank_before_unit(number: &str, unit: &str) =
+            "sayı ile birimi arasına boşluk koy: `{number} {unit}`";
         measured_in(what: &str, unit: &str) = {
             match unit {
                 "1" => format!("`{what}` birimsiz bir sayı"),
                 unit => format!("`{what}` birimi {unit}"),
             }
         };
-        do_not_go_together(one: &str, other: &str) = "{one}; {other}: bunlar birlikte olmaz";
-        numbers_need_units = "sayının arkasına birimini yaz: `90 deg`, `10 mm/s`";
+        do_not_go_together(one: &str, other: &str) = "{one}; {other}: birimler uyuşmuyor";
+        numbers_need_units = "sayıdan sonra birim yaz: `90 deg`, `10 mm/s`";
         takes_an_angle(function: &str, unit: &str) = {
             match unit {
                 "1" => format!("{function}() açı alır, bu ise birimsiz bir sayı"),
                 unit => format!("{function}() açı alır, bunun birimi ise {unit}"),
             }
         };
-        angles_have_units = "açıların birimi vardır: `30 deg`, `0.5 rad`";
+        angles_have_units = "açıya birim ver: `30 deg`, `0.5 rad`";
         takes_a_number(function: &str, unit: &str) =
             "{function}() birimsiz bir sayı alır, bunun birimi ise {unit}: bu birimden bir değere böl";
-        no_root_of(unit: &str) = "hiçbir büyüklük {unit} biriminin köküyle ölçülmez";
-        unit_beyond_use = "bunun birimi hiçbir işe yaramaz";
+        no_root_of(unit: &str) = "{unit} biriminin karekökü bir birim değil";
+        unit_beyond_use = "bu birimin üssü çok büyük";
         formula_has_too_many_steps = "formül, kullandıklarıyla birlikte çok uzun";
-        formula_has_no_such_rate = "yalnız birinci ve ikinci türev bilinir";
+        formula_has_no_such_rate = "yalnız birinci ve ikinci türev var";
 
-        // Numbers that are worked out.
-        has_no_worth(of: &str) = "`{of}` bir sayı vermiyor";
-        divided_by_nothing(by: &str) = "`{by}` sıfır, sıfıra bölünmez";
-        no_parameter(name: &str) = "`{name}` adında parametre yok";
+        // Evaluation and parameters.
+        has_no_worth(of: &str) = "`{of}` değer vermiyor";
+        divided_by_nothing(by: &str) = "`{by}` 0: sıfıra bölme";
+        no_parameter(name: &str) = "bilinmeyen parametre `{name}`";
         parameters_are(names: &str) = "parametreler: {names}";
-        scene_has_no_parameters = "adı olan sayılar `[parameters]` içinde durur: `a = 100`";
-        units_stand_alone = "birimler benzerleriyle toplanır, yalnız birimsiz sayılarla çarpılır";
+        scene_has_no_parameters = "adlı sayıları `[parameters]` içinde tanımla: `a = 100`";
+        units_stand_alone =
+            "yalnız aynı birimdeki değerleri topla; birimi yalnız birimsiz sayılarla çarp";
         units_multiplied(formula: &str) = "`{formula}` bir birimi bir birimle çarpıyor";
         units_divided(formula: &str) = "`{formula}` bir birimi başka bir birime ya da bir sayıyı bir birime bölüyor";
         units_divide_their_like =
-            "birim birimsiz sayıyla çarpılır ve bölünür, bir de benzerine bölünür: `10 cm / (2 mm)`";
+            "birimi yalnız birimsiz bir sayıya ya da aynı birimden bir değere böl: `10 cm / (2 mm)`";
         parameter_called(name: &str) = "{name} parametresi";
-        parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendinden çıkıyor: {circle}";
-        follows_from_itself = "kendinden çıkıyor";
+        parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendine bağlı: {circle}";
+        follows_from_itself = "kendine bağlı";
         give_one_a_number = "birine bir sayı ver";
-        parameter_reads_as_number(name: &str) = "{name} adı sayı diye okunurdu";
+        parameter_reads_as_number(name: &str) = "{name} adı bir sayı gibi okunuyor";
         begin_it_with_a_letter = "bir harfle başlat";
         formulas_read_a_unit(name: &str) =
             "formüllerde `{name}` bir birimdir: başka bir ad seç, örneğin `{name}1`";
@@ -88,29 +91,30 @@ catalogue! {
                 "1" => String::new(),
                 wanted => format!("{wanted} ile ya da "),
             };
-            format!("{}: {wanted}birimsiz yaz, birimsiz sayı durduğu yerin birimini alır", named.join(", "))
+            format!("{}: {wanted}birimsiz bir sayı olarak yaz", named.join(", "))
         };
         rate_of_units(key: &str, of: &str, formula: &str, found: &str) =
-            "`{key}` ({of}): birimin önünde birimsiz bir sayı durur, `{formula}` ise {found} biriminde";
+            "`{key}` ({of}): birimden önce birimsiz bir sayı gerekir, ama `{formula}` {found} biriminde";
         rate_brings_its_unit(formula: &str, unit: &str) =
-            "`{unit}` bütünün birimidir: `{formula}` içindeki parametreleri birimsiz ver";
+            "`{unit}` bütün değerin birimidir: `{formula}` içindeki parametreleri birimsiz ver";
         value_measures_other(value: &str, found: &str, wanted: &str) =
             "{value}: birimi {wanted} olmalı, bunun birimi ise {found}";
         no_value_named(name: &str, meant: Option<&str>) = {
             let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
             format!("sahnede `{name}` adında değer yok{meant}")
         };
-        follows_from_formula(value: &str, formula: &str) = "{value}, {formula} ifadesinden çıkıyor: Enter ile başkasını yaz";
+        follows_from_formula(value: &str, formula: &str) =
+            "{value}, {formula} ile veriliyor: yazmak için Enter";
         follows_from_parameters(value: &str, formula: &str, names: &str) =
-            "{value}, {formula} ifadesinden çıkıyor: {names} değiştir ya da Enter ile başkasını yaz";
+            "{value}, {formula} ile veriliyor: {names} değiştir ya da Enter ile yaz";
 
-        // Figures that are defined.
-        formula_uses_itself(name: &str) = "{name} kendinden oluşuyor";
+        // Named quantities.
+        formula_uses_itself(name: &str) = "{name} kendine bağlı";
         no_rate_of(of: &str) = "{of}: bunun türevi bilinmiyor";
-        name_of_figure_missing = "formül bir adın ve `=` işaretinin arkasında durur: `swing = r4.angle - r3.angle`";
+        name_of_figure_missing = "formülden önce bir ad ve `=` yaz: `swing = r4.angle - r3.angle`";
         name_of_figure_bad(name: &str) =
-            "`{name}` bir büyüklüğün adı olamaz: ASCII harf, rakam, `_`, `-` ve `'`, en çok 64";
-        name_of_figure_taken(name: &str) = "`{name}` zaten başka bir şeyin adı: başka bir ad seç";
+            "`{name}` geçerli bir ad değil: ASCII harf, rakam, `_`, `-` ve `'` kullan, en çok 64";
+        name_of_figure_taken(name: &str) = "`{name}` zaten kullanılıyor: başka bir ad seç";
         in_formula_of(name: &str) = "{name} formülü";
     }
 }
