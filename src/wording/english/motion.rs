@@ -76,7 +76,7 @@ catalogue! {
         the_whole_motion = "the whole motion";
         window_goes_along = "the view moves along";
         window_stays_with(point: &str) = "the view follows {point}";
-        no_more_to_zoom = "the zoom limit is reached";
+        no_more_to_zoom = "zoom limit reached";
         zoomed(times: &str) = "zoom {times}";
         names_of_points = "names of points";
         names_of_points_and_links = "names of points and links";

@@ -22,7 +22,7 @@ catalogue! {
         unsaved_edits_here = "Unsaved edits of this scene";
         the_edited_text = "The edited text";
         edit_that_waits(name: &str, text: &str) = "staged: {name} = {text}";
-        what_the_edits_change = "Changes made by the edits";
+        what_the_edits_change = "Changes by the edits";
         of_time(time: &str) = "of {time}";
         older_than_file = "older than the file";
         made_on_another_text = "file has changed";

@@ -15,7 +15,7 @@ catalogue! {
         row_line = "hat";
         row_theme = "tema";
         row_frames = "kareler";
-        row_locale = "yerel ayar";
+        row_locale = "yerel";
         row_language = "dil";
 
         // Values.
@@ -35,7 +35,7 @@ catalogue! {
         frames_plain = "düz; yapıştırılan metin yazılan tuşlar gibi görünür";
         asked_for(wish: &str, else_what: &str, why: &str) = "{wish}: istendi; yoksa {else_what}: {why}";
         nowhere_to_be(variable: &str) = "yok: {variable} de HOME da verilmemiş";
-        there_is_none(path: &str) = "{path} (bulunmuyor)";
+        there_is_none(path: &str) = "{path} (yok)";
 
         // Reasons.
         locale_not_utf8 = "yerel ayar UTF-8 değil";
