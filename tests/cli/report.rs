@@ -130,7 +130,7 @@ fn printed_figures_stand_beside_krank_s() {
     assert!(
         beside
             .replace('\n', " ")
-            .contains("in no such unit: B.a, nothing."),
+            .contains("not in this unit: B.a, nothing."),
         "{beside}"
     );
     assert!(of("tr").contains("notes.csv ile"), "{}", of("tr"));

@@ -184,14 +184,14 @@ fn by(method: PositionMethod, name: &str, at: Option<f64>) -> String {
 fn bisection_says_where_it_looks_and_when_it_stops() {
     let text = by(PositionMethod::Bisection, "four-bar", None);
     for piece in [
-        "f is least where the arm lies along m, at theta3 = -13.8979 deg",
-        "Halved until the interval is no longer than 0.00018 deg",
+        "f has its minimum where the arm lies along m, at theta3 = -13.8979 deg",
+        "Halved until the interval is at most 0.00018 deg",
         "theta4 = atan2(my - r3 sin(theta3), mx - r3 cos(theta3)) = 290.753 deg",
     ] {
         assert!(text.contains(piece), "{piece}: {text}");
     }
     let text = by(PositionMethod::Bisection, "slider-crank", None);
-    assert!(text.contains("f is least at r4 = "), "{text}");
+    assert!(text.contains("f has its minimum at r4 = "), "{text}");
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn circles_that_touch_meet_in_one_point() {
     let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
     let text = by(PositionMethod::Graphical, "double-rocker", Some(dead_point));
     assert!(
-        text.contains("They touch in C; the drawing cannot tell where"),
+        text.contains("They touch in C; the drawing cannot show exactly where"),
         "{text}"
     );
     assert!(
@@ -221,7 +221,7 @@ fn circles_that_touch_meet_in_one_point() {
     );
     let text = working("double-rocker", Some(dead_point));
     assert!(text.contains("C lies on the line B -> D"), "{text}");
-    assert!(!text.contains("on the left of B"), "{text}");
+    assert!(!text.contains("to the left of B"), "{text}");
 }
 
 #[test]
@@ -234,6 +234,6 @@ fn a_caption_says_what_its_picture_shows() {
         text.contains("r6 < 0: its arrow points against theta6."),
         "{text}"
     );
-    assert!(html.contains("dashed where something is sought"));
+    assert!(html.contains("vectors with unknowns are dashed"));
     assert!(html.contains("r6 &lt; 0: its arrow points against"));
 }

@@ -269,7 +269,7 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert_eq!(session.press("space ? n , Left h").body(), before);
     let line = session.last_line();
     assert!(
-        line.contains("h means nothing here; F9 tells the keys"),
+        line.contains("h does nothing here; F9 lists the keys"),
         "{line}"
     );
     let line = session.press("a Enter").last_line();

@@ -14,7 +14,7 @@ catalogue! {
         again = "again";
         all = "all";
         all_keys = "all keys";
-        along_x = "x axis";
+        along_x = "along x";
         cancel = "cancel";
         do_it = "run";
         done = "done";
@@ -38,7 +38,7 @@ catalogue! {
         stay = "stay";
         stop = "stop";
         table = "table";
-        take = "use";
+        take = "take";
         value = "value";
 
         // Prompts.

@@ -84,8 +84,8 @@ catalogue! {
         gear_enough(ratio: &str) = "{ratio} to 1 reduces it to the driver's speed: it would be enough";
         gear_not_enough(ratio: &str) = "{ratio} to 1 reduces it to the driver's speed: still not enough";
         has_left_by_times(has: &str, wants: &str, left: &str, times: &str) =
-            "{has} for {wants}: {left} spare ({times} times what is needed)";
-        has_left(has: &str, wants: &str, left: &str) = "{has} for {wants}: {left} spare";
+            "{has} for {wants}: {left} left ({times} times what is needed)";
+        has_left(has: &str, wants: &str, left: &str) = "{has} for {wants}: {left} left";
         has_a_share(has: &str, wants: &str, percent: &str) = "{has} for {wants}: only {percent} % of it";
 
         // Evenness.

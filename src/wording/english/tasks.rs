@@ -95,10 +95,10 @@ catalogue! {
             };
             let others = match defective {
                 0 => String::new(),
-                1 if good == 0 => "; one with defects".into(),
-                count if good == 0 => format!("; {count} with defects"),
-                1 => "; one more with defects".into(),
-                count => format!("; {count} more with defects"),
+                1 if good == 0 => "; one defective".into(),
+                count if good == 0 => format!("; {count} defective"),
+                1 => "; one more defective".into(),
+                count => format!("; {count} more defective"),
             };
             let proof = match (complete, reason) {
                 (true, "") => "; there are no others".into(),
