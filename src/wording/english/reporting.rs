@@ -64,7 +64,7 @@ filled; the working of `krank explain` with the unit vectors mu and nu of the
 lectures; velocities and accelerations of joints and centres of mass from one
 pole, to scale; instant centres; forces where loads act; plots over the whole
 motion; and the facts of `krank check`. The extension .html, .tex, .md or .txt
-selects the format; any other needs --format.";
+selects the format; any other needs --format as well.";
 
         no_report_has_ending(ending: &str) =
             "unknown report extension .{ending}: use .html, .tex, .md or .txt, or give --format";

@@ -20,8 +20,8 @@ catalogue! {
         // Why a method cannot be used.
         a_group = "bir grup";
         the_group_at(point: &str) = "{point} noktasındaki grup";
-        has_no_closed_form(group: &str) = "{group}: kapalı çözümü yok";
-        not_needed = "gerekmez: her grubun kapalı çözümü var";
+        has_no_closed_form(group: &str) = "{group}: kapalı formu yok";
+        not_needed = "gerekmez: her grubun kapalı formu var";
         closes_by_conditions(group: &str, count: usize) = "{group}: {count} denklem birlikte çözülmeli";
         cannot_turn_fully = "tahrikin sınırları var, tam tur dönemez";
         gives_no_rows = "bir grubun kısıtlarının ayrı denklemleri yok";
@@ -64,9 +64,9 @@ catalogue! {
         newton_from_anchors_is =
             "saklanan birçok durumun en yakınından Newton yöntemi: krank'ın bağlaşık gruplardaki yöntemi";
         polished = "düzeltilmiş";
-        polished_is = "kapalı çözüm ve iki kat hassasiyetli artıklarla bir düzeltme";
+        polished_is = "kapalı form ve iki kat hassasiyetli artıklarla bir düzeltme";
         single = "tek";
-        single_precision_is = "tek hassasiyetle kapalı çözüm";
+        single_precision_is = "tek hassasiyetle kapalı form";
         newton_at_tolerance = "Newton";
         newton_is = "doğrusallaştırılmış döngü denklemlerini tam adımlarla art arda çözer";
         bisection_is = "her grupta bir kök içeren yarım turu, uçları arasında sayı kalmayana dek ikiye böler";

@@ -187,7 +187,7 @@ catalogue! {
 
         // Methods.
         method_of_positions = "Konumları bulan yöntem";
-        method_closed = "Kapalı çözüm, sonra hızlar, ivmeler ve kuvvetler";
+        method_closed = "Kapalı form, sonra hızlar, ivmeler ve kuvvetler";
         method_newton = "Döngü denklemlerinde Newton-Raphson, yineleme yineleme";
         method_bisection = "Tek bilinmeyenin ikiye bölme yöntemiyle bulunması";
         method_graphical = "Pergel ve cetvel, adım adım";
