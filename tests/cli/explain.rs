@@ -34,7 +34,7 @@ fn what_a_scene_gives_is_not_worked_out() {
     };
     let told = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
     // That of the ground is worked out either way.
-    let ground = "from the coordinates of the points in its frame";
+    let ground = "from the coordinates of the points";
     let given = worked("{ from = \"D\", length = 180, angle = 72 }");
     assert!(
         !given.contains("rd = sqrt(") && given.contains(ground),

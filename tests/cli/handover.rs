@@ -159,7 +159,10 @@ fn an_svg_to_scale_prints_at_that_scale() {
         2,
         &["draw", "four-bar", "--format", "svg", "--scale", "half"],
     );
-    assert!(wrong.contains("expected a scale such as 1:2 or 5:1"), "{wrong}");
+    assert!(
+        wrong.contains("expected a scale such as 1:2 or 5:1"),
+        "{wrong}"
+    );
     let wrong = refused(2, &["draw", "four-bar", "--scale", "1:2"]);
     assert!(
         wrong.contains("takes no `--scale`: that is for svg"),
@@ -577,7 +580,7 @@ fn measurements_stand_beside_krank_s_figures() {
             path,
         ],
     );
-    assert!(wrong.contains("leave `--against` out"), "{wrong}");
+    assert!(wrong.contains("remove `--against`"), "{wrong}");
 }
 
 /// Used to be taken: a drawing of 1e300 times the linkage is none.

@@ -180,7 +180,7 @@ fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
             "slotted-lever",
             "newton",
             "r3=20",
-            "both length and angle of `r4` are unknown",
+            "both length and angle of `r3` are unknown",
         ),
     ] {
         let err = of(scene, method, guess);
@@ -235,7 +235,7 @@ fn outside_the_motion_nothing_is_found_and_the_code_is_1() {
         assert_eq!(heard.code, 1, "{method}");
         assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
         assert!(
-            !heard.out.contains("assembly that is meant"),
+            !heard.out.contains("assembly of this motion"),
             "{}",
             heard.out
         );

@@ -248,7 +248,11 @@ fn a_ram_is_measured_where_nothing_acts() {
         bottom.out
     );
     let high = krank(&["motor", "offset-slider-crank", "--height", "100"]);
-    assert!(high.out.contains("the ram never reaches it"), "{}", high.out);
+    assert!(
+        high.out.contains("the ram never reaches it"),
+        "{}",
+        high.out
+    );
 }
 
 #[test]

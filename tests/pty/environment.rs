@@ -116,7 +116,7 @@ fn colours_change_by_key_and_by_option() {
     session.settle();
     assert!(!has_colour(&session.seen.lock().unwrap().bytes));
     session.send("C");
-    session.wait_for("the 16 colours");
+    session.wait_for("16 colours");
     session.wait_until("colours", |seen| has_colour(&seen.bytes));
     session.send("q");
     assert!(session.ended_as_found().success());

@@ -302,9 +302,6 @@ fn the_drawing_shows_what_acts_with_its_size() {
     assert!(!off.contains("500 N"), "{off}");
     let mut nothing = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 40);
     let screen = nothing.press("N").look();
-    assert_told(
-        &screen,
-        &["no forces here: no loads, springs or masses"],
-    );
+    assert_told(&screen, &["no forces here: no loads, springs or masses"]);
     assert!(!screen.contains("stands still"), "{screen}");
 }

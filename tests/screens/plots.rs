@@ -231,11 +231,7 @@ fn curves_are_written_as_csv_and_as_svg() {
     }
     // Where nothing is plotted there is nothing to write.
     session.press("x c Esc Y");
-    assert!(
-        session
-            .look()
-            .contains("there is no plot to write")
-    );
+    assert!(session.look().contains("there is no plot to write"));
 }
 
 /// Every preset shows each of its figures, at every size and in every kind of glyphs.

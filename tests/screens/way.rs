@@ -227,7 +227,7 @@ fn the_help_of_each_view_begins_with_its_own_keys() {
         ("1", "What the motion view shows", "arrows of velocity"),
         ("2", "In the tables", "show it in the motion"),
         ("3", "In the plots", "mark the extrema"),
-        ("4", "In the accuracy view", "watch a method"),
+        ("4", "In the accuracy view", "step through a method"),
         ("6", "In the scene view", "nudge by more"),
         ("7", "The motion", "play or pause"),
     ] {

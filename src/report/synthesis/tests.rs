@@ -36,7 +36,7 @@ fn poses_without_a_linkage_are_told_why() {
     let small = "[[1e-200, 0, 0], [0, 1e-200, 30], [1e-200, 1e-200, 60]]";
     for (poses, reason, words) in [
         (turn, "turn", "rotations about one point, (0, 0)"),
-        (shift, "shift", "the body does not turn"),
+        (shift, "shift", "the body does not rotate"),
         (large, "range", "too large or too small"),
         (small, "range", "too large or too small"),
     ] {

@@ -230,7 +230,7 @@ mod tests {
         let told = line.take_refusal();
         assert_eq!(
             told.as_deref(),
-            Some("no more than 24 characters are taken here")
+            Some("at most 24 characters are allowed here")
         );
     }
 

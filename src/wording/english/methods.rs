@@ -210,7 +210,7 @@ catalogue! {
         other_unit(name: &str, unit: &str) = "write the guess of `{name}` in {unit}";
         unit_missing(name: &str, unit: &str) =
             "both length and angle of `{name}` are unknown; write {name}=VALUE{unit} or {name}=VALUEdeg";
-        guessed_twice(name: &str) = "`{name}` guesses the same unknown a second time; remove one guess";
+        guessed_twice(name: &str) = "the unknown of `{name}` is given twice; remove one guess";
         guess_is_one_value(name: &str) = "Newton-Raphson starts from one value; {name}=FROM..TO is for bisection";
         needs_no_guess(name: &str) = "`{name}`: this method uses no guess; use Newton-Raphson or bisection";
     }
