@@ -114,18 +114,18 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             "kind = \"pose\"\n".into(),
-            "`pose` is no kind of task",
+            "`pose` is not a kind of task",
             "\"pose\"",
         ),
         ("kind = \"poses\"\n".into(), "`poses` lacks `poses`", ""),
         (
             "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 0]]\n".into(),
-            "a task of poses has three to five of them, not 2",
+            "a task of poses has 3 to 5 of them, not 2",
             "[[0, 0, 0], [1, 1, 0]]",
         ),
         (
             "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 0], [0, 0, 360]]\n".into(),
-            "number 3 is number 1 again",
+            "number 3 repeats number 1",
             "[0, 0, 360]",
         ),
         (
@@ -135,7 +135,7 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             format!("{POSES}pivots = [[0, 0], [1, 0], [2, 0]]\n"),
-            "with 3 poses there is no room for 3 given pivots and pins",
+            "3 poses do not allow 3 given pivots and pins",
             "[2, 0]",
         ),
         (
@@ -145,7 +145,7 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             format!("{POSES}[wishes]\ntransmission = 95\n"),
-            "`transmission` must be from 0 to below 90, not `95`",
+            "`transmission` must be at least 0 and below 90, not `95`",
             "95",
         ),
         (
@@ -155,7 +155,7 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             format!("{POSES}pivots = [[0, 0]]\n[wishes]\ninside = [[10, 10], [20, 20]]\n"),
-            "a given pivot lies outside of the box in which pivots are to lie",
+            "a given pivot lies outside the box for pivots",
             "[0, 0]",
         ),
         (
@@ -165,7 +165,7 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             format!("{path}points = [[1, 2], [1, 2], [3, 4]]\n"),
-            "number 2 is number 1 again",
+            "number 2 repeats number 1",
             "[1, 2]",
         ),
         (
@@ -175,12 +175,12 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             format!("{function}pairs = [[0, 0], [30, 1], [30, 2]]\n"),
-            "pair 3 does not lie further on than the one before it",
+            "the x of pair 3 is not larger than that of the pair before it",
             "[30, 2]",
         ),
         (
             format!("{function}pairs = [[0, 0], [30, 1], [40, 2]]\nlinkages = [\"six-bar\"]\n"),
-            "`six-bar` is no linkage that is looked for",
+            "`six-bar` is not a supported linkage",
             "\"six-bar\"",
         ),
     ] {

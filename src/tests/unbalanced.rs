@@ -143,7 +143,7 @@ fn every_command_withholds_forces_that_do_not_balance_says_so_and_fails() {
         (
             "motor four-bar-load",
             "are not shown: driver.torque.residual is",
-            "no figures: the forces at",
+            "no values: the forces at",
         ),
         (
             "motor four-bar-load --format json",

@@ -30,7 +30,7 @@ fn the_text_is_a_table_a_chart_and_what_they_mean() {
         "{table}"
     );
     assert!(
-        table.contains(" - the driver has limits, and cannot turn fully"),
+        table.contains(" - the driver has limits and cannot turn fully"),
         "{table}"
     );
     let chart = parts.next().unwrap();

@@ -34,7 +34,7 @@ fn what_a_scene_gives_is_not_worked_out() {
     };
     let told = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
     // That of the ground is worked out either way.
-    let ground = "by their places in the frame";
+    let ground = "from the coordinates of the points";
     let given = worked("{ from = \"D\", length = 180, angle = 72 }");
     assert!(
         !given.contains("rd = sqrt(") && given.contains(ground),
@@ -117,6 +117,6 @@ fn outside_the_range_the_code_is_1() {
 #[test]
 fn the_other_assembly_has_its_own_working() {
     let text = done(&["explain", "four-bar", "--assembly", "C=-"]);
-    assert!(text.contains("C lies on the right of B -> D"), "{text}");
+    assert!(text.contains("C lies to the right of B -> D"), "{text}");
     assert!(text.contains("  theta3 = -alpha - beta = "), "{text}");
 }

@@ -159,7 +159,10 @@ fn an_svg_to_scale_prints_at_that_scale() {
         2,
         &["draw", "four-bar", "--format", "svg", "--scale", "half"],
     );
-    assert!(wrong.contains("a scale is meant, as 1:2 or 5:1"), "{wrong}");
+    assert!(
+        wrong.contains("expected a scale such as 1:2 or 5:1"),
+        "{wrong}"
+    );
     let wrong = refused(2, &["draw", "four-bar", "--scale", "1:2"]);
     assert!(
         wrong.contains("`--scale` does not work with `--format text`; use svg"),
@@ -495,7 +498,7 @@ fn a_measurement_that_is_no_number_is_told_with_its_place() {
             .collect::<Vec<_>>()
             .join(" ")
     };
-    let both = "since these are no numbers: line 4, driver.angle: `x`; line 5, C.x: `1,2,3`.";
+    let both = "since they are not numbers: line 4, driver.angle: `x`; line 5, C.x: `1,2,3`.";
     for format in ["csv", "text", "json"] {
         let told = told("C.x,C.y", format);
         assert!(told.contains(both), "{told}");
@@ -561,7 +564,7 @@ fn measurements_stand_beside_krank_s_figures() {
         &["sweep", "four-bar", "--measured", path, "--columns", "B.x"],
     );
     assert!(
-        wrong.contains("holds no measurements of these figures"),
+        wrong.contains("has no measurements of these columns"),
         "{wrong}"
     );
     let wrong = refused(
@@ -577,7 +580,7 @@ fn measurements_stand_beside_krank_s_figures() {
             path,
         ],
     );
-    assert!(wrong.contains("leave `--against` out"), "{wrong}");
+    assert!(wrong.contains("remove `--against`"), "{wrong}");
 }
 
 /// Used to be taken: a drawing of 1e300 times the linkage is none.

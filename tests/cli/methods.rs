@@ -40,7 +40,7 @@ fn newtons_table_of_the_lectures_four_bar_is_right_line_by_line() {
     let determinants = table(&text, "k  dfx/dtheta3");
     assert_eq!(determinants[0][5], "-73860.6");
     assert!(
-        text.contains("It converges in 4 steps, to the assembly that is meant."),
+        text.contains("It converges in 4 steps, to the assembly of this motion."),
         "{text}"
     );
     assert!(text.contains("\nerror over iteration\n"), "{text}");
@@ -96,7 +96,7 @@ fn halvings_keep_the_half_in_which_the_sign_changes() {
         "{text}"
     );
     assert!(
-        text.contains("This root is the assembly that is meant."),
+        text.contains("This root is the assembly of this motion."),
         "{text}"
     );
     let other = done(&[&guess[..], &["r3=-90..0"]].concat());
@@ -120,10 +120,10 @@ fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
     }
     // Crossing of the circles by the cosine theorem, m^2 = 130000: 180 - beta - gamma = 81.37 deg.
     assert!(
-        text.contains("They cross at 81.4 deg, so that C is known to 0.4 mm."),
+        text.contains("They cross at 81.4 deg, so C is known to 0.4 mm."),
         "{text}"
     );
-    let read = table(&text, "sought");
+    let read = table(&text, "unknown");
     assert_eq!(read[0][..2], ["theta3", "deg"]);
     assert_eq!(read[0].last().unwrap(), "29.3794");
 }
@@ -131,10 +131,10 @@ fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
 #[test]
 fn groups_that_seek_more_at_once_say_why_not() {
     for (method, why) in [
-        ("bisection", "Not by bisection: it seeks 4 unknowns at once"),
+        ("bisection", "Not by bisection: it has 4 coupled unknowns"),
         (
             "graphical",
-            "Not by compass and ruler: it seeks 4 unknowns at once",
+            "Not by compass and ruler: it has 4 coupled unknowns",
         ),
         ("newton", "It converges in"),
     ] {
@@ -154,13 +154,13 @@ fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
             "four-bar",
             "newton",
             "r2=20",
-            "`r2` is given, or goes with the driver; sought are r3, r4",
+            "`r2` is given, or follows from the driver; the unknowns are r3, r4",
         ),
         (
             "four-bar",
             "newton",
             "r3=20mm",
-            "of `r3` the deg are sought",
+            "write the guess of `r3` in deg",
         ),
         (
             "four-bar",
@@ -174,13 +174,13 @@ fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
             "four-bar",
             "closed",
             "r3=20",
-            "--guess: `r3` is guessed for nothing; Newton-Raphson and bisection begin at a guess",
+            "--guess: `r3`: this method uses no guess; use Newton-Raphson or bisection",
         ),
         (
             "slotted-lever",
             "newton",
             "r3=20",
-            "both length and angle are sought",
+            "both length and angle of `r3` are unknown",
         ),
     ] {
         let err = of(scene, method, guess);
@@ -235,7 +235,7 @@ fn outside_the_motion_nothing_is_found_and_the_code_is_1() {
         assert_eq!(heard.code, 1, "{method}");
         assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
         assert!(
-            !heard.out.contains("assembly that is meant"),
+            !heard.out.contains("assembly of this motion"),
             "{}",
             heard.out
         );

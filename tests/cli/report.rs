@@ -130,13 +130,13 @@ fn printed_figures_stand_beside_krank_s() {
     assert!(
         beside
             .replace('\n', " ")
-            .contains("in no such unit: B.a, nothing."),
+            .contains("not in this unit: B.a, nothing."),
         "{beside}"
     );
     assert!(of("tr").contains("notes.csv ile"), "{}", of("tr"));
     std::fs::write(&file, "no figures\n").unwrap();
     let args = ["report", "four-bar", "--against", path];
-    assert!(refused(2, &args).contains("holds no figures"));
+    assert!(refused(2, &args).contains("has no values"));
 }
 
 /// What another program wrote over the motion: of each column the largest difference, and where.

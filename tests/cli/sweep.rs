@@ -577,7 +577,7 @@ fn formulas_that_are_wrong_say_why() {
             "pi = C.x",
             "the name `pi` is reserved; columns use `driver`,",
         ),
-        ("time = C.x", "`time`, `pi` with a meaning of their own"),
+        ("time = C.x", "`time`, `pi` with a special meaning"),
     ] {
         let told = sweep(columns);
         assert!(

@@ -142,7 +142,7 @@ fn what_cannot_be_told_is_refused() {
         "--columns",
         "driver.torque",
     ];
-    assert!(refused(1, &forces).contains("not of forces"));
+    assert!(refused(1, &forces).contains("not to forces"));
     let ask = ["tolerance", "four-bar", "--tolerance", "0.1"];
     refused(2, &[&ask[..], &["--at", "60", "--step", "5"]].concat());
     refused(2, &[&ask[..], &["--columns", "X.x"]].concat());

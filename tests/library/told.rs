@@ -101,7 +101,7 @@ fn a_loop_asks_for_what_it_finds_itself() {
 #[test]
 fn no_angle_has_a_value_before_its_group() {
     for text in [working("press-ram", None), report("press-ram", None)] {
-        let table = between(&text, "by their places", "Loop equations\n");
+        let table = between(&text, "from the coordinates", "Loop equations\n");
         let line = table.lines().find(|line| line.contains("theta_r4e ="));
         let line = line.unwrap_or_else(|| panic!("{table}"));
         assert!(line.contains("theta4 +") && !line.contains("deg"), "{line}");
@@ -184,14 +184,14 @@ fn by(method: PositionMethod, name: &str, at: Option<f64>) -> String {
 fn bisection_says_where_it_looks_and_when_it_stops() {
     let text = by(PositionMethod::Bisection, "four-bar", None);
     for piece in [
-        "f is least where the arm lies along m, at theta3 = -13.8979 deg",
-        "Halved until the interval is no longer than 0.00018 deg",
+        "f has its minimum where the arm lies along m, at theta3 = -13.8979 deg",
+        "Halved until the interval is at most 0.00018 deg",
         "theta4 = atan2(my - r3 sin(theta3), mx - r3 cos(theta3)) = 290.753 deg",
     ] {
         assert!(text.contains(piece), "{piece}: {text}");
     }
     let text = by(PositionMethod::Bisection, "slider-crank", None);
-    assert!(text.contains("f is least at r4 = "), "{text}");
+    assert!(text.contains("f has its minimum at r4 = "), "{text}");
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn circles_that_touch_meet_in_one_point() {
     let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
     let text = by(PositionMethod::Graphical, "double-rocker", Some(dead_point));
     assert!(
-        text.contains("They touch in C; the drawing cannot tell where"),
+        text.contains("They touch in C; the drawing cannot show exactly where"),
         "{text}"
     );
     assert!(
@@ -221,7 +221,7 @@ fn circles_that_touch_meet_in_one_point() {
     );
     let text = working("double-rocker", Some(dead_point));
     assert!(text.contains("C lies on the line B -> D"), "{text}");
-    assert!(!text.contains("on the left of B"), "{text}");
+    assert!(!text.contains("to the left of B"), "{text}");
 }
 
 #[test]
@@ -229,11 +229,11 @@ fn a_caption_says_what_its_picture_shows() {
     let (scene, solver, state) = solved("press-ram", None);
     let report = Report::new(&scene, &solver, &state, 6);
     let (text, html) = (report.page.to_text(WIDE), report.page.to_html());
-    assert!(!text.contains("dashed where something"), "{text}");
+    assert!(!text.contains("vectors with unknowns"), "{text}");
     assert!(
         text.contains("r6 < 0: its arrow points against theta6."),
         "{text}"
     );
-    assert!(html.contains("dashed where something is sought"));
+    assert!(html.contains("vectors with unknowns are dashed"));
     assert!(html.contains("r6 &lt; 0: its arrow points against"));
 }

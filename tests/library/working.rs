@@ -643,7 +643,7 @@ fn a_change_point_gives_the_limits_along_the_motion() {
     let text = text(&bench.at(0.0, 6));
     assert_eq!(bench.state.condition(), Condition::ChangePoint);
     assert!(text.contains("A change point:"), "{text}");
-    assert!(text.contains("along the motion the limit is"), "{text}");
+    assert!(text.contains("the limit along the motion is"), "{text}");
 }
 
 #[test]

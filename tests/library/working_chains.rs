@@ -200,8 +200,8 @@ fn what_every_kind_of_group_bears_is_worked_out() {
         }
         for text in follow(name, &loaded) {
             let ways = [
-                "sum is free of ",
-                "have no share in two sums",
+                "sum does not contain ",
+                "contain no outer reaction",
                 "The equations of all links",
             ];
             for (count, way) in told.iter_mut().zip(ways) {

@@ -116,7 +116,7 @@ fn colours_change_by_key_and_by_option() {
     session.settle();
     assert!(!has_colour(&session.seen.lock().unwrap().bytes));
     session.send("C");
-    session.wait_for("the 16 colours");
+    session.wait_for("16 colours");
     session.wait_until("colours", |seen| has_colour(&seen.bytes));
     session.send("q");
     assert!(session.ended_as_found().success());
@@ -150,7 +150,7 @@ fn the_diagnosis_tells_what_was_found_and_why() {
         .wait_for("line             a pseudo-terminal")
         .wait_for("glyphs           braille: an emulator in a UTF-8 locale")
         .wait_for("colours          none: NO_COLOR is set")
-        .wait_for("configuration    /nowhere/configuration/krank/config.toml (there is none)");
+        .wait_for("configuration    /nowhere/configuration/krank/config.toml (does not exist)");
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn the_diagnosis_works_in_a_pipe() {
     assert!(told.is_ascii() && !told.contains('\x1b'), "{told}");
     for line in [
         "standard output  no terminal\n",
-        "glyphs           line: asked for; else ascii: the locale is not UTF-8\n",
+        "glyphs           line: requested; otherwise ascii: the locale is not UTF-8\n",
     ] {
         assert!(told.contains(line), "{told}");
     }

@@ -199,7 +199,7 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
     terminal.wait_for("code ");
     let left = terminal.contents();
     // 0 or 1, as where the search comes to its end: whether anything does the task is another question.
-    assert!(left.contains("stopped: what was found"), "{left}");
+    assert!(left.contains("stopped: the results so far"), "{left}");
     let code = left.rsplit("code ").next().unwrap_or_default().trim();
     assert!(["0", "1"].contains(&code), "{left}");
     let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
@@ -221,7 +221,7 @@ fn ctrl_c_stops_solve_and_the_best_so_far_is_written() {
     terminal.type_in("\x03");
     terminal.wait_for("code ");
     let left = terminal.contents();
-    assert!(left.contains("stopped: what was found"), "{left}");
+    assert!(left.contains("stopped: the results so far"), "{left}");
     assert!(left.contains("code 0"), "{left}");
     let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
     assert!(told.contains("m.length"), "{told}");
@@ -260,5 +260,5 @@ fn ctrl_c_stops_solve_where_nobody_sees_it() {
     // It ends by itself, and not by the signal.
     assert!(status.code().is_some(), "{status:?}");
     let told = std::fs::read_to_string(format!("{file}.err")).unwrap();
-    assert!(told.contains("stopped: what was found"), "{told}");
+    assert!(told.contains("stopped: the results so far"), "{told}");
 }

@@ -214,8 +214,7 @@ fn what_the_later_of_two_sessions_held_is_offered() {
         next.wait_until("edits that do not fit", |seen| {
             let screen = seen.terminal.screen().contents();
             screen.contains("Unsaved edits of this scene")
-                && (screen.contains("made on another text")
-                    || screen.contains("older than the file"))
+                && (screen.contains("file has changed") || screen.contains("older than the file"))
         });
         next.send("\x03");
         assert!(next.ended().success());

@@ -151,7 +151,7 @@ fn edits_outlive_the_program_whatever_ends_it() {
         // They were taken back, not dropped.
         let mut session = Session::run(&folder, "exec $KRANK mine.toml");
         session.answer("dd", "t take");
-        session.wait_for("are deleted").send("q");
+        session.wait_for("edits deleted").send("q");
         assert!(session.ended());
     }
     // Nothing is left to offer.

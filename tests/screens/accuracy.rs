@@ -53,7 +53,7 @@ fn measures_speed_against_error_while_keys_stay_live() {
     }
     let line = session.press("Esc").last_line();
     assert!(
-        line.contains("stopped at 25 %    ? help  4 go on"),
+        line.contains("stopped at 25 %    ? help  4 resume"),
         "{line}"
     );
     let before = session.workbench.frames();
@@ -103,7 +103,7 @@ fn a_method_is_watched_in_the_place_of_the_study() {
     );
     assert!(line.contains("m method  Esc back"), "{line}");
     let below = session.press("End").look();
-    assert!(below.contains("to the assembly that is meant"), "{below}");
+    assert!(below.contains("to the assembly of this motion"), "{below}");
     // The guess stays where the scene opens: a step of the driver is one away from it.
     let before = session.press("Home").look();
     assert_ne!(session.press(".").look(), before);
@@ -159,7 +159,7 @@ fn a_method_begins_at_the_guess_that_is_typed() {
         "{halved}"
     );
     let line = session.press("m Enter").last_line();
-    assert!(line.contains("begins at no guess"), "{line}");
+    assert!(line.contains("uses no guess"), "{line}");
 }
 
 #[test]

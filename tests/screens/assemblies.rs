@@ -75,7 +75,7 @@ fn what_does_not_close_is_not_taken() {
     let row = screen.lines().find(|l| l.contains(" C - ")).unwrap();
     assert!(row.trim_end().ends_with("open"), "{row}");
     let line = session.press("Down Enter").last_line();
-    assert!(line.contains("the rest does not close with C=-"), "{line}");
+    assert!(line.contains("no assembly with C=-"), "{line}");
     let mut yoke = Session::new(preset("scotch-yoke"), Glyphs::Ascii, 80, 24);
     let line = yoke.press("a").last_line();
     assert!(line.contains("there is no other assembly here"), "{line}");

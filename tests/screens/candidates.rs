@@ -119,7 +119,7 @@ fn one_that_was_taken_is_not_lost_unasked() {
     let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
     session.press("Enter");
     assert!(session.last_line().contains("hatch-1*"));
-    let told = "this linkage is in no file yet";
+    let told = "this linkage is not saved yet";
     for (key, keys) in [("q", "q drop, quit"), ("n", "d drop, open")] {
         let asked = session.press(key).look();
         assert!(asked.contains(told) && asked.contains(keys), "{asked}");
@@ -184,7 +184,7 @@ fn a_task_among_the_files_is_opened_as_one() {
     fs::write(folder.join("twice.toml"), wrong).unwrap();
     let mut session = opened_in(&folder, Glyphs::Ascii);
     let screen = session.press("o").type_in("places").look();
-    let told = "a task: a body in 4 poses; Enter looks for linkages that do it";
+    let told = "a task: a body in 4 poses; Enter searches for linkages";
     assert!(
         said(&screen.replace('|', " ")).contains("a task: a body in 4 poses"),
         "{told}\n{screen}"

@@ -204,14 +204,14 @@ fn numbers_do_not_dance() {
 
 #[test]
 fn a_scene_on_which_nothing_acts_says_so() {
-    const MEND: &str = " Give a link its mass and com, or add [[loads]] or [[springs]] to the file: \
-                        then this view shows what the driver must do and what every joint bears.";
+    const MEND: &str = " Give a link its mass and com, or add [[loads]] or [[springs]] to the file. \
+                        This view then shows the driver's torque or force and the force at every joint.";
     let shown = session("four-bar", 80, 24).press("5").body();
-    let nothing = "Nothing acts on this linkage: the scene has no loads, no springs and no masses.";
+    let nothing = "No forces act on this linkage: the scene has no loads, springs or masses.";
     assert_eq!(said(&shown), nothing.to_owned() + MEND);
     let text = format!("gravity = [0, -9.81]\n{}", text("four-bar"));
     let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, 40, 12);
-    let nothing = "Nothing acts on this linkage: the scene has gravity, but no link has a mass.";
+    let nothing = "No forces act on this linkage: the scene has gravity, but no link has a mass.";
     // With the next key the message goes that is said below.
     assert_eq!(
         said(&session.press("5 [").body()),
@@ -273,7 +273,7 @@ fn forces_follow_what_changes() {
         "{screen}"
     );
     let screen = session.press("n").look();
-    assert!(screen.contains("Nothing acts on this linkage"), "{screen}");
+    assert!(screen.contains("No forces act on this linkage"), "{screen}");
 }
 
 /// The drawing tells the sizes that the view of forces tells, while its layer is on; where nothing acts it says so.
@@ -302,9 +302,6 @@ fn the_drawing_shows_what_acts_with_its_size() {
     assert!(!off.contains("500 N"), "{off}");
     let mut nothing = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 40);
     let screen = nothing.press("N").look();
-    assert_told(
-        &screen,
-        &["nothing acts here: no loads, no springs, no masses"],
-    );
+    assert_told(&screen, &["no forces here: no loads, springs or masses"]);
     assert!(!screen.contains("stands still"), "{screen}");
 }

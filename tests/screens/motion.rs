@@ -164,12 +164,12 @@ fn zooms_and_pans_and_stays_there() {
 fn the_ends_of_zooming_and_panning_are_told() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let line = session.press(&"z ".repeat(30)).last_line();
-    assert!(line.contains("there is no more to zoom"), "{line}");
+    assert!(line.contains("zoom limit reached"), "{line}");
     assert!(session.body().contains("zoom 64x"));
     let line = session.press("f").press(&"L ".repeat(30)).last_line();
     assert!(line.contains("the motion ends here"), "{line}");
     let line = session.press("f").press(&"Z ".repeat(30)).last_line();
-    assert!(line.contains("there is no more to zoom"), "{line}");
+    assert!(line.contains("zoom limit reached"), "{line}");
     assert!(session.body().contains("zoom 0.25x"));
 }
 

@@ -47,11 +47,11 @@ fn every_figure_is_reached_on_every_screen() {
         "over a turn at 15 rad/s (143.239",
         "torque [N m] all",
         "largest 28.7188",
-        "least -32.0570",
+        "smallest -32.0570",
         "RMS 20.1499",
         "power [W]",
         "largest 430.783",
-        "put in 55.3391",
+        "supplied 55.3391",
         "motor: enough, but the flywheel is",
         "flywheel",
         "on the frame, loads included",
@@ -63,7 +63,7 @@ fn every_figure_is_reached_on_every_screen() {
 fn a_press_shows_its_ram_below() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
     let told = [
-        "N m * driver.torque 44.1 over driver.angle over a turn at 10 rad/s (95.493 rpm), r2 asks 1133.76 N m at",
+        "N m * driver.torque 44.1 over driver.angle over a turn at 10 rad/s (95.493 rpm), r2 needs 1133.76 N m at",
         "1133.8 at 353.04",
         "largest 1133.76 1188.18 35.4129 21.3254",
         "rated for RMS 500 N m for 359.555: 140.445 N m left (1.39",
@@ -91,7 +91,7 @@ fn a_press_shows_its_ram_below() {
 #[test]
 fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
     let mut bare = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
-    let nothing = "nothing acts: the scene has no load and no mass, so the driver does no work";
+    let nothing = "the scene has no load and no mass, so the driver does no work";
     assert_eq!(said(&bare.press("8").body()), nothing);
     let mut slider = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 80, 24);
     let shown = slider.press("8").body();

@@ -63,7 +63,7 @@ fn a_view_with_nothing_to_show_is_dim_and_says_why() {
     assert_eq!(dims(&session), "5Forces8Motor");
     for key in ["5", "8"] {
         let line = session.press(key).last_line();
-        assert!(line.contains("nothing acts here: no loads"), "{line}");
+        assert!(line.contains("no forces here: no loads"), "{line}");
         assert!(session.press("Esc").last_line().contains("? help"));
     }
     let mut loaded = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
@@ -275,7 +275,7 @@ fn what_a_pane_does_not_take_goes_to_the_drawing_beside_it() {
     // Alone, there is nothing that could take it, and that is said.
     let line = session.press("O v").last_line();
     assert!(
-        line.contains("v means nothing here; ? tells the keys"),
+        line.contains("v does nothing here; ? lists the keys"),
         "{line}"
     );
 }
@@ -296,7 +296,7 @@ fn commands_are_listed_and_searched_loosely() {
         session.press(":").type_in("choose plots").press("Enter");
         assert!(session.look().contains("plot what?"));
         session.press("Esc :").type_in("zzzz");
-        assert!(session.look().contains("no command is called that"));
+        assert!(session.look().contains("no such command"));
         assert!(
             !session
                 .press("Esc")
@@ -374,7 +374,7 @@ fn what_has_nothing_at_its_side_says_so() {
     let mut session = four_bar(120, 40);
     for key in ["Left", "h", "l", "Right"] {
         let line = session.press("1 7").press(key).last_line();
-        assert!(line.contains("nothing at the side"), "{key}: {line}");
+        assert!(line.contains("no other column here"), "{key}: {line}");
         assert!(line.contains("60.00 deg"), "{line}");
     }
 }

@@ -126,7 +126,7 @@ fn typing_narrows_the_list_at_once() {
             .contains("search: LEG wal ")
     );
     let nothing = session.type_in("q?").look();
-    assert!(nothing.contains("nothing matches; Ctrl-U"), "{nothing}");
+    assert!(nothing.contains("no match; Ctrl-U"), "{nothing}");
     assert!(nothing.contains("0 of 40"), "{nothing}");
     // There is nothing under the cursor, and Enter does nothing.
     assert_eq!(session.press("Enter Down Up PgDn Right").look(), nothing);

@@ -23,7 +23,7 @@ fn goes_where_it_is_told_and_says_where_it_cannot() {
         session
             .press("g x Enter")
             .last_line()
-            .contains("not a number of deg: x")
+            .contains("not a number in deg: x")
     );
     assert!(session.press("Esc").last_line().contains("123.50 deg"));
 

@@ -76,7 +76,7 @@ fn the_list_chooses_what_is_plotted() {
     ];
     assert_told(&small.press("3 Enter Down").look(), &told);
     small.press("/").type_in("nothing");
-    assert!(small.look().contains("no figure has that"));
+    assert!(small.look().contains("no column matches"));
 }
 
 /// In the list a key opens all that the figure under the cursor does over the motion, on a small screen too; the list
@@ -231,11 +231,7 @@ fn curves_are_written_as_csv_and_as_svg() {
     }
     // Where nothing is plotted there is nothing to write.
     session.press("x c Esc Y");
-    assert!(
-        session
-            .look()
-            .contains("nothing is plotted that could be written")
-    );
+    assert!(session.look().contains("there is no plot to write"));
 }
 
 /// Every preset shows each of its figures, at every size and in every kind of glyphs.

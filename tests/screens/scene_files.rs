@@ -117,7 +117,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
         "Enter write Esc cancel",
     ];
     assert_told(&session.press("w").look(), &asked);
-    let asked = ["read it over unsaved edits?", "Enter read Esc keep"];
+    let asked = ["reload over unsaved edits?", "Enter load Esc keep"];
     assert_told(&session.press("Esc R").look(), &asked);
     session.press("Esc");
     assert_eq!(session.row(), edited);
@@ -214,7 +214,7 @@ fn edits_of_an_earlier_session_are_offered() {
     assert_eq!(kept(), 1, "not at once");
     session.press("d");
     assert_eq!(kept(), 0, "deleted");
-    assert!(session.last_line().contains("these edits are deleted"));
+    assert!(session.last_line().contains("edits deleted"));
 }
 
 /// What waited to be made when the program ended waits again.
@@ -323,7 +323,7 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
     std::fs::write(&file, &newer).unwrap();
     let mut session = begin();
     let screen = session.look();
-    assert!(screen.contains("made on another text"), "{screen}");
+    assert!(screen.contains("file has changed"), "{screen}");
     let asked = ["mine.toml is newer than these edits: overwrite", "it?"];
     assert_told(&session.press("t w").look(), &asked);
     session.press("Esc");

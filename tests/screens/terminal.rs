@@ -62,7 +62,7 @@ fn colours_change_by_key() {
     let four_bar = |colours| opened("four-bar", Glyphs::Braille, colours);
     let mut session = four_bar(Colours::Sixteen);
     let mut seen = Vec::new();
-    for colours in ["256", "24 bits", "no colours", "16 colours"] {
+    for colours in ["256", "24-bit colours", "no colours", "16 colours"] {
         let line = session.press("C").last_line();
         assert!(line.contains(colours), "{line}");
         session.press("Home Ctrl-L");

@@ -227,7 +227,7 @@ fn the_help_of_each_view_begins_with_its_own_keys() {
         ("1", "What the motion view shows", "velocity arrows"),
         ("2", "In the tables", "show in the motion view"),
         ("3", "In the plots", "mark the extrema"),
-        ("4", "In the accuracy view", "watch a method"),
+        ("4", "In the accuracy view", "step through a method"),
         ("6", "In the scene view", "larger increment"),
         ("7", "The motion", "play or pause"),
     ] {
@@ -269,7 +269,7 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert_eq!(session.press("space ? n , Left h").body(), before);
     let line = session.last_line();
     assert!(
-        line.contains("h means nothing here; F9 tells the keys"),
+        line.contains("h does nothing here; F9 lists the keys"),
         "{line}"
     );
     let line = session.press("a Enter").last_line();

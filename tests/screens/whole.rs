@@ -228,7 +228,7 @@ fn the_smallest_screens_say_what_is_needed() {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
         assert_told(
             &session.look(),
-            &["four-bar", "60.00 deg", "ok", "40 x 12 show more"],
+            &["four-bar", "60.00 deg", "ok", "40 x 12 shows more"],
         );
         assert_told(&session.press(".").look(), &["65.00 deg"]);
     }

@@ -129,7 +129,7 @@ fn a_file_that_is_gone_is_not_offered() {
         24,
     );
     let screen = session.press("6 > R").look();
-    assert!(screen.contains("read it over unsaved edits?"), "{screen}");
+    assert!(screen.contains("reload over unsaved edits?"), "{screen}");
     session.press("Esc");
     std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
     let line = session.press("R").last_line();

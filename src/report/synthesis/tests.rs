@@ -35,8 +35,8 @@ fn poses_without_a_linkage_are_told_why() {
     let large = "[[1e300, 0, 0], [0, 1e300, 30], [1e300, 1e300, 60]]";
     let small = "[[1e-200, 0, 0], [0, 1e-200, 30], [1e-200, 1e-200, 60]]";
     for (poses, reason, words) in [
-        (turn, "turn", "turns about one point, (0, 0)"),
-        (shift, "shift", "the body does not turn"),
+        (turn, "turn", "rotations about one point, (0, 0)"),
+        (shift, "shift", "the body does not rotate"),
         (large, "range", "too large or too small"),
         (small, "range", "too large or too small"),
     ] {

@@ -223,14 +223,14 @@ mod tests {
         "\u{1b}1\u{e4}2\u{fc}".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
         let told = line.take_refusal();
-        assert_eq!(told.as_deref(), Some("\u{e4} (U+00E4) is not taken here"));
+        assert_eq!(told.as_deref(), Some("\u{e4} (U+00E4) is not valid here"));
         assert_eq!(line.take_refusal(), None);
         (0..1000).for_each(|_| line.push('9'));
         assert_eq!(line.text().len(), LONGEST_NUMBER);
         let told = line.take_refusal();
         assert_eq!(
             told.as_deref(),
-            Some("no more than 24 characters are taken here")
+            Some("at most 24 characters are allowed here")
         );
     }
 

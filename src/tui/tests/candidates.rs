@@ -113,7 +113,7 @@ fn one_step_back_at_a_time() {
     let mut workbench = looking_for_four_poses(Size::new(80, 24));
     workbench.press("Tab Enter Right Esc");
     assert!(
-        workbench.text().contains("Enter picks it"),
+        workbench.text().contains("Enter selects it"),
         "{}",
         workbench.text()
     );

@@ -1,10 +1,10 @@
-//! The help over the view.
+//! The help window over the view.
 
 use super::English;
 use std::fmt::Display;
 
 catalogue! {
-    /// The help, and the manual behind it.
+    /// The help window and the manual.
     trait HelpingWords for English {
         help_title = "Help";
         help_topic(topic: &str, page: usize, pages: usize) = "Help: {topic}  {page}/{pages}";
@@ -12,14 +12,13 @@ catalogue! {
         esc_shows_all_keys = "Esc shows all keys";
         turns_to_manual(key: &dyn Display) = "{key} manual";
         shows_more(key: &dyn Display) = "{key} for more";
-        no_command_is_that = "no command is called that";
+        no_command_is_that = "no such command";
         manual_of(topic: &str, about: &str) = "manual, {topic}: {about}";
-        manual_tells_of_it(topics: &str) = "the manual tells of it: {topics}";
-        nowhere = "nowhere";
+        manual_tells_of_it(topics: &str) = "see the manual: {topics}";
+        nowhere = "no hits";
         marks_of_figures(found: char) = "{found} found, rest given";
         marks_of_figures_and_digits(found: char, unsure: char) =
-            "{found} found, rest given; {unsure} for digits that are not proved";
-        marks_of_figures_and_dim_digits(found: char) =
-            "{found} found, rest given; dim digits are not proved";
+            "{found} found, rest given; {unsure} for digits that are unproved";
+        marks_of_figures_and_dim_digits(found: char) = "{found} found, rest given; dim digits are unproved";
     }
 }

@@ -1,39 +1,39 @@
-//! The last line: what is going on, what is asked, and what keys do now.
+//! The status line: modes, prompts and key hints.
 
 use super::English;
 
 catalogue! {
-    /// Modes and prompts in a word or two, and what keys do in them.
+    /// Short names of modes, prompts and keys.
     trait HintsWords for English {
-        // What is going on.
+        // Modes.
         choosing = "choose";
         writing = "write";
         recovering = "recover";
 
-        // What a key does now.
+        // Key hints.
         again = "again";
         all = "all";
         all_keys = "all keys";
         along_x = "along x";
         cancel = "cancel";
-        do_it = "do it";
+        do_it = "run";
         done = "done";
         drop_and_open = "drop, open";
         drop_and_quit = "drop, quit";
         end = "end";
         go = "go";
-        go_on = "go on";
+        go_on = "resume";
         keep = "keep";
         less = "less";
-        look_inside = "look inside";
+        look_inside = "browse";
         manual = "manual";
         more = "more";
         next_topic = "next topic";
         none = "none";
         pause = "pause";
         plot = "plot";
-        plot_it_or_not = "plot it or not";
-        read = "read";
+        plot_it_or_not = "toggle plot";
+        read = "load";
         row = "row";
         stay = "stay";
         stop = "stop";
@@ -41,11 +41,11 @@ catalogue! {
         take = "take";
         value = "value";
 
-        // What is asked for.
+        // Prompts.
         character_not_taken(c: char) = {
-            format!("{c} (U+{:04X}) is not taken here", u32::from(c))
+            format!("{c} (U+{:04X}) is not valid here", u32::from(c))
         };
-        no_more_characters(most: usize) = "no more than {most} characters are taken here";
+        no_more_characters(most: usize) = "at most {most} characters are allowed here";
         angle_in(unit: &str) = "angle [{unit}]: ";
         position_in(unit: &str) = "position [{unit}]: ";
         write_to = "write to: ";
@@ -57,7 +57,7 @@ catalogue! {
             }
         };
         unsaved_edits = "unsaved edits";
-        in_no_file_yet = "this linkage is in no file yet";
-        read_over_edits = "read it over unsaved edits?";
+        in_no_file_yet = "this linkage is not saved yet";
+        read_over_edits = "reload over unsaved edits?";
     }
 }

@@ -1,4 +1,4 @@
-//! The driver and where it stands, the assembly, and how the motion is drawn.
+//! The driver's position, the assembly, and the drawing of the motion.
 
 use super::English;
 use std::fmt::Display;
@@ -6,20 +6,20 @@ use std::fmt::Display;
 catalogue! {
     /// The motion and its drawing.
     trait MotionWords for English {
-        // Where the driver goes.
+        // The driver's position.
         motion_ends = "the motion ends here";
-        no_number_of(unit: &str, typed: &str) = "not a number of {unit}: {typed}";
+        no_number_of(unit: &str, typed: &str) = "not a number in {unit}: {typed}";
         taken_as(at: &str, unit: &str) = "taken as {at} {unit}";
         out_of_reach(low: &str, high: &str, unit: &str) = "out of reach: {low} to {high} {unit}";
         no_longer_in_reach(at: &str, unit: &str) = "{at} {unit} is out of reach now";
         begins_a_frame(point: &str, link: &str) = {
-            format!("{point} is where {link} begins, and its frame with it: its length is changed in the list")
+            format!("{point} is the origin of {link}: change the length of {link} in the list")
         };
         whole_turns(turns: &str, is_one: bool) = {
             format!("{turns} turn{}", if is_one { "" } else { "s" })
         };
 
-        // How it is played.
+        // Playback.
         step_of(step: &str, unit: &str) = "step {step} {unit}";
         plays_in(turns: bool, seconds: &dyn Display, backwards: bool) = {
             let sweep = if turns { "turn" } else { "sweep" };
@@ -34,7 +34,7 @@ catalogue! {
         slower_than_real(times: &str) = "1/{times} of real time";
         faster_than_real(times: &str) = "{times} times real time";
 
-        // How the mechanism stands.
+        // The state of the mechanism.
         ok = "ok";
         change_point = "change point";
         dead_point = "dead point";
@@ -47,19 +47,19 @@ catalogue! {
         near_in(what: &str, distance: &str, unit: &str) = "{what} in {distance} {unit}";
         no_bound = "no bound";
 
-        // Its assemblies.
+        // Assemblies.
         no_other_assembly = "there is no other assembly here";
-        rest_does_not_close(choice: &dyn Display) = "the rest does not close with {choice}";
+        rest_does_not_close(choice: &dyn Display) = "no assembly with {choice}";
         assembly_now(choice: &dyn Display) = "{choice} now";
         assembly_now_untold(choice: &dyn Display) = {
-            format!("{choice} now; no [start] can tell it, so that it cannot be saved")
+            format!("{choice} now; no [start] selects it, so it cannot be saved")
         };
         assembly_now_saved_by(choice: &dyn Display, key: &dyn Display) = "{choice} now; {key} saves it";
         shown_now = "now";
         does_not_close = "open";
         degrees(figure: &str) = "{figure} deg";
 
-        // How it is drawn.
+        // The drawing.
         drawn_with(glyphs: &str) = "drawn with {glyphs}";
         glyphs_ascii = "ASCII";
         glyphs_lines = "lines";
@@ -68,15 +68,15 @@ catalogue! {
         glyphs_sextants = "sextants, if the font has them";
         glyphs_octants = "octants, if the font has them";
         no_colours = "no colours";
-        sixteen_colours = "the 16 colours of the terminal's palette";
-        colours_of_256 = "colours of the 256";
-        true_colours = "colours of 24 bits";
+        sixteen_colours = "the terminal's 16 colours";
+        colours_of_256 = "256 colours";
+        true_colours = "24-bit colours";
         switched_on(what: &str) = "{what} on";
         switched_off(what: &str) = "{what} off";
         the_whole_motion = "the whole motion";
-        window_goes_along = "the window goes along";
-        window_stays_with(point: &str) = "the window stays with {point}";
-        no_more_to_zoom = "there is no more to zoom";
+        window_goes_along = "the view moves along";
+        window_stays_with(point: &str) = "the view follows {point}";
+        no_more_to_zoom = "zoom limit reached";
         zoomed(times: &str) = "zoom {times}";
         names_of_points = "names of points";
         names_of_points_and_links = "names of points and links";
@@ -89,10 +89,10 @@ catalogue! {
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene} at {at} {unit}";
         language_is = "language: English";
 
-        // What is followed in it.
-        nothing_at_the_side = "there is nothing at the side";
-        no_further_part = "there is no further part";
-        nothing_to_search = "there is nothing to search here";
+        // Lists, search and selection.
+        nothing_at_the_side = "no other column here";
+        no_further_part = "no further part";
+        nothing_to_search = "nothing to search here";
         never_moves(name: &str) = "{name} never moves: nothing to follow";
         all_of(names: &[&str]) = { names.join(" and ") };
         no_longer_chosen(names: &str) = "{names} no longer chosen";

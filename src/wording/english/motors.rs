@@ -1,12 +1,12 @@
-//! The motor over a cycle, and the ram.
+//! The motor's demand over a cycle, and the motion of the ram.
 
 use super::English;
 use std::fmt::Display;
 
 catalogue! {
-    /// What a scene asks of its motor, and what a ram does.
+    /// The demand on a scene's motor, and the ram's motion.
     trait MotorsWords for English {
-        // What the driver does, and where.
+        // The driver's effort over the cycle.
         torque = "torque";
         force = "force";
         over_a_turn(speed: &str) = "over a turn at {speed}";
@@ -14,35 +14,31 @@ catalogue! {
         there_and_back(low: &str, high: &str, unit: &str, speed: &str) =
             "from {low} to {high} {unit} and back at {speed}";
         driver_asks(course: &str, driver: &str, asked: &str) = "{course}, {driver} {asked}";
-        asks_throughout(effort: &str) = "asks {effort} throughout";
+        asks_throughout(effort: &str) = "needs {effort} throughout";
         asks_at_worst(effort: &str, place: &str, rms: &str) =
-            "asks {effort} at {place}, the worst instant; {rms} RMS";
-        asks_too_much(effort: &str) =
-            "asks for more than any motor has: there is no largest {effort} and no RMS";
+            "needs {effort} at {place}, the worst instant; {rms} RMS";
+        asks_too_much(effort: &str) = "needs more than any motor has: no largest {effort} and no RMS exist";
         on_the_way_back(place: &str) = "{place} on the way back";
         back_at(place: &str) = "{place} back";
         places_of(places: &[String], unit: &str) = {
             format!("{} {unit}", places.join(" and "))
         };
 
-        // What is to be known of the figures.
-        nothing_acts =
-            "nothing acts: the scene has no load and no mass, so the driver does no work";
-        no_figures(why: &str) = "no figures: {why}";
-        mechanism_drives(driver: &str, work: &str) =
-            "the mechanism drives {driver}: it gives {work} J a cycle";
+        // Remarks on the values.
+        nothing_acts = "the scene has no load and no mass, so the driver does no work";
+        no_figures(why: &str) = "no values: {why}";
+        mechanism_drives(driver: &str, work: &str) = "the mechanism drives {driver}: it returns {work} J per cycle";
         dead_points_run_into(places: &str) =
-            "dead points at {places}: towards them accelerations grow beyond all bounds, and a \
-             driver that keeps its speed never gets there: means and energies are of loads and \
-             gravity only; a part of the motion has all figures";
+            "dead points at {places}: towards them accelerations grow without bound, and a driver at constant \
+             speed never reaches them. Means and energies include only loads and gravity; choose part of the \
+             motion to get all values";
         dead_points_passed(places: &str) =
-            "dead points at {places}: towards them what the driver must do can grow beyond all \
-             bounds: its work and its mean exist, a peak and an RMS do not; a part of the motion has \
-             all figures";
+            "dead points at {places}: towards them the driver's effort can grow without bound. Its work and its \
+             mean exist, a peak and an RMS do not; choose part of the motion to get all values";
         change_points_passed(places: &str) =
-            "change points at {places}: the torque passes smoothly, forces in the joints may not";
+            "change points at {places}: the torque is continuous there, joint forces may not be";
         not_converged(error: &str, effort: &str) =
-            "the integrals have not converged: they may be off by {error} of the largest {effort}";
+            "the integrals have not converged: the error may reach {error} of the largest {effort}";
         does_not_repeat(numbers: &[String], from: &str, to: &str, unit: &str) = {
             let (loads, does) = match numbers.len() {
                 1 => ("load", "does"),
@@ -52,24 +48,23 @@ catalogue! {
             format!("`over` of {loads} {numbers} {does} not repeat: this is the cycle from {from} to {to} {unit}")
         };
         repeats_late =
-            "the loads repeat only after more than 64 turns: this is one period of the motion";
-        speed_not_kept =
-            "the driver does not keep its speed: what its acceleration takes is part of inertia";
-        no_power = "the driver stands still: no power, and no time passes";
+            "the loads repeat only after more than 64 turns: these values are for one period of the motion";
+        speed_not_kept = "the driver's speed is not constant: the effort of its acceleration is part of inertia";
+        no_power = "the driver stands still: there is no power, and time does not pass";
         trapezoids(places: &dyn Display, error: &str, effort: &str) =
-            "trapezoids at {places} places, good to {error} of the largest {effort}";
+            "trapezoidal rule at {places} points, error {error} of the largest {effort}";
         polynomials(pieces: &dyn Display, error: &str, effort: &str) =
-            "polynomials on {pieces} pieces, good to {error} of the largest {effort}";
+            "polynomials on {pieces} pieces, error {error} of the largest {effort}";
 
-        // Labels of figures.
+        // Labels of values.
         label_all = "all";
         label_largest = "largest";
-        label_least = "least";
+        label_least = "smallest";
         label_mean = "mean";
         label_rms = "RMS";
         label_energy = "energy";
-        label_put_in = "put in";
-        label_given_back = "given back";
+        label_put_in = "supplied";
+        label_given_back = "returned";
         label_work = "work";
         label_integrals = "integrals";
 
@@ -86,34 +81,31 @@ catalogue! {
         with_flywheel = "with flywheel";
         with_a_gear = "with a gear";
         about_the_mean(verdict: &str) = "about the mean: {verdict}";
-        gear_enough(ratio: &str) =
-            "{ratio} to 1 brings it down to the driver's speed: it would be enough";
-        gear_not_enough(ratio: &str) =
-            "{ratio} to 1 brings it down to the driver's speed: it would not do either";
+        gear_enough(ratio: &str) = "{ratio} to 1 reduces it to the driver's speed: it would be enough";
+        gear_not_enough(ratio: &str) = "{ratio} to 1 reduces it to the driver's speed: still not enough";
         has_left_by_times(has: &str, wants: &str, left: &str, times: &str) =
-            "{has} for {wants}: {left} left ({times} times what is asked)";
+            "{has} for {wants}: {left} left ({times} times what is needed)";
         has_left(has: &str, wants: &str, left: &str) = "{has} for {wants}: {left} left";
-        has_a_share(has: &str, wants: &str, percent: &str) = "{has} for {wants}: has {percent} % of it";
+        has_a_share(has: &str, wants: &str, percent: &str) = "{has} for {wants}: only {percent} % of it";
 
         // Evenness.
         evenness = "evenness";
         flywheel = "flywheel";
         fluctuation = "fluctuation";
         energy_up_and_down(energy: &str, slowest: &str, fastest: &str) =
-            "{energy} J up and down: slowest at {slowest}, fastest at {fastest}";
+            "{energy} J: slowest at {slowest}, fastest at {fastest}";
         flywheel_leaves(inertia: &str, fluctuation: &str) =
             "of {inertia} kg m^2 leaves a fluctuation of {fluctuation}";
         takes_a_flywheel(fluctuation: &str, inertia: &str) =
-            "of {fluctuation} takes a flywheel of {inertia} kg m^2";
+            "of {fluctuation} needs a flywheel of {inertia} kg m^2";
         impossible(what: &str) =
-            "{what}: impossible, at 2 the driver stands still once a cycle; it takes a larger flywheel";
-        roughly(what: &str) =
-            "{what}, a rough figure: energy and speed go in proportion for small ones only";
+            "{what}: impossible, since at 2 the driver stops once per cycle; use a larger flywheel";
+        roughly(what: &str) = "{what}, a rough value: energy is proportional to fluctuation only while it is small";
 
-        // What shakes the frame.
+        // Forces on the frame.
         on_frame_with_loads = "on the frame, loads included";
         moment = "moment";
-        no_joint_forces = "no figure: forces in the joints do not exist everywhere";
+        no_joint_forces = "no value: joint forces do not exist everywhere";
         force_throughout(force: &str, x: &str, y: &str) = "{force} N throughout ({x}, {y})";
         force_at(force: &str, place: &str, x: &str, y: &str, rms: &str) =
             "{force} N at {place} ({x}, {y}); {rms} N RMS";
@@ -122,7 +114,7 @@ catalogue! {
             "{moment} N m at {place} about the origin; {rms} N m RMS";
 
         // The ram.
-        several_rams(names: &str) = "several slides can be the ram: {names}";
+        several_rams(names: &str) = "several slides can be the ram, choose one: {names}";
         ram_named(name: &str) = "ram {name}";
         ram_works = "works";
         works_at(end: &str) = "at its {end} position";
@@ -130,7 +122,7 @@ catalogue! {
         stroke = "stroke";
         bottom = "bottom";
         top = "top";
-        turns_too = "turns too";
+        turns_too = "reverses";
         centre_at(at: &str, unit: &str, position: &str, length: &str) =
             "{at} {unit}, position {position} {length}";
         closes_in = "closes in";
@@ -144,13 +136,12 @@ catalogue! {
         dwells_within(way: &str, from: &str, to: &str, tolerance: &str) =
             "{way}: from {from} to {to}; within {tolerance} of the bottom";
         at_height(height: &str, unit: &str) = "at {height} {unit}";
-        ram_never_there(stroke: &str, unit: &str) =
-            "the ram is never there: its stroke is {stroke} {unit}";
+        ram_never_there(stroke: &str, unit: &str) = "the ram never reaches it: its stroke is {stroke} {unit}";
         closing = "closing";
         opening_way = "opening";
         label_place = "place";
         newtons_per(unit: &str) = "N per {unit}";
-        force_held_by(effort: &str) = "force: what {effort} of the driver hold, without friction";
+        force_held_by(effort: &str) = "force: held by {effort} of the driver, without friction";
         force_unbounded = "a dead centre: the force has no bound";
     }
 }

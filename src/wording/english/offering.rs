@@ -1,4 +1,4 @@
-//! Edits that sessions have left: offered, taken up, dropped.
+//! Unsaved edits of earlier sessions: offered, restored, deleted.
 
 use super::English;
 use std::fmt::Display;
@@ -10,32 +10,31 @@ catalogue! {
             "edits are not kept for recovery: set HOME or XDG_STATE_HOME to an absolute path";
         edits_not_kept(folder: &dyn Display, why: &dyn Display) =
             "edits are not kept for recovery: {folder}: {why}";
-        others_have_edits = "others have edits of this scene: open it again to see";
+        others_have_edits = "other sessions edited this scene: reopen it to see";
         edits_by_others = "edits of this scene by other sessions";
-        older_edits_are_back(key: &str) =
-            "back, made on another text than the file has; {key} undoes";
-        edits_are_back(key: &str) = "the unsaved edits are back; {key} takes them away";
-        edits_cannot_be_shown(why: &str) = "they cannot be shown: {why}";
-        edits_deleted = "these edits are deleted";
+        older_edits_are_back(key: &str) = "restored; the file has changed since; {key} undoes";
+        edits_are_back(key: &str) = "unsaved edits restored; {key} undoes";
+        edits_cannot_be_shown(why: &str) = "cannot show the edits: {why}";
+        edits_deleted = "edits deleted";
 
-        // The box in the middle of the screen.
+        // The dialog.
         open_elsewhere = "Open elsewhere";
         unsaved_edits_here = "Unsaved edits of this scene";
         the_edited_text = "The edited text";
-        edit_that_waits(name: &str, text: &str) = "waits: {name} = {text}";
-        what_the_edits_change = "What the edits change";
+        edit_that_waits(name: &str, text: &str) = "staged: {name} = {text}";
+        what_the_edits_change = "Changes by the edits";
         of_time(time: &str) = "of {time}";
         older_than_file = "older than the file";
-        made_on_another_text = "made on another text";
+        made_on_another_text = "file has changed";
         open_elsewhere_too(process: &dyn Display, host: &str, since: &str) =
-            "krank has it open too: process {process} on {host}, since {since}. Its edits are left \
-             alone; who saves second is asked.";
+            "Also open in krank process {process} on {host}, since {since}. Its edits are kept; the second to save \
+             is asked.";
 
-        // Its keys.
+        // Keys of the dialog.
         look = "look";
         later = "later";
         drop_them = "drop";
-        drops_for_ever = "again drops them for ever,";
+        drops_for_ever = "again deletes for good,";
         any_other_key_does_not = "any other key does not";
     }
 }

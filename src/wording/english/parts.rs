@@ -1,12 +1,12 @@
-//! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
+//! Errors in single parts of a scene: links, slides, points, vectors.
 
 use super::English;
 use std::fmt::LowerExp;
 
 catalogue! {
-    /// Faults of single parts of a scene.
+    /// Errors in single parts of a scene.
     trait PartsWords for English {
-        // What they are called.
+        // Names of parts.
         link_called(name: &str) = "link {name}";
         slide_called(name: &str) = "slide {name}";
         vector_called(name: &str) = "vector {name}";
@@ -54,9 +54,8 @@ catalogue! {
         is_not_positive = "not positive";
         length_is_distance =
             "a length is a distance; the direction of a link is from `from` to `to`";
-        no_place_of_its_own = "a point without a distance lies where it is seen from";
-        leave_point_out =
-            "leave it out and use the point from which it is seen; at the origin of the link, write [0, 0]";
+        no_place_of_its_own = "a point at distance 0 coincides with its reference point";
+        leave_point_out = "remove it and use its reference point; at the origin of the link, write [0, 0]";
         turn_angle_by_half = "a length is a distance: write it without the sign, and turn the angle by 180";
         pinned_to_itself(link: &str, point: &str) =
             "link {link} is pinned to itself: {point} is both its ends";
@@ -66,10 +65,10 @@ catalogue! {
         again_here = "again here";
         once_here = "once here";
         out_of_proportion(link: &str, length: &dyn LowerExp, longest: &dyn LowerExp) =
-            "link {link} is out of all proportion: {length:e} long, where the longest length of the scene is {longest:e}";
+            "link {link} is out of proportion: {length:e} long, while the longest length of the scene is \
+             {longest:e}";
         less_than_part = "less than 1e-75 of the longest";
-        look_for_mistyped =
-            "no double holds products of both; look for a coordinate, a `com` or a length that is mistyped";
+        look_for_mistyped = "products of both do not fit a double; look for a mistyped coordinate, `com` or length";
         mass_without_centre(link: &str) = "link {link} has a mass but no centre of mass";
         inertia_without_centre(link: &str) = "link {link} has an inertia but no centre of mass";
         about_which_point = "about which point?";
@@ -79,7 +78,7 @@ catalogue! {
 
         // Places by length and angle.
         or_by_length_and_angle(example: &str) = "or by length and angle: {example}";
-        seen_from_itself(what: &str) = "{what} is given from itself";
+        seen_from_itself(what: &str) = "{what} is measured from itself";
         seen_in_a_circle = "leads back to it";
         begin_with_an_end =
             "begin with an end of the link, or with a point that has coordinates: from = \"A\"";
@@ -114,7 +113,7 @@ catalogue! {
         guide_is_fixed_to = "the guide is fixed to this";
         guide_and_slider_differ = "a guide and what slides along it belong to different bodies";
 
-        // What is driven.
+        // Driven parts.
         driven_link_is_given = "a driven link is given by `link` and `angle`";
         driven_slide_is_given = "a driven slide is given by `slide` and `position`";
         pinned_to_ground_twice(name: &str) =
@@ -123,23 +122,26 @@ catalogue! {
         one_pin = "one pin";
         another_pin = "another";
         turns_about_one_point = "the driven link, mostly the crank, turns about one point of the ground";
-        slide_has_its_guide(of: &str) = "{of}: a slide is driven along its guide, and `from` says nothing of it";
-        not_of_a_slide = "of a driven link";
-        seat_is_for_links = "leave it out, or name a link in the place of the slide: `from` is the link that its motor sits on";
-        turns_from_itself(name: &str) = "{name} cannot be turned against itself";
-        seat_is_another_link = "`from` names another link, on which the motor sits; without it the link is turned against the ground";
+        slide_has_its_guide(of: &str) = "{of}: a slide is driven along its guide, so `from` does not apply";
+        not_of_a_slide = "only for a driven link";
+        seat_is_for_links =
+            "remove it, or name a link instead of the slide: `from` is the link that carries the motor";
+        turns_from_itself(name: &str) = "{name} cannot be driven relative to itself";
+        seat_is_another_link =
+            "`from` names another link, which carries the motor; without it the link is driven relative to the \
+             ground";
         no_pivot(name: &str) = "the driven link {name} has no ground point to turn about";
         not_joined_to_ground = "not joined to the ground";
         none_in_ground = "none of its points is in [ground]";
         put_into_ground = "put one of its points into [ground]: A = [0, 0]";
-        or_name_its_seat(link: &str) = "or name the link that its motor sits on: from = \"{link}\"";
+        or_name_its_seat(link: &str) = "or name the link that carries its motor: from = \"{link}\"";
         links_with_ground_point(names: &str) = "links with a ground point: {names}";
 
         input_called(name: &str) = "input {name}";
         input_is_the_driver(name: &str) = "input {name}: the driver drives {name} already";
-        driven_again = "driven once more";
+        driven_again = "driven again";
         the_driver_itself = "the driver";
-        inputs_follow_the_driver = "[inputs] has the other links and slides that are driven, each after the driver";
+        inputs_follow_the_driver = "list the other driven links and slides in [inputs]; each follows the driver";
 
         // Stops.
         limit_called(name: &str) = "limit {name}";
@@ -148,24 +150,25 @@ catalogue! {
         ends_must_rise(what: &str, literal: &str) =
             "{what} must have its lower end first, not {literal}";
         lower_end_first = "[low, high]";
-        nothing_moves_between = "between two equal ends nothing could move";
+        nothing_moves_between = "nothing can move between two equal ends";
         ends_the_other_way(ends: &str) = "write {ends}";
-        or_angle_of_link(example: &str) = "the angle of a link as seen from another: {example}";
-        limit_of_nothing(name: &str) = "limit {name}: no link and no slide is called so";
+        or_angle_of_link(example: &str) = "the angle of a link relative to another: {example}";
+        limit_of_nothing(name: &str) = "limit {name}: there is no link or slide of this name";
         neither_link_nor_slide = "neither a link nor a slide";
-        angle_to_itself(what: &str, link: &str) = "{what}: {link} is seen from itself";
-        always_zero = "always at 0 deg";
+        angle_to_itself(what: &str, link: &str) = "{what}: {link} is measured from itself";
+        always_zero = "always 0 deg";
         limit_of_a_turn(what: &str) = "{what}: the ends of an angle must be less than 360 deg apart";
         is_too_wide = "too wide";
-        driver_has_range = "what may turn further needs no limit; a driver may have a `range` of some turns";
+        driver_has_range =
+            "remove the limit of what may turn further; a driver may have a `range` of several turns";
         range_of_too_many_turns(what: &str, most: f64) = "{what} must be less than {most} deg wide";
-        leave_range_out = "a driver that turns freely needs no `range`";
+        leave_range_out = "remove `range`: a driver that turns freely needs none";
 
         // Points and vectors.
         start_of_ground_point(name: &str) = "[start]: {name} is a point of the ground";
         does_not_move = "does not move";
         fixed_here = "fixed here";
-        start_is_for_moving = "[start] is for moving points: take the line out";
+        start_is_for_moving = "[start] is for moving points: remove the line";
         runs_to_itself(what: &str, from: &str) = "{what} runs from {from} to itself";
         head_is_tail = "its head is its tail";
         name_tail_and_head = "name two different points: [tail, head]";
@@ -174,9 +177,9 @@ catalogue! {
         no_such_point = "no such point";
         has_no_com = "has no `com`";
         give_the_link_one = "give the link one, in its own frame: com = [50, 0]";
-        was_moving_meant(near: &str, name: &str) = "`{near}` is a moving point; was {name} meant there?";
-        take_out_or_use = "take it out, or let a link begin or end there";
-        belongs_to_nothing(name: &str) = "ground point {name} belongs to nothing";
+        was_moving_meant(near: &str, name: &str) = "`{near}` is a moving point; did you mean {name}?";
+        take_out_or_use = "remove it, or let a link begin or end there";
+        belongs_to_nothing(name: &str) = "ground point {name} is not used";
         nothing_names_it = "no link, slide or vector names it";
     }
 }

@@ -4,23 +4,23 @@ use super::{English, counted};
 use std::fmt::Display;
 
 catalogue! {
-    /// Scenes to be opened.
+    /// The list of scenes to open.
     trait PickingWords for English {
         open_a_scene = "Open a scene";
         compare_with = "Compare with";
         search_for = "search: ";
         some_of(some: usize, all: usize) = "{some} of {all}";
-        nothing_matches = "nothing matches; Ctrl-U clears what was typed";
+        nothing_matches = "no match; Ctrl-U clears the search";
         presets = "presets";
         as_opened = "as opened";
-        folder_being_read = "the folder is being read";
-        more_than_can_be_listed = "more than can be listed";
+        folder_being_read = "reading the folder";
+        more_than_can_be_listed = "too many to list";
         no_scene_file_here = "no scene file here";
         no_scene_in_it = "no scene in it";
         a_folder = "a folder";
 
         // The preview.
-        being_read = "being read";
+        being_read = "reading";
         too_large_for_preview(kib: u64) = "{kib} KiB: too large for a preview";
         cannot_be_opened = "cannot be opened";
         line_and_column(line: usize, column: usize) = "line {line}, column {column}";

@@ -1,26 +1,26 @@
-//! Figures over the motion.
+//! Plots of values over the motion.
 
 use super::English;
 
 catalogue! {
-    /// Plots, and what is plotted.
+    /// Plots and their lists.
     trait PlotsWords for English {
         over(name: &str) = "over {name}";
         extremum(value: &str, place: &str) = "{value} at {place}";
         over_time = "over time: 0 s is where the scene opens";
         extrema_marked = "maxima and minima are marked";
         extrema_not_marked = "maxima and minima are not marked";
-        band_drawn = "what tolerances do is drawn";
-        band_not_drawn = "what tolerances do is not drawn";
+        band_drawn = "tolerance bands are shown";
+        band_not_drawn = "tolerance bands are hidden";
         nothing_plotted = "nothing is plotted yet";
-        nothing_plotted_to_write = "nothing is plotted that could be written";
+        nothing_plotted_to_write = "there is no plot to write";
         no_value_anywhere(names: &str) = "no value anywhere in this motion: {names}";
         no_value_anywhere_because(names: &str, why: &str) =
             "no value anywhere in this motion: {names}; {why}";
-        put_something_else_along_x = "put something else along x";
+        put_something_else_along_x = "choose another x axis";
         plot_what = "plot what?";
         the_whole_cycle = "cycle";
-        no_figure_has_that = "no figure has that";
+        no_figure_has_that = "no column matches";
         measured_of(figure: &str) = "{figure} measured";
     }
 }

@@ -1,9 +1,9 @@
-//! Reading a scene or a configuration: what is wrong with its keys, values and names, and what would mend it.
+//! Errors in the keys, values and names of a scene or a configuration, and how to fix them.
 
 use super::English;
 
 catalogue! {
-    /// Faults of a document before it is a mechanism.
+    /// Errors in a document, before a mechanism is built.
     trait ReadingWords for English {
         // The document.
         not_utf8(byte: u8, at: usize) = "the file is not UTF-8: byte 0x{byte:02x} at offset {at}";
@@ -14,7 +14,7 @@ catalogue! {
         given_twice(key: &str) = "{key} is given twice";
         the_first_time = "the first time";
         the_second_time = "the second time";
-        take_one_out = "take one of them out, or rename it";
+        take_one_out = "remove one of them, or rename it";
         unknown_key_in(of: &str, key: &str) = "{of}: unknown key {key}";
         unknown_key_here = "unknown key";
         known_keys(names: &str) = "known keys: {names}";
@@ -24,7 +24,7 @@ catalogue! {
         no_friction_yet = "krank does not model friction yet: its forces are those of frictionless joints";
         no_contacts_yet = "krank does not model contacts yet";
         motion_is_given =
-            "krank does not compute a motion from a force or torque: give the speed; loads stand in [[loads]]";
+            "krank does not compute a motion from a force or torque: give the speed, and write loads in [[loads]]";
         krank_reads_toml = "a scene is a TOML file: `krank help scene` describes it";
         is_an_address = "this is an internet address, not a scene";
         is_a_pmks_address = "this is the address of a PMKS+ mechanism, which krank does not read";
@@ -54,29 +54,28 @@ catalogue! {
         is_not_finite = "not finite in double precision";
         is_too_large = "too large";
         write_a_decimal = "write a decimal number, such as 12.5";
-        choose_a_unit = "choose a `unit` in which the dimensions are ordinary numbers";
+        choose_a_unit = "choose a `unit` in which the dimensions have an ordinary size";
         must_not_be_less_than_zero(what: &str, literal: &str) =
             "{what} must not be negative, but is {literal}";
         is_negative = "negative";
-        leave_it_out(key: &str) = "leave `{key}` out where it does not matter";
+        leave_it_out(key: &str) = "omit `{key}` where it does not matter";
         a_pair(form: &str) = "a pair {form}";
         must_be_a_pair(what: &str, form: &str, count: usize) =
             "{what} must be a pair {form}, not {count} values";
         expected_two(count: usize) = "expected 2 values, found {count}";
-        write_as_a_part(part: f64) = "write it as a part of one: {part}";
-        is_no_unit(word: &str, units: &str) = "`{word}` is no unit: {units}";
-        product_has_a_sign(number: &str, name: &str) = "a product has its sign: `{number} * {name}`";
+        write_as_a_part(part: f64) = "write it as a fraction: {part}";
+        is_no_unit(word: &str, units: &str) = "`{word}` is not a unit; use one of {units}";
+        product_has_a_sign(number: &str, name: &str) = "write a product with its sign: `{number} * {name}`";
 
-        // What people mostly meant.
+        // Common mistakes.
         comments_begin_with = "a comment begins with #";
-        quote_the_name = "a name with ' in it is quoted: \"B'\" = [0, 0]";
+        quote_the_name = "quote a name that contains ': \"B'\" = [0, 0]";
         has_decimal_comma(number: &str) = "the number `{number}` has a decimal comma";
-        decimals_have_a_point(number: &str) = "decimals are written with a point: {number}";
+        decimals_have_a_point(number: &str) = "write decimals with a point: {number}";
         write_key_and_value = "write key = value";
-        quote_texts_and_names = "texts and names are quoted: \"A\"";
-        separate_by_commas = "the values of a list are separated by commas: [0, 0]";
-        quote_with_unit(number: &str, unit: &str) =
-            "a number with a unit stands in quotes: \"{number} {unit}\"";
+        quote_texts_and_names = "write texts and names in quotes: \"A\"";
+        separate_by_commas = "separate the values of a list by commas: [0, 0]";
+        quote_with_unit(number: &str, unit: &str) = "write a number with a unit in quotes: \"{number} {unit}\"";
         angle_alone(number: &str) = "angles are in degrees: write the number alone: {number}";
         number_alone_or_unit(number: &str) =
             "write the number alone: {number}; or in quotes, with a unit: \"{number} mm\"";
@@ -89,10 +88,10 @@ catalogue! {
         how_a_link_is_driven(example: &str) = "a driven link: {example}";
         how_a_slide_is_driven(example: &str) = "a driven slide: {example}";
         driver_has_other(driven: &str, other: &str, coordinate: &str) =
-            "the driver: a driven {driven} has no `{other}` but `{coordinate}`";
-        coordinate_is_meant(coordinate: &str) = "`{coordinate}` is meant";
+            "the driver: a driven {driven} has `{coordinate}`, not `{other}`";
+        coordinate_is_meant(coordinate: &str) = "use `{coordinate}`";
         driver_lacks(coordinate: &str) = "the driver has no `{coordinate}`";
-        coordinate_is_missing(coordinate: &str) = "`{coordinate}` is missing: where the scene opens";
+        coordinate_is_missing(coordinate: &str) = "`{coordinate}` is missing: its value where the scene opens";
 
         // Rates.
         rate_is_no_number(key: &str, of: &str, typed: &str) =
@@ -125,12 +124,12 @@ catalogue! {
         that_one(noun: &str) = "the {noun}";
         there_is_no(what: &str, noun: &str, name: &str) = "{what}: there is no {noun} {name}";
         unknown_noun(noun: &str) = "unknown {noun}";
-        key_stands_above(key: &str) = "`{key}` of the scene stands above the first [table]";
+        key_stands_above(key: &str) = "write the scene's `{key}` above the first [table]";
         scene_has_no(noun: &str) = "the scene has no {noun}";
         those_of_scene(noun: &str, names: &str) = "{noun}s of the scene: {names}";
         name_is_reserved(name: &str) = "the name {name} is reserved";
         is_reserved = "reserved";
-        columns_use(names: &str) = "columns use {names} with a meaning of their own: choose another name";
+        columns_use(names: &str) = "columns use {names} with a special meaning: choose another name";
         name_a_ground_point = "to join a link to the ground, name one of the points in [ground]";
         name_is_empty = "a name must not be empty";
         is_empty = "empty";

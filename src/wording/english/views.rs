@@ -1,4 +1,4 @@
-//! What the views are, and what is above and beside what they show.
+//! The views: titles, headings and remarks.
 
 use super::English;
 use std::fmt::Display;
@@ -10,29 +10,29 @@ catalogue! {
 
         // The line of tabs, and panes.
         short_accuracy = "error";
-        means_nothing_here(key: &dyn Display, help: &str) = "{key} means nothing here; {help} tells the keys";
-        nothing_acts_in_short = "nothing acts here: no loads, no springs, no masses";
+        means_nothing_here(key: &dyn Display, help: &str) = "{key} does nothing here; {help} lists the keys";
+        nothing_acts_in_short = "no forces here: no loads, springs or masses";
         layout_is(name: &str) = "layout: {name}";
         no_other_pane = "there is no other pane";
         no_split_here = "there is no split to move";
-        more_is_shown(width: u16, height: u16) = "{width} x {height} show more";
+        more_is_shown(width: u16, height: u16) = "{width} x {height} shows more";
 
         drawing_with_live_tables = "The drawing, with live tables";
         tables_all = "All tables";
         in_the_tables = "In the tables";
-        plotted_over_the_motion = "Figures over the motion";
+        plotted_over_the_motion = "Values over the motion";
         in_the_plots = "In the plots";
         accuracy_of_methods = "Speed against error";
         in_the_accuracy_view = "In the accuracy view";
-        forces_everywhere = "What the driver must do, and what joints and guides bear";
+        forces_everywhere = "Driver torque or force, joint and guide forces";
         in_the_forces_view = "In the forces view";
-        what_the_scene_gives = "What the scene gives";
+        what_the_scene_gives = "Values of the scene";
         in_the_scene_view = "In the scene view";
         working_line_by_line = "The working, line by line";
         in_the_working = "In the working";
         motor_over_a_cycle = "The motor over a cycle";
         in_the_motor_view = "In the motor view";
-        lengths_and_figures = "What each length does";
+        lengths_and_figures = "Effect of each length";
         in_the_lengths_view = "In the lengths view";
 
         // Tables.
@@ -47,13 +47,11 @@ catalogue! {
 
         // Forces.
         effort_without_bound(effort: &str) = "{effort}: no bound";
-        nothing_acts_at_all =
-            "Nothing acts on this linkage: the scene has no loads, no springs and no masses.";
-        gravity_without_mass =
-            "Nothing acts on this linkage: the scene has gravity, but no link has a mass.";
+        nothing_acts_at_all = "No forces act on this linkage: the scene has no loads, springs or masses.";
+        gravity_without_mass = "No forces act on this linkage: the scene has gravity, but no link has a mass.";
         how_forces_come =
-            "Give a link its mass and com, or add [[loads]] or [[springs]] to the file: then this \
-             view shows what the driver must do and what every joint bears.";
+            "Give a link its mass and com, or add [[loads]] or [[springs]] to the file. This view then shows the \
+             driver's torque or force and the force at every joint.";
         table_of_guides = "guide";
         least_norm = "least norm";
         force_on = "force on";
@@ -63,9 +61,9 @@ catalogue! {
         table_of_checks = "check";
         off_by = "off by";
 
-        // What takes too long.
-        too_many_lengths = "too many lengths: krank table --sensitivity tells what they do";
-        too_many_links = "too many links to follow here: krank explain writes all of it";
+        // Limits.
+        too_many_lengths = "too many lengths: use krank table --sensitivity";
+        too_many_links = "too many links to show here: use krank explain";
         the_curve = "the curve";
     }
 }

@@ -1,4 +1,4 @@
-//! The help over the view.
+//! The help window over the view.
 
 use super::Turkish;
 use crate::wording::english::HelpingWords;
@@ -14,8 +14,8 @@ catalogue! {
         shows_more(key: &dyn Display) = "{key} devamı";
         no_command_is_that = "böyle bir komut yok";
         manual_of(topic: &str, about: &str) = "el kitabı, {topic}: {about}";
-        manual_tells_of_it(topics: &str) = "el kitabında var: {topics}";
-        nowhere = "hiçbir yerde";
+        manual_tells_of_it(topics: &str) = "el kitabına bak: {topics}";
+        nowhere = "bulunamadı";
         marks_of_figures(found: char) = "{found} bulunan, gerisi verilen";
         marks_of_figures_and_digits(found: char, unsure: char) =
             "{found} bulunan, gerisi verilen; {unsure} kanıtlanmayan haneler";

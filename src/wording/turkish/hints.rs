@@ -1,16 +1,16 @@
-//! The last line: what is going on, what is asked, and what keys do now.
+//! The status line: modes, prompts and key hints.
 
 use super::Turkish;
 use crate::wording::english::HintsWords;
 
 catalogue! {
     impl HintsWords for Turkish {
-        // What is going on.
+        // Modes.
         choosing = "seç";
         writing = "yaz";
         recovering = "kurtar";
 
-        // What a key does now.
+        // Key hints.
         again = "yine";
         all = "hepsi";
         all_keys = "bütün tuşlar";
@@ -24,15 +24,15 @@ catalogue! {
         go = "git";
         go_on = "sürdür";
         keep = "sakla";
-        less = "az";
-        look_inside = "içine bak";
+        less = "azalt";
+        look_inside = "göz at";
         manual = "el kitabı";
-        more = "devamı";
+        more = "artır";
         next_topic = "sonraki konu";
         none = "yok";
         pause = "durdur";
         plot = "çiz";
-        plot_it_or_not = "çiz ya da çizme";
+        plot_it_or_not = "çiz/kaldır";
         read = "oku";
         row = "satır";
         stay = "kal";
@@ -41,11 +41,11 @@ catalogue! {
         take = "al";
         value = "değer";
 
-        // What is asked for.
+        // Prompts.
         character_not_taken(c: char) = {
-            format!("{c} (U+{:04X}) burada alınmaz", u32::from(c))
+            format!("{c} (U+{:04X}) burada geçersiz", u32::from(c))
         };
-        no_more_characters(most: usize) = "burada en çok {most} karakter alınır";
+        no_more_characters(most: usize) = "burada en çok {most} karakter yazılabilir";
         angle_in(unit: &str) = "açı [{unit}]: ";
         position_in(unit: &str) = "konum [{unit}]: ";
         write_to = "dosya: ";
@@ -57,7 +57,7 @@ catalogue! {
             }
         };
         unsaved_edits = "kaydedilmemiş değişiklik";
-        in_no_file_yet = "bu mekanizma henüz hiçbir dosyada yok";
-        read_over_edits = "kaydedilmemiş değişikliklerin üstüne okunsun mu?";
+        in_no_file_yet = "bu mekanizma henüz kaydedilmedi";
+        read_over_edits = "kaydedilmemiş değişiklikler silinip okunsun mu?";
     }
 }

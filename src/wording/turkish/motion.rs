@@ -1,4 +1,4 @@
-//! The driver and where it stands, the assembly, and how the motion is drawn.
+//! The driver's position, the assembly, and the drawing of the motion.
 
 use super::Turkish;
 use crate::wording::english::MotionWords;
@@ -6,15 +6,15 @@ use std::fmt::Display;
 
 catalogue! {
     impl MotionWords for Turkish {
-        // Where the driver goes.
+        // The driver's position.
         motion_ends = "hareket burada biter";
         no_number_of(unit: &str, typed: &str) = "{unit} cinsinden bir sayı değil: {typed}";
-        taken_as(at: &str, unit: &str) = "{at} {unit} alındı";
+        taken_as(at: &str, unit: &str) = "{at} {unit} olarak alındı";
         out_of_reach(low: &str, high: &str, unit: &str) = "erişim dışında: {low} .. {high} {unit}";
         no_longer_in_reach(at: &str, unit: &str) = "{at} {unit} artık erişim dışında";
         whole_turns(turns: &str, is_one: bool) = "{turns} tur";
 
-        // How it is played.
+        // Playback.
         step_of(step: &str, unit: &str) = "adım {step} {unit}";
         plays_in(turns: bool, seconds: &dyn Display, backwards: bool) = {
             let sweep = if turns { "tur" } else { "geçiş" };
@@ -29,7 +29,7 @@ catalogue! {
         slower_than_real(times: &str) = "gerçek zamanın 1/{times} hızı";
         faster_than_real(times: &str) = "gerçek zamanın {times} katı";
 
-        // How the mechanism stands.
+        // The state of the mechanism.
         ok = "tamam";
         change_point = "değişim konumu";
         dead_point = "ölü konum";
@@ -42,18 +42,18 @@ catalogue! {
         near_in(what: &str, distance: &str, unit: &str) = "{what}: {distance} {unit} sonra";
         no_bound = "sınır yok";
 
-        // Its assemblies.
+        // Assemblies.
         no_other_assembly = "burada başka montaj biçimi yok";
-        rest_does_not_close(choice: &dyn Display) = "{choice} ile gerisi kapanmıyor";
+        rest_does_not_close(choice: &dyn Display) = "{choice} ile montaj yok";
         assembly_now(choice: &dyn Display) = "şimdi {choice}";
         assembly_now_untold(choice: &dyn Display) =
-            "şimdi {choice}; hiçbir [start] onu anlatamaz, bu yüzden kaydedilemez";
+            "şimdi {choice}; hiçbir [start] onu seçmez, bu yüzden kaydedilemez";
         assembly_now_saved_by(choice: &dyn Display, key: &dyn Display) = "şimdi {choice}; {key} kaydeder";
         shown_now = "şimdi";
         does_not_close = "açık";
         degrees(figure: &str) = "{figure} deg";
 
-        // How it is drawn.
+        // The drawing.
         drawn_with(glyphs: &str) = "çizim: {glyphs}";
         glyphs_ascii = "ASCII";
         glyphs_lines = "çizgiler";
@@ -62,15 +62,15 @@ catalogue! {
         glyphs_sextants = "altılı bloklar, yazı tipinde varsa";
         glyphs_octants = "sekizli bloklar, yazı tipinde varsa";
         no_colours = "renksiz";
-        sixteen_colours = "terminal paletinin 16 rengi";
-        colours_of_256 = "256 rengin renkleri";
-        true_colours = "24 bitlik renkler";
+        sixteen_colours = "terminalin 16 rengi";
+        colours_of_256 = "256 renk";
+        true_colours = "24 bit renk";
         switched_on(what: &str) = "{what}: açık";
         switched_off(what: &str) = "{what}: kapalı";
         the_whole_motion = "bütün hareket";
-        window_goes_along = "pencere birlikte gider";
-        window_stays_with(point: &str) = "pencere {point} noktasını izler";
-        no_more_to_zoom = "daha fazla yakınlaşmaz";
+        window_goes_along = "görünüş birlikte gider";
+        window_stays_with(point: &str) = "görünüş {point} noktasını izler";
+        no_more_to_zoom = "yakınlaştırma sınırında";
         zoomed(times: &str) = "büyütme {times}";
         names_of_points = "nokta adları";
         names_of_points_and_links = "nokta ve uzuv adları";
@@ -83,10 +83,10 @@ catalogue! {
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene}, {at} {unit}";
         language_is = "dil: Türkçe";
 
-        // What is followed in it.
-        nothing_at_the_side = "yanda bir şey yok";
+        // Lists, search and selection.
+        nothing_at_the_side = "burada başka sütun yok";
         begins_a_frame(point: &str, link: &str) =
-            "{link} uzvu ve çerçevesi {point} noktasında başlar: boyu listede değiştirilir";
+            "{point}, {link} uzvunun başlangıç noktası: boyunu listede değiştir";
         no_further_part = "başka bölüm yok";
         nothing_to_search = "burada aranacak bir şey yok";
         never_moves(name: &str) = "{name} hiç hareket etmez: izlenecek bir şey yok";

@@ -1,4 +1,4 @@
-//! Edits that sessions have left: offered, taken up, dropped.
+//! Unsaved edits of earlier sessions: offered, restored, deleted.
 
 use super::{Turkish, parser};
 use crate::wording::english::OfferingWords;
@@ -7,37 +7,36 @@ use std::fmt::Display;
 catalogue! {
     impl OfferingWords for Turkish {
         edits_kept_nowhere =
-            "düzenlemeler kurtarma için saklanmıyor: HOME ya da XDG_STATE_HOME mutlak bir yol olmalı";
+            "değişiklikler kurtarma için saklanmıyor: HOME ya da XDG_STATE_HOME değişkenine mutlak bir yol ver";
         edits_not_kept(folder: &dyn Display, why: &dyn Display) = {
             let why = parser::of_system(why);
             format!("değişiklikler kurtarma için saklanmıyor: {folder}: {why}")
         };
-        others_have_edits = "bu sahnenin başkalarında değişiklikleri var: görmek için yeniden aç";
+        others_have_edits = "bu sahneyi başka oturumlar değiştirdi: görmek için yeniden aç";
         edits_by_others = "bu sahnenin başka oturumlardaki değişiklikleri";
-        older_edits_are_back(key: &str) =
-            "geri geldi; dosyadakinden başka bir metinde yapılmış; {key} geri alır";
-        edits_are_back(key: &str) = "kaydedilmemiş değişiklikler geri geldi; {key} geri alır";
-        edits_cannot_be_shown(why: &str) = "gösterilemiyorlar: {why}";
-        edits_deleted = "bu değişiklikler silindi";
+        older_edits_are_back(key: &str) = "geri yüklendi; dosya o zamandan beri değişmiş; {key} geri alır";
+        edits_are_back(key: &str) = "kaydedilmemiş değişiklikler geri yüklendi; {key} geri alır";
+        edits_cannot_be_shown(why: &str) = "değişiklikler gösterilemiyor: {why}";
+        edits_deleted = "değişiklikler silindi";
 
-        // The box in the middle of the screen.
+        // The dialog.
         open_elsewhere = "Başka yerde de açık";
         unsaved_edits_here = "Bu sahnenin kaydedilmemiş değişiklikleri";
         the_edited_text = "Değiştirilmiş metin";
         edit_that_waits(name: &str, text: &str) = "bekliyor: {name} = {text}";
-        what_the_edits_change = "Değişikliklerin yaptığı";
+        what_the_edits_change = "Değişikliklerin etkisi";
         of_time(time: &str) = "zamanı {time}";
         older_than_file = "dosyadan eski";
-        made_on_another_text = "başka bir metinde yapılmış";
+        made_on_another_text = "dosya değişmiş";
         open_elsewhere_too(process: &dyn Display, host: &str, since: &str) =
-            "krank'ta şurada da açık: süreç {process}, makine {host}, başlangıç {since}. Oradaki \
-             değişikliklere dokunulmaz; ikinci kaydedene sorulur.";
+            "krank'ta şurada da açık: süreç {process}, makine {host}, başlangıç {since}. Oradaki değişiklikler \
+             saklanır; ikinci kaydedene sorulur.";
 
-        // Its keys.
+        // Keys of the dialog.
         look = "bak";
         later = "sonra";
         drop_them = "bırak";
-        drops_for_ever = "yeniden basılırsa temelli siler,";
+        drops_for_ever = "yeniden basılırsa kalıcı siler,";
         any_other_key_does_not = "başka tuş silmez";
     }
 }

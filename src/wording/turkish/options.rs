@@ -1,4 +1,4 @@
-//! The help of the command line: commands, options and their values.
+//! The help of the command line: commands, options and values.
 
 use super::Turkish;
 use crate::wording::english::OptionsWords;
@@ -7,134 +7,147 @@ catalogue! {
     impl OptionsWords for Turkish {
         what_krank_is = "Düzlemsel mekanizmalar için terminalde bir çalışma tezgâhı";
         what_krank_does =
-            "Düzlemsel mekanizmalar için terminalde bir çalışma tezgâhı: tek girişli herhangi bir \
-             mekanizmanın konumu, hızı ve ivmesi, bir şey etki ediyorsa kuvvetleri; çizimle ve \
-             tablolarla.";
+            "Düzlemsel mekanizmalar için terminalde bir çalışma tezgâhı: tek girişli her mekanizmanın konumu, hızı \
+             ve ivmesi, yük varsa kuvvetleri; çizim ve tablolarla.";
         name_of_scene = "Bir dosya, hazır bir sahnenin adı ya da standart girdi için -";
         name_of_scene_or(usual: &str) =
             "Bir dosya, hazır bir sahnenin adı ya da standart girdi için - [yoksa: {usual}]";
 
         // Commands.
-        does_list = "Hazır sahneleri say";
-        does_check = "krank'ın bir sahneden anladığını söyle: parçalar, serbestlik, gruplar, aralık";
-        does_table = "Bir açıdaki konum, hız ve ivme tablolarını, bir şey etki ediyorsa kuvvetleri yaz";
-        does_explain = "Çözümü göster: döngüler, denklemler ve bir açının tablolarına giden her değer";
+        does_list = "Hazır sahneleri listele";
+        does_check = "Sahneyi denetle ve tanıt: parçalar, serbestlik, gruplar, aralık";
+        does_table = "Bir açıdaki konum, hız ve ivme tablolarını, yük varsa kuvvetleri yaz";
+        does_explain = "Bir açıdaki çözümü göster: döngüler, denklemler ve her ara değer";
         does_draw = "Mekanizmayı bir açıda çiz: karakterlerle, SVG ya da CAD için DXF olarak";
-        does_sweep = "Büyüklükleri tahrik açısı boyunca satır satır yaz";
-        does_plot = "Büyüklüklerin hareket boyunca grafiğini çiz: karakterlerle ya da SVG olarak";
-        does_cycle = "Büyüklüklerin bütün hareket boyunca yaptığı: strok, salınım, zaman oranı, bekleme, hız";
+        does_sweep = "Değerleri tahrik açısı boyunca yaz, her konum bir satır";
+        does_plot = "Değerlerin hareket boyunca grafiğini çiz: karakterlerle ya da SVG olarak";
+        does_cycle = "Bütün hareketi özetle: strok, salınım, zaman oranı, bekleme, hız";
         does_export = "Konumları kendi başına hesaplayan bir Python ya da MATLAB betiği yaz";
-        does_study = "Birçok tasarımın büyüklüklerini yaz: sayıların ızgarası ya da örneği, her biri bir satır";
-        does_motor = "Bir sahnenin bir döngüde motordan istediği ve bir koçun yaptığı";
-        does_tolerance = "Sapan boyların ve boşluklu pimlerin etkisi: en kötü durum, karelerin toplamının karekökü, örnekler, paylar";
+        does_study = "Birçok tasarımı hesapla: sayıların ızgarası ya da örneği, her biri bir satır";
+        does_motor = "Motorun bir döngüdeki torkunu ya da kuvvetini ve koçun hareketini hesapla";
+        does_tolerance =
+            "Toleransların ve boşlukların etkisini hesapla: en kötü durum, karelerin toplamının karekökü, \
+             örnekler, paylar";
         does_start = "Sahneyi başka bir montaj biçiminin [start] bölümüyle yaz";
-        does_accuracy = "Süreye karşı hatayı ölç: sahneyi çözebilecek her yöntem, tablo ve grafikte";
-        does_config = "Başlangıç için bir ayar dosyası yaz: her anahtar ve yerleşik değeri";
-        does_help = "El kitabından bir konuyu ya da bir komutun yardımını oku";
+        does_accuracy = "Bir sahnede her yöntemin süresini ve hatasını ölç, tablo ve grafikle";
+        does_config = "Başlangıç için bir ayar dosyası yaz: her anahtar, varsayılan değeriyle";
+        does_help = "El kitabından bir konuyu ya da bir komutun yardımını göster";
         does_completions = "Bir kabuk için tamamlama betiği yaz";
         does_man = "man sayfasını yaz";
 
         // Options and their values.
         language_to_speak = "Dil: ekranlar, tablolar, iletiler ve yardım";
-        language_auto = "Ayar dosyası ya da LC_ALL, LC_MESSAGES, LANG ne diyorsa";
+        language_auto = "Ayar dosyasından ya da LC_ALL, LC_MESSAGES, LANG değişkenlerinden";
         language_turkish = "Türkçe";
         language_english = "İngilizce";
         decimal_of_csv = "CSV sayılarının ondalık işareti [yoksa: point]";
         decimal_point = "15.5";
         decimal_comma = "15,5; Türkçe hesap tablolarındaki gibi";
-        separator_of_csv = "CSV hücrelerinin arasında ne olduğu [yoksa: comma; --decimal comma ile semicolon]";
+        separator_of_csv = "CSV hücrelerinin ayracı [yoksa: comma; --decimal comma ile semicolon]";
         separator_comma = "Virgül";
         separator_semicolon = "Noktalı virgül";
         separator_tab = "Sekme";
-        format_text = "Okunacak hizalı sütunlar";
-        format_csv = "Ayraçlı değerler";
+        format_text = "Hizalı metin sütunları";
+        format_csv = "Virgülle ayrılmış değerler";
         format_json = "Bir nesne";
         format_plain = "80 sütunluk düz metin";
         format_markdown = "Markdown";
-        format_for_person = "Okumak için";
+        format_for_person = "Okunur metin";
         format_characters = "Karakterler";
         format_svg = "Ölçeklenebilir vektör grafiği, tarayıcı ya da rapor için";
         format_python = "Python 3, hiçbir paket gerekmez";
         format_matlab = "MATLAB ya da Octave";
         format_dxf = "CAD için çizim: her uzva bir katman, milimetre olarak";
-        format_cast = "Renkli bir tur, asciinema oynatır";
-        format_png = "Pikseller, bir sunu için";
-        format_gif = "Piksellerle bir tur";
+        format_cast = "Renkli bir tur, asciinema kaydı";
+        format_png = "Sunu için piksel resmi";
+        format_gif = "Hareketli resim olarak bir tur";
         scale_on_paper = "SVG'nin basılacağı ölçek, 1:2 gibi [yoksa: ekrana uygun büyüklük]";
         scale_is_meant(most: f64) = "ölçek 1:2 ya da 5:1 gibi, 1:{most} ile {most}:1 arasında yazılır";
         width_in_pixels = "PNG ya da GIF için piksel olarak genişlik [yoksa: 1600, GIF için 800]";
-        on_a_dark_ground = "Okuyan ne isterse istesin koyu zeminde SVG, PNG ya da GIF";
-        seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün süresi [yoksa: 6]";
-        how_to_write = "Nasıl yazılacağı";
-        columns_of_cycle = "İzlenecek büyüklükler, adla ya da `ad = formül` ile, virgülle ayrılmış; * herhangi karakterler [yoksa: sahnenin kendi büyüklükleri, kızaklar, şasedeki uzuvlar]";
-        bounds_of_cycle = "Her strokun ve büyüklüğün döndüğü her yerdeki değerin hatasının aşmadığı sınırı ekler";
-        dwell_of_cycle = "Bir büyüklüğün ne kadar içinde duruyor sayıldığı, kendi biriminde [yoksa: strokun yüzde biri]";
-        how_to_write_cycle = "Nasıl yazılacağı; CSV her büyüklük ve özellik için bir satır verir";
-        values_of_study = "Değişen sayılar, virgülle ayrılmış: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";
-        columns_of_study = "Bütün hareketin büyüklükleri, virgülle ayrılmış: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
-        designs_of_hypercube = "Izgara yerine bir Latin hiperküpünün N tasarımı";
+        on_a_dark_ground = "SVG, PNG ya da GIF için koyu zemin, okuyanın ayarı ne olursa olsun";
+        seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün saniyesi [yoksa: 6]";
+        how_to_write = "Çıktı biçimi";
+        columns_of_cycle =
+            "İzlenecek sütunlar, adla ya da `ad = formül` ile, virgülle ayrılır; * joker karakterdir [yoksa: \
+             sahnenin kendi büyüklükleri, kızaklar, şasedeki uzuvlar]";
+        bounds_of_cycle = "Her strokun ve her dönüm noktasındaki değerin hata sınırını ekle";
+        dwell_of_cycle = "Değerin bekliyor sayıldığı aralık, kendi biriminde [yoksa: strokun yüzde biri]";
+        how_to_write_cycle = "Çıktı biçimi; CSV her değer ve özellik için bir satır verir";
+        values_of_study =
+            "Değişecek sayılar, virgülle ayrılır: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";
+        columns_of_study =
+            "Bütün hareketin değerleri, virgülle ayrılır: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler \
+             sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
+        designs_of_hypercube = "Izgara yerine N tasarımlık bir Latin hiperküpü kullan";
         seed_of_hypercube = "Hiperküpün tohumu; aynı tohum aynı tasarımları verir";
-        part_of_study = "Tasarımların n parçasından yalnız k'inci: 3/64";
+        part_of_study = "Tasarımların n parçasından yalnız k. parça: 3/64";
         resume_study = "-o dosyasını kaldığı yerden sürdür";
-        threads_of_study = "Kaç iş parçacığının çalışacağı; satırlar her sayıyla aynıdır [yoksa: bütün çekirdekler]";
-        how_to_write_study = "Nasıl yazılacağı; chart ve svg bir değeri eğrilerle, iki değeri haritayla çizer";
+        threads_of_study = "İş parçacığı sayısı; satırlar buna bağlı değildir [yoksa: bütün çekirdekler]";
+        how_to_write_study = "Çıktı biçimi; chart ve svg bir değeri eğrilerle, iki değeri haritayla çizer";
         format_chart = "Karakterlerle çizim";
         size_of_chart = "Çizimin sütun ve satır sayısı, örneğin 100x40";
-        how_to_write_motor = "Nasıl yazılacağı; CSV döngüyü adım adım verir";
-        digits_of_tables = "Metin tablolarında anlamlı hane sayısı; CSV ve JSON hep hepsini taşır";
+        how_to_write_motor = "Çıktı biçimi; CSV döngüyü adım adım verir";
+        digits_of_tables = "Metin tablolarında anlamlı hane sayısı; CSV ve JSON her zaman bütün haneleri içerir";
         digits = "Anlamlı hane sayısı";
         leave_units_out = "Birimleri yazma";
-        add_bounds = "Her değerin hatasının aşmadığı sınırı ekle; kanıtlanamayana bir şey eklenmez";
-        add_sensitivity = "Verilen boyların her değere etkisini ekle: bir birimlik boyda ne kadar değişir";
+        add_bounds = "Her değere hata sınırını ekle; kanıtlanamayan sınır eklenmez";
+        add_sensitivity = "Her değerin verilen boylara duyarlığını ekle: boyun bir birimi başına değişimi";
         first_row = "İlk satır [yoksa: hareket aralığının başı]";
-        last_row = "Son satır, adım ona denk gelirse [yoksa: hareket aralığının sonu]";
-        row_to_row = "Satırdan satıra, aşağı için eksi [yoksa: 1 deg; kızakta 100 ile 250 satır]";
-        columns_of_table = "Yalnız bu büyüklükler, her biri bir satır: adlar, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır";
-        columns_or_all = "Büyüklüklerin adları, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır [yoksa: bütün vektörler ve noktalar]";
-        columns_of_tolerances = "Büyüklüklerin adları, * her karakter yerine, ya da NAME = FORMULA; virgülle ayrılır [yoksa: yerler ve yönler]";
+        last_row = "Son satır, bir adım ona denk gelirse [yoksa: hareket aralığının sonu]";
+        row_to_row = "Satırlar arasındaki adım, aşağı için negatif [yoksa: 1 deg; kızakta 100 ile 250 satır]";
+        columns_of_table =
+            "Yalnız bu sütunlar, her biri bir satır: adlar, * joker, ya da NAME = FORMULA; virgülle ayrılır";
+        columns_or_all =
+            "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır [yoksa: bütün vektörler ve noktalar]";
+        columns_of_tolerances =
+            "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır [yoksa: yerler ve yönler]";
         place_of_tolerances = "Yalnız bu konumda, paylar ve örneklerle [yoksa: hareket boyunca]";
-        row_to_row_of_tolerances = "Satırdan satıra, aşağı için eksi [yoksa: 5 deg; kızakta 100 ile 250 satır]";
-        tolerance_of_all = "Her boyun ve koordinatın ne kadar sapabileceği, sahnenin dediğinin yerine: 0.1, '0.004 in' ya da 'ISO 2768-m'";
-        machines_by_chance = "Rastgele kaç makine yapılacağı [yoksa: bir konumda 100000, bütün hareketin büyüklüklerinde 2000, satırlarda hiç]";
-        seed_of_samples = "Hangi makineler: aynı tohum aynı makineleri verir";
-        spread_of_lengths = "Boyların toleransları içinde nasıl dağıldığı";
+        row_to_row_of_tolerances =
+            "Satırlar arasındaki adım, aşağı için negatif [yoksa: 5 deg; kızakta 100 ile 250 satır]";
+        tolerance_of_all =
+            "Her boyun ve koordinatın toleransı, sahnedekinin yerine: 0.1, '0.004 in' ya da 'ISO 2768-m'";
+        machines_by_chance =
+            "Rastgele makine sayısı [yoksa: bir konumda 100000, bütün hareketin değerlerinde 2000, satırlarda hiç]";
+        seed_of_samples = "Rastgele makinelerin tohumu; aynı tohum aynı makineleri verir";
+        spread_of_lengths = "Boyların toleransları içindeki dağılımı";
         spread_choice_normal = "Normal; tolerans üç standart sapmadır";
-        spread_choice_even = "Tolerans içindeki her boy eşit olasılıkla";
-        band_of_tolerances = "Her eğrinin yanında, sahnenin toleranslarıyla ne kadar sapabileceğini çiz";
-        band_worst = "krank tolerance komutunun bulduğu en kötü durum";
+        spread_choice_even = "Tolerans içinde düzgün dağılım";
+        band_of_tolerances = "Her eğrinin tolerans bandını çiz";
+        band_worst = "krank tolerance komutundaki gibi en kötü durum";
         band_root_sum_square = "Karelerin toplamının karekökü";
-        columns_to_plot = "Büyüklüklerin adları, * her karakter yerine; virgülle ayrılır";
-        positions_to_compare = "Karşılaştırılacak konum sayısı, 360 deg ya da aralık boyunca, 360'ta bir";
-        topic_or_command = "Bir konu ya da komut; verilmezse ne olduğu";
-        write_at_once = "Hepsini bir kerede yaz";
-        place_of_driver = "Tahrik açısı deg olarak, kızaksa konumu [yoksa: sahnenin açıldığı yer]";
-        assembly_of_group = "Sahnenin açıldığı yerde bir grubun montaj biçimi, check listesindeki gibi; virgülle ayrılır";
-        write_to_a_file = "Standart çıktı yerine dosyaya yaz, ya bütünü ya hiçbiri";
+        columns_to_plot = "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır";
+        positions_to_compare = "360 deg ya da aralık boyunca konum sayısı, 360'ın katına yuvarlanır";
+        topic_or_command = "Bir konu ya da komut [yoksa: hepsini listeler]";
+        write_at_once = "Sayfalayıcı kullanmadan hepsini yaz";
+        place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
+        assembly_of_group =
+            "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
+        write_to_a_file = "Standart çıktı yerine dosyaya yaz, ya tam ya hiç";
         the_shell = "Kabuk";
-        command_of_page = "Sayfanın anlattığı komut; verilmezse krank'ın kendisi";
-        rated_effort = "Motorun sürekli verebildiği tork, N m, ya da kuvvet, N";
-        peak_effort = "Bir an için verebildiği en büyük değer";
-        motor_speed = "Birimiyle hızı: '1500 rpm', '0.2 m/s'";
+        command_of_page = "Sayfanın komutu [yoksa: krank'ın kendisi]";
+        rated_effort = "Motorun anma torku, N m, ya da kuvveti, N";
+        peak_effort = "Motorun tepe torku, N m, ya da kuvveti, N";
+        motor_speed = "Motorun hızı, birimiyle: '1500 rpm', '0.2 m/s'";
         flywheel_on_shaft = "Tahrik milinde bir volan, kg m^2";
-        wished_fluctuation = "İstenen hız dalgalanması: en büyük eksi en küçük, bölü ortalama";
-        slide_of_ram = "Koç olan kızak [yoksa: presin çalıştığı ya da tek olan]";
+        wished_fluctuation = "İstenen hız dalgalanması: (en büyük - en küçük) / ortalama";
+        slide_of_ram = "Koç olan kızak [yoksa: presi olan ya da tek olan]";
         height_of_ram = "Koçun alt noktasının üstünde bir yükseklik, sahnenin biriminde";
         effort_for_ram = "Koç kuvveti için tork, N m, ya da kuvvet, N [yoksa: anma değeri]";
         tolerance_of_rest = "Koçun alt noktadan ne kadar uzakta duruyor sayıldığı, sahnenin biriminde";
         there_and_back_from = "Tahrikin bu koordinatından gidip dön [yoksa: bütün hareket]";
-        there_and_back_to = "Bu koordinata; dönen tahrikte küçük olan bir tur ötededir";
-        glyphs_as_allowed = "Yerel ve terminal neye izin veriyorsa";
+        there_and_back_to = "Bu koordinata; dönen tahrikte küçük değer bir tur ötededir";
+        glyphs_as_allowed = "Yerel ayara ve terminale göre";
         glyphs_of_seven_bits = "7 bitlik karakterler";
-        glyphs_of_boxes = "Konsol yazı tiplerinde de olan çizgi karakterleri";
+        glyphs_of_boxes = "Çizgi karakterleri, konsol yazı tiplerinde de vardır";
         glyphs_of_braille = "Braille desenleri";
-        glyphs_of_quadrants = "Çoğu yazı tipinde olan çeyrek karakterler";
-        glyphs_of_sextants = "Kimi yazı tipinde olan altıda bir karakterler";
-        glyphs_of_octants = "Az yazı tipinde olan sekizde bir karakterler";
-        trace_points = "Noktaların bütün hareketteki izleri";
-        draw_velocities = "Hız okları";
-        draw_accelerations = "İvme okları";
-        draw_forces = "Yükler, mafsal ve kılavuz kuvvetleri, büyüklükleriyle";
-        draw_ghosts = "Mekanizmayı hareketinin bu kadar yerinde göster";
+        glyphs_of_quadrants = "Çeyrek bloklar, çoğu yazı tipinde";
+        glyphs_of_sextants = "Altılı bloklar, kimi yazı tipinde";
+        glyphs_of_octants = "Sekizli bloklar, az yazı tipinde";
+        trace_points = "Noktaların bütün hareketteki izlerini çiz";
+        draw_velocities = "Hız oklarını çiz";
+        draw_accelerations = "İvme oklarını çiz";
+        draw_forces = "Yükleri, mafsal ve kılavuz kuvvetlerini büyüklükleriyle çiz";
+        draw_ghosts = "Mekanizmayı hareketinin bu kadar konumunda göster";
         names_to_write = "Hangi adların yazılacağı";
         mark_centres = "Ağırlık merkezlerini işaretle";
         leave_guides_out = "Kılavuz ve mesnetleri çizme";
@@ -142,50 +155,58 @@ catalogue! {
         size_of_drawing = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100 geniş]";
         size_of_plot = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100x40]";
         names_none = "Hiçbiri";
-        names_of_points_alone = "Noktaların";
-        names_all = "Noktaların ve uzuvların";
-        plot_against = "x ekseninde ne olduğu: driver, time ya da bir büyüklüğün adı";
-        driver_begins = "Tahrikin başladığı yer [yoksa: hareket aralığının başı]";
-        driver_ends = "Tahrikin bittiği yer [yoksa: hareket aralığının sonu]";
+        names_of_points_alone = "Noktalar";
+        names_all = "Noktalar ve uzuvlar";
+        plot_against = "x ekseni: driver, time ya da bir sütunun adı";
+        driver_begins = "Tahrikin ilk koordinatı [yoksa: hareket aralığının başı]";
+        driver_ends = "Tahrikin son koordinatı [yoksa: hareket aralığının sonu]";
         leave_extrema_out = "En büyük ve en küçük değerleri işaretleme";
         where_to_open = "Nerede açılacağı: tahrik uzvunun açısı deg ya da tahrik kızağının konumu";
         colours_to_draw_with = "Çizimde kullanılacak renkler";
-        theme_to_draw_with = "Palet adlarının hangi renkler olduğu [yoksa: auto]";
-        way_of_pictures = "Terminale durağan resimlerin nasıl gönderildiği [yoksa: auto]";
-        pictures_as_told = "TERM, TERM_PROGRAM ya da KITTY_WINDOW_ID ne diyorsa";
-        pictures_of_kitty = "kitty'nin aldığı gibi";
-        pictures_of_iterm = "iTerm2'nin aldığı gibi";
-        pictures_of_sixels = "sixel olarak";
-        pictures_never = "Hiç";
+        theme_to_draw_with = "Paletin renkleri [yoksa: auto]";
+        way_of_pictures = "Durağan resimler için terminal protokolü [yoksa: auto]";
+        pictures_as_told = "TERM, TERM_PROGRAM ya da KITTY_WINDOW_ID değerine göre";
+        pictures_of_kitty = "kitty protokolü";
+        pictures_of_iterm = "iTerm2 protokolü";
+        pictures_of_sixels = "sixel";
+        pictures_never = "Resim yok";
         view_to_open_with = "Açılışta gösterilecek görünüm";
-        print_and_leave = "Açılan ekranı metin olarak yaz ve çık: terminal gerekmez";
+        print_and_leave = "Açılış ekranını metin olarak yaz ve çık; terminal gerekmez";
         size_of_print = "Yazılan ekranın boyu [yoksa: 80x24]";
-        tell_of_terminal = "Terminalde ne bulunduğunu ve nedenini söyle";
+        tell_of_terminal = "Terminalde ne algılandığını ve nedenini yaz";
         configuration_file = "Ayar dosyası [yoksa: ~/.config/krank/config.toml]";
-        colours_as_allowed = "Terminal ve NO_COLOR neye izin veriyorsa";
-        colours_none = "Renksiz; kalın ve ters kalır";
-        colours_of_palette = "Terminal paletinin 16 rengi";
-        colours_fixed = "256'lık sabit palet";
-        colours_any = "Her renk, 24 bit";
-        theme_auto = "Paletinkiler ya da her zeminde okunanlar";
+        colours_as_allowed = "Terminale ve NO_COLOR değişkenine göre";
+        colours_none = "Renksiz; kalın ve ters yazı kalır";
+        colours_of_palette = "Terminalin 16 rengi";
+        colours_fixed = "256 renklik sabit palet";
+        colours_any = "24 bit renk";
+        theme_auto = "Paletin kendi renkleri ya da her zeminde okunan renkler";
         theme_light = "Açık zemin için";
         theme_dark = "Koyu zemin için";
         theme_plain = "Renksiz";
 
         // Methods.
-        method_of_positions = "Konumların hangi yöntemle bulunduğu";
+        method_of_positions = "Konumları bulan yöntem";
         method_closed = "Kapalı form, sonra hızlar, ivmeler ve kuvvetler";
-        method_newton = "Döngü denklemlerine Newton-Raphson, yineleme yineleme";
-        method_bisection = "Bir bilinmeyenin aralığını ikiye bölme";
+        method_newton = "Döngü denklemlerinde Newton-Raphson, yineleme yineleme";
+        method_bisection = "Tek bilinmeyenin ikiye bölme yöntemiyle bulunması";
         method_graphical = "Pergel ve cetvel, adım adım";
-        against_figures = "krank'ınkilerin yanında duracak değerler, ders notundan ya da başka bir programdan: her satırda bir değer ya da driver.angle boyunca sütunlar olan CSV";
-        measured_figures = "Yanında duracak ölçümler: driver.angle ya da driver.position boyunca her büyüklüğe bir sütunu olan, adı ve köşeli ayraçta birimi yazılı CSV";
+        against_figures =
+            "Karşılaştırılacak değerler, ders notundan ya da başka bir programdan: her satırda bir değer ya da \
+             driver.angle boyunca sütunlar olan CSV";
+        measured_figures =
+            "Karşılaştırılacak ölçümler: driver.angle ya da driver.position boyunca her değere bir sütunu olan \
+             CSV; adından sonra köşeli ayraçta birimi";
         no_measurements(file: &str) =
-            "`{file}` bu büyüklüklerin ölçümünü içermiyor: ilk satırı tahrikin koordinatını ve büyüklükleri adlandırır, her satırda sayıları durur";
-        measured_over_driver = "ölçümler tahrik boyunca durur: `--against` olmasın";
+            "`{file}` bu sütunların ölçümünü içermiyor: ilk satırda tahrikin koordinatını ve sütunları adlandır, \
+             her satıra sayılarını yaz";
+        measured_over_driver = "ölçümler için x ekseni tahrik olmalı: `--against` seçeneğini kaldır";
         holds_no_figures(file: &str) =
-            "`{file}` içinde değer yok: bir satır `figure,unit,value` ya da biri tahrikinki olan her başlık için bir sayıdır";
+            "`{file}` içinde değer yok: `figure,unit,value` satırları ya da tahrikin sütunu olan bir başlık ve her \
+             sütuna bir sayı yaz";
         too_many_figures(file: &str) = "`{file}` karşılaştırılamayacak kadar büyük";
-        guess_of_vectors = "Yöntemin başladığı yer: r3=20,r4=280, deg ya da sahnenin birimiyle; ikiye bölme için r3=0..90 [yoksa: açılışın bir taslağı]";
+        guess_of_vectors =
+            "İlk tahmin: r3=20,r4=280, deg ya da sahnenin birimiyle; ikiye bölme için r3=0..90 [yoksa: açılış \
+             konumunun bir taslağı]";
     }
 }

@@ -1,8 +1,8 @@
-//! What the parser of the command line and the system say by themselves, part by part.
+//! Translates the messages of the command-line parser and of the system, part by part.
 
 use std::fmt::Display;
 
-/// What the parser says, in Turkish.
+/// Translates a message of the command-line parser.
 pub(super) fn said(text: &str) -> String {
     OF_PARSER
         .iter()
@@ -11,8 +11,8 @@ pub(super) fn said(text: &str) -> String {
         })
 }
 
-/// The text with every part of it replaced; where the parser has broken a line in the midst of one, the line is
-/// broken before it.
+/// Replaces every occurrence of a part in the text. If the parser has broken a line inside a part, the line break
+/// moves before the part.
 fn replaced(text: &str, part: &str, by: &str) -> String {
     let mut said = String::with_capacity(text.len());
     let mut rest = text;
@@ -34,13 +34,13 @@ fn replaced(text: &str, part: &str, by: &str) -> String {
     said + rest
 }
 
-/// Where a part stands, and how long it is there: a blank of it may be the end of a line, and what indents the next.
+/// Returns the position of a part and its length there: a blank in it may match a line break and an indent.
 fn found(text: &str, part: &str) -> Option<(usize, usize)> {
     let mut places = text.char_indices();
     places.find_map(|(at, _)| Some((at, length_of(&text[at..], part)?)))
 }
 
-/// How much of the text the part takes with which it begins.
+/// Returns the length of the part at the start of the text, or `None` if the text starts differently.
 fn length_of(text: &str, part: &str) -> Option<usize> {
     let mut rest = text;
     for (at, c) in part.char_indices() {
@@ -55,7 +55,7 @@ fn length_of(text: &str, part: &str) -> Option<usize> {
     Some(text.len() - rest.len())
 }
 
-/// Why the system did not do what it was asked for.
+/// Translates an error message of the system.
 pub(super) fn of_system(why: &dyn Display) -> String {
     let why = why.to_string();
     let known = OF_SYSTEM
@@ -84,24 +84,27 @@ const OF_PARSER: [(&str, &str); 49] = [
     ),
     (
         "Print help (see more with '--help')",
-        "Yardımı yaz (fazlası: '--help')",
+        "Yardımı yaz (ayrıntısı: '--help')",
     ),
     ("Print help", "Yardımı yaz"),
     ("Print version", "Sürümü yaz"),
     ("error: ", "hata: "),
     ("  tip: ", "  ipucu: "),
-    ("For more information, try '--help'.", "Fazlası: '--help'."),
+    (
+        "For more information, try '--help'.",
+        "Ayrıntılı bilgi için: '--help'.",
+    ),
     (
         "the following required arguments were not provided:",
         "şu zorunlu argümanlar verilmemiş:",
     ),
     ("unexpected argument '", "beklenmeyen argüman '"),
     ("unexpected value '", "beklenmeyen değer '"),
-    ("' found; no more were expected", "', fazlası olmaz"),
+    ("' found; no more were expected", "', fazla argüman"),
     ("' found\n", "'\n"),
     ("invalid value '", "geçersiz değer '"),
     ("unrecognized subcommand '", "bilinmeyen komut '"),
-    ("a value is required for '", "değeri verilmemiş: '"),
+    ("a value is required for '", "değer eksik: '"),
     ("' but none was supplied", "'"),
     (
         "equal sign is needed when assigning values to '",
@@ -118,10 +121,16 @@ const OF_PARSER: [(&str, &str); 49] = [
     ),
     (
         "' cannot be used with one or more of the other specified arguments",
-        "' verilen öteki argümanlarla birlikte olmaz",
+        "' verilen öteki argümanlarla birlikte kullanılamaz",
     ),
-    ("' cannot be used with:\n", "' şunlarla birlikte olmaz:\n"),
-    ("' cannot be used with '", "' şununla birlikte olmaz: '"),
+    (
+        "' cannot be used with:\n",
+        "' şunlarla birlikte kullanılamaz:\n",
+    ),
+    (
+        "' cannot be used with '",
+        "' şununla birlikte kullanılamaz: '",
+    ),
     (
         "' requires a subcommand but one was not provided",
         "' için bir komut gerekir",
@@ -162,26 +171,26 @@ const OF_SYSTEM: [(&str, &str); 20] = [
         "böyle bir dosya ya da klasör yok",
     ),
     ("Permission denied", "izin yok"),
-    ("Operation not permitted", "buna izin yok"),
+    ("Operation not permitted", "işleme izin yok"),
     ("Is a directory", "bu bir klasör"),
-    ("Not a directory", "klasör olması gereken bir dosya"),
+    ("Not a directory", "klasör değil"),
     ("Directory not empty", "klasör boş değil"),
-    ("File exists", "dosya var"),
+    ("File exists", "dosya zaten var"),
     ("File too large", "dosya çok büyük"),
     ("File name too long", "dosyanın adı çok uzun"),
     ("No space left on device", "diskte yer yok"),
-    ("Disk quota exceeded", "diskteki pay dolu"),
-    ("Read-only file system", "disk yalnız okunabilir"),
-    ("Input/output error", "aygıt okuma ya da yazma hatası verdi"),
+    ("Disk quota exceeded", "disk kotası dolu"),
+    ("Read-only file system", "dosya sistemi salt okunur"),
+    ("Input/output error", "giriş/çıkış hatası"),
     (
         "Too many levels of symbolic links",
-        "sembolik bağlar bir döngü",
+        "çok fazla iç içe sembolik bağ",
     ),
     ("Too many open files", "çok fazla açık dosya var"),
     ("Device or resource busy", "aygıt meşgul"),
-    ("Text file busy", "program olarak çalışan bir dosya"),
+    ("Text file busy", "dosya çalışan bir program"),
     ("No such device", "böyle bir aygıt yok"),
-    ("Broken pipe", "okuyan kalmadı"),
+    ("Broken pipe", "kopuk boru hattı"),
     ("stream did not contain valid UTF-8", "metin UTF-8 değil"),
 ];
 

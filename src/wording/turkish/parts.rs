@@ -1,4 +1,4 @@
-//! Parts of a scene that lack something, or do not go together: links, slides, points, vectors.
+//! Errors in single parts of a scene: links, slides, points, vectors.
 
 use super::{Turkish, presets};
 use crate::wording::english::PartsWords;
@@ -6,7 +6,7 @@ use std::fmt::LowerExp;
 
 catalogue! {
     impl PartsWords for Turkish {
-        // What they are called.
+        // Names of parts.
         link_called(name: &str) = "uzuv {name}";
         slide_called(name: &str) = "kızak {name}";
         vector_called(name: &str) = "vektör {name}";
@@ -62,15 +62,14 @@ catalogue! {
             "doğal iki ucu olmayan bir uzuv yalnız `points` ile verilir: {example}";
         at_least_smallest = "en az 1e-300";
         too_small_to_compute = "hesaplamak için çok küçük";
-        positive = "artı";
+        positive = "pozitif";
         no_direction = "boyu olmayan bir uzvun yönü yoktur";
         give_joints_one_name = "aynı yerdeki iki mafsal arasına uzuv gerekmez: onlara tek ad ver";
-        is_not_positive = "artı değil";
+        is_not_positive = "pozitif değil";
         length_is_distance =
             "boy bir uzaklıktır; uzvun yönü `from` noktasından `to` noktasınadır";
-        no_place_of_its_own = "uzaklığı olmayan bir nokta, görüldüğü yerdedir";
-        leave_point_out =
-            "onu çıkar, görüldüğü noktayı kullan; uzvun başlangıcındaysa [0, 0] yaz";
+        no_place_of_its_own = "uzaklığı 0 olan bir nokta, ölçüldüğü noktayla çakışır";
+        leave_point_out = "onu çıkar, ölçüldüğü noktayı kullan; uzvun başlangıcındaysa [0, 0] yaz";
         turn_angle_by_half = "boy bir uzaklıktır: işaretsiz yaz, açıyı 180 döndür";
         pinned_to_itself(link: &str, point: &str) =
             "{link} uzvu kendine bağlı: iki ucu da {point}";
@@ -80,10 +79,10 @@ catalogue! {
         again_here = "yine burada";
         once_here = "ilki burada";
         out_of_proportion(link: &str, length: &dyn LowerExp, longest: &dyn LowerExp) =
-            "{link} uzvu bütün oranların dışında: boyu {length:e}, oysa sahnenin en uzun boyu {longest:e}";
+            "{link} uzvu oransız: boyu {length:e}, oysa sahnenin en uzun boyu {longest:e}";
         less_than_part = "en uzunun 1e-75 katından kısa";
         look_for_mistyped =
-            "ikisinin çarpımı hiçbir double değerine sığmaz; yanlış yazılmış bir koordinat, `com` ya da boy ara";
+            "ikisinin çarpımı bir double değerine sığmıyor; yanlış yazılmış bir koordinat, `com` ya da boy ara";
         mass_without_centre(link: &str) = "{link} uzvunun kütlesi var, ağırlık merkezi yok";
         inertia_without_centre(link: &str) = "{link} uzvunun ataleti var, ağırlık merkezi yok";
         about_which_point = "hangi noktaya göre?";
@@ -112,7 +111,7 @@ catalogue! {
         has_point_and_link(of: &str) = "{of}: hem `point` hem `link` var";
         one_of_them_slides = "kayan bunlardan biridir";
         has_no_point_nor_link(of: &str) = "{of}: ne `point` ne `link` var";
-        nothing_slides_here = "burada kayan yok";
+        nothing_slides_here = "burada kayan bir şey yok";
         guide_in_the_frame = "şasedeki kılavuz için on = \"ground\"";
         must_be_point_of(what: &str, body: &str, name: &str) =
             "{what}: {body} üzerinde bir nokta olmalı, {name} değil";
@@ -128,7 +127,7 @@ catalogue! {
         guide_is_fixed_to = "kılavuz buna sabit";
         guide_and_slider_differ = "kılavuz ve onun boyunca kayan ayrı cisimlerdir";
 
-        // What is driven.
+        // Driven parts.
         driven_link_is_given = "tahrik edilen uzuv `link` ve `angle` ile verilir";
         driven_slide_is_given = "tahrik edilen kızak `slide` ve `position` ile verilir";
         pinned_to_ground_twice(name: &str) =
@@ -137,24 +136,25 @@ catalogue! {
         one_pin = "bir pim";
         another_pin = "ötekisi";
         turns_about_one_point = "tahrik edilen uzuv, çoğu zaman krank, şasenin tek noktası çevresinde döner";
-        slide_has_its_guide(of: &str) = "{of}: kızak kendi kılavuzu boyunca itilir, `from` ona bir şey katmaz";
-        not_of_a_slide = "tahrik edilen bir uzuv içindir";
-        seat_is_for_links = "bunu sil ya da kızağın yerine bir uzuv yaz: `from`, motorun üzerinde durduğu uzuvdur";
-        turns_from_itself(name: &str) = "{name} kendisine göre döndürülemez";
-        seat_is_another_link = "`from`, motorun üzerinde durduğu başka bir uzvu adlandırır; yazılmazsa uzuv şaseye göre döndürülür";
+        slide_has_its_guide(of: &str) = "{of}: kızak kendi kılavuzu boyunca sürülür, `from` geçerli değil";
+        not_of_a_slide = "yalnız tahrik edilen bir uzuv için";
+        seat_is_for_links = "bunu sil ya da kızağın yerine bir uzuv yaz: `from`, motoru taşıyan uzuvdur";
+        turns_from_itself(name: &str) = "{name} kendisine göre tahrik edilemez";
+        seat_is_another_link =
+            "`from`, motoru taşıyan başka bir uzvun adıdır; yazılmazsa uzuv şaseye göre tahrik edilir";
         no_pivot(name: &str) = "tahrik edilen {name} uzvunun çevresinde döneceği sabit noktası yok";
         not_joined_to_ground = "şaseye bağlı değil";
         none_in_ground = "hiçbir noktası [ground] içinde değil";
         put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
-        or_name_its_seat(link: &str) = "ya da motorunun üzerinde durduğu uzvu yaz: from = \"{link}\"";
+        or_name_its_seat(link: &str) = "ya da motorunu taşıyan uzvu yaz: from = \"{link}\"";
         links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
 
         input_called(name: &str) = "giriş {name}";
         input_is_the_driver(name: &str) = "giriş {name}: {name} zaten tahrikin kendisi";
-        driven_again = "bir daha tahrik ediliyor";
+        driven_again = "yine tahrik ediliyor";
         the_driver_itself = "tahrik";
         inputs_follow_the_driver =
-            "[inputs] bölümünde tahrik edilen öteki uzuvlar ve kızaklar durur, her biri tahriki izler";
+            "tahrik edilen öteki uzuvları ve kızakları [inputs] bölümüne yaz; her biri tahriki izler";
 
         // Stops.
         limit_called(name: &str) = "sınır {name}";
@@ -165,16 +165,17 @@ catalogue! {
         lower_end_first = "[low, high]";
         nothing_moves_between = "eşit iki uç arasında hiçbir şey hareket edemez";
         ends_the_other_way(ends: &str) = "şöyle yaz: {ends}";
-        or_angle_of_link(example: &str) = "bir uzvun başka bir uzuvdan görülen açısı: {example}";
+        or_angle_of_link(example: &str) = "bir uzvun başka bir uzva göre açısı: {example}";
         limit_of_nothing(name: &str) = "sınır {name}: bu adda ne bir uzuv ne bir kızak var";
         neither_link_nor_slide = "ne uzuv ne kızak";
-        angle_to_itself(what: &str, link: &str) = "{what}: {link} kendisinden görülüyor";
+        angle_to_itself(what: &str, link: &str) = "{what}: {link} kendisinden ölçülmüş";
         always_zero = "her zaman 0 deg";
         limit_of_a_turn(what: &str) = "{what}: bir açının uçları arasında 360 deg değerinden az olmalı";
         is_too_wide = "çok geniş";
-        driver_has_range = "daha çok dönebilenin sınırı olmaz; tahrikin birkaç turluk bir `range` değeri olabilir";
+        driver_has_range =
+            "daha çok dönebilenin sınırını kaldır; tahrikin birkaç turluk bir `range` değeri olabilir";
         range_of_too_many_turns(what: &str, most: f64) = "{what} {most} deg değerinden dar olmalı";
-        leave_range_out = "serbestçe dönen bir tahrike `range` gerekmez";
+        leave_range_out = "`range` değerini sil: serbestçe dönen bir tahrike gerekmez";
 
         // Points and vectors.
         start_of_ground_point(name: &str) = "[start]: {name} şasenin bir noktası";
@@ -182,16 +183,16 @@ catalogue! {
         fixed_here = "burada sabit";
         start_is_for_moving = "[start] hareketli noktalar içindir: satırı çıkar";
         runs_to_itself(what: &str, from: &str) = "{what}: {from} noktasından yine kendine gidiyor";
-        head_is_tail = "başı ve ucu aynı";
+        head_is_tail = "kuyruğu ve ucu aynı";
         name_tail_and_head = "iki ayrı nokta adlandır: [tail, head]";
         a_pair_of_points = "nokta [tail, head]";
         has_no_centre(what: &str, link: &str) = "{what}: {link} uzvunun ağırlık merkezi yok";
         no_such_point = "böyle bir nokta yok";
         has_no_com = "`com` yok";
         give_the_link_one = "uzva kendi eksen takımında bir tane ver: com = [50, 0]";
-        was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} orada mı denmek istendi?";
-        take_out_or_use = "çıkar ya da bir uzuv orada başlasın veya bitsin";
-        belongs_to_nothing(name: &str) = "sabit nokta {name} hiçbir şeye ait değil";
-        nothing_names_it = "hiçbir uzuv, kızak ya da vektör onu adlandırmıyor";
+        was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} mi demek istedin?";
+        take_out_or_use = "çıkar ya da bir uzvu orada başlat veya bitir";
+        belongs_to_nothing(name: &str) = "sabit nokta {name} kullanılmıyor";
+        nothing_names_it = "hiçbir uzuv, kızak ya da vektör onu kullanmıyor";
     }
 }

@@ -10,11 +10,11 @@ catalogue! {
         compare_with = "Karşılaştır";
         search_for = "ara: ";
         some_of(some: usize, all: usize) = "{some} / {all}";
-        nothing_matches = "uyan bir şey yok; Ctrl-U yazılanı siler";
+        nothing_matches = "eşleşme yok; Ctrl-U aramayı siler";
         presets = "hazır sahneler";
         as_opened = "açıldığı gibi";
         folder_being_read = "klasör okunuyor";
-        more_than_can_be_listed = "listelenebilenden çok";
+        more_than_can_be_listed = "listelenemeyecek kadar çok";
         no_scene_file_here = "burada sahne dosyası yok";
         no_scene_in_it = "içinde sahne yok";
         a_folder = "bir klasör";

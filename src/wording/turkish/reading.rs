@@ -1,4 +1,4 @@
-//! Reading a scene or a configuration: what is wrong with its keys, values and names, and what would mend it.
+//! Errors in the keys, values and names of a scene or a configuration, and how to fix them.
 
 use super::{Turkish, syntax};
 use crate::wording::english::ReadingWords;
@@ -7,7 +7,7 @@ catalogue! {
     impl ReadingWords for Turkish {
         // The document.
         not_utf8(byte: u8, at: usize) = "dosya UTF-8 değil: {at} konumunda bayt 0x{byte:02x}";
-        not_a_character = "UTF-8'de bir karakter değil";
+        not_a_character = "UTF-8'de geçerli bir karakter değil";
         save_as_utf8 = "dosyayı UTF-8 olarak kaydet";
         not_valid_toml(message: &str) = {
             format!("geçerli TOML değil: {}", syntax::said(message))
@@ -26,7 +26,7 @@ catalogue! {
         no_friction_yet = "krank henüz sürtünmeyi modellemez: kuvvetleri sürtünmesiz mafsallar içindir";
         no_contacts_yet = "krank henüz temasları modellemez";
         motion_is_given =
-            "krank bir kuvvetten ya da momentten hareket hesaplamaz: hızı ver; yükler [[loads]] içindedir";
+            "krank bir kuvvetten ya da torktan hareket hesaplamaz: hızı ver, yükleri [[loads]] içine yaz";
         krank_reads_toml = "sahne bir TOML dosyasıdır: `krank help scene` onu anlatır";
         is_an_address = "bu bir internet adresi, sahne değil";
         is_a_pmks_address = "bu bir PMKS+ mekanizmasının adresi; krank onu okumaz";
@@ -56,29 +56,27 @@ catalogue! {
         is_not_finite = "çift hassasiyette sonlu değil";
         is_too_large = "çok büyük";
         write_a_decimal = "ondalık bir sayı yaz, 12.5 gibi";
-        choose_a_unit = "boyutların olağan sayılar olduğu bir `unit` seç";
-        must_not_be_less_than_zero(what: &str, literal: &str) =
-            "{what} eksi olamaz, oysa {literal}";
-        is_negative = "eksi";
+        choose_a_unit = "boyutların olağan büyüklükte olduğu bir `unit` seç";
+        must_not_be_less_than_zero(what: &str, literal: &str) = "{what} negatif olamaz, oysa {literal}";
+        is_negative = "negatif";
         leave_it_out(key: &str) = "önemi yoksa `{key}` yazma";
         a_pair(form: &str) = "bir çift {form}";
         must_be_a_pair(what: &str, form: &str, count: usize) =
             "{what} bir çift {form} olmalı, {count} değer değil";
         expected_two(count: usize) = "2 değer beklenirken {count} var";
-        write_as_a_part(part: f64) = "birin payı olarak yaz: {part}";
-        is_no_unit(word: &str, units: &str) = "`{word}` birim değil: {units}";
-        product_has_a_sign(number: &str, name: &str) = "çarpımın işareti yazılır: `{number} * {name}`";
+        write_as_a_part(part: f64) = "kesir olarak yaz: {part}";
+        is_no_unit(word: &str, units: &str) = "`{word}` birim değil; şunlardan birini kullan: {units}";
+        product_has_a_sign(number: &str, name: &str) = "çarpımı işaretiyle yaz: `{number} * {name}`";
 
-        // What people mostly meant.
+        // Common mistakes.
         comments_begin_with = "açıklama # ile başlar";
-        quote_the_name = "içinde ' olan ad tırnağa alınır: \"B'\" = [0, 0]";
+        quote_the_name = "içinde ' olan adı tırnak içinde yaz: \"B'\" = [0, 0]";
         has_decimal_comma(number: &str) = "`{number}` sayısında ondalık virgülü var";
-        decimals_have_a_point(number: &str) = "ondalıklar noktayla yazılır: {number}";
+        decimals_have_a_point(number: &str) = "ondalıkları noktayla yaz: {number}";
         write_key_and_value = "anahtar = değer yaz";
-        quote_texts_and_names = "metinler ve adlar tırnağa alınır: \"A\"";
-        separate_by_commas = "bir listenin değerleri virgülle ayrılır: [0, 0]";
-        quote_with_unit(number: &str, unit: &str) =
-            "birimli sayı tırnak içinde durur: \"{number} {unit}\"";
+        quote_texts_and_names = "metinleri ve adları tırnak içinde yaz: \"A\"";
+        separate_by_commas = "bir listenin değerlerini virgülle ayır: [0, 0]";
+        quote_with_unit(number: &str, unit: &str) = "birimli sayıyı tırnak içinde yaz: \"{number} {unit}\"";
         angle_alone(number: &str) = "açılar derecedir: yalnız sayıyı yaz: {number}";
         number_alone_or_unit(number: &str) =
             "yalnız sayıyı yaz: {number}; ya da tırnak içinde, birimiyle: \"{number} mm\"";
@@ -91,10 +89,10 @@ catalogue! {
         how_a_link_is_driven(example: &str) = "tahrik edilen uzuv: {example}";
         how_a_slide_is_driven(example: &str) = "tahrik edilen kızak: {example}";
         driver_has_other(driven: &str, other: &str, coordinate: &str) =
-            "tahrik: tahrik edilen `{driven}` için `{other}` olmaz, `{coordinate}` olur";
-        coordinate_is_meant(coordinate: &str) = "burada `{coordinate}` olmalı";
+            "tahrik: tahrik edilen `{driven}` için `{other}` değil, `{coordinate}` verilir";
+        coordinate_is_meant(coordinate: &str) = "`{coordinate}` kullan";
         driver_lacks(coordinate: &str) = "tahrikte `{coordinate}` yok";
-        coordinate_is_missing(coordinate: &str) = "`{coordinate}` eksik: sahnenin açıldığı yer";
+        coordinate_is_missing(coordinate: &str) = "`{coordinate}` eksik: sahnenin açıldığı yerdeki değeri";
 
         // Rates.
         rate_is_no_number(key: &str, of: &str, typed: &str) =
@@ -127,12 +125,12 @@ catalogue! {
         that_one(noun: &str) = "o {noun}";
         there_is_no(what: &str, noun: &str, name: &str) = "{what}: {name} adında {noun} yok";
         unknown_noun(noun: &str) = "bilinmeyen {noun}";
-        key_stands_above(key: &str) = "sahnenin `{key}` anahtarı ilk [table] üstünde durur";
+        key_stands_above(key: &str) = "sahnenin `{key}` anahtarını ilk [table] üstüne yaz";
         scene_has_no(noun: &str) = "sahnede {noun} yok";
         those_of_scene(noun: &str, names: &str) = "sahnedekiler ({noun}): {names}";
         name_is_reserved(name: &str) = "{name} adı ayrılmış";
         is_reserved = "ayrılmış";
-        columns_use(names: &str) = "sütunlarda {names} kendi anlamıyla kullanılır: başka bir ad seç";
+        columns_use(names: &str) = "{names} sütunlarda özel anlam taşır: başka bir ad seç";
         name_a_ground_point = "bir uzvu şaseye bağlamak için [ground] noktalarından birini adlandır";
         name_is_empty = "ad boş olamaz";
         is_empty = "boş";

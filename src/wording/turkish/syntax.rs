@@ -1,20 +1,20 @@
-//! What the reader of TOML says by itself, in its own words: nobody but it knows what it stumbled over.
+//! Translates the messages of the TOML parser.
 
-/// Between what is wrong and what could stand there; between two things that could.
+/// Separators: between the error and the expected items, and between two expected items.
 const EXPECTED: &str = ", expected ";
 const OR: &str = ", ";
 
-/// Its message in Turkish. One that is not known is quoted as it came: half of it would lead astray.
+/// Translates a message. An unknown message is quoted unchanged, because a partial translation would mislead.
 pub(super) fn said(message: &str) -> String {
     let (fault, mut expected) = match message.split_once(EXPECTED) {
         Some((fault, expected)) => (fault, Some(expected)),
         None => (message, None),
     };
-    // A text that is not closed is to the reader one with a fault at the end of its line.
+    // The parser reports an unclosed text as an error at the end of its line.
     match (fault, expected) {
         ("invalid basic string", Some("`\"`")) => return "kapanmamış metin: `\"` eksik".to_owned(),
         ("invalid literal string", Some("`'`")) => return "kapanmamış metin: `'` eksik".to_owned(),
-        // Quotes of either kind would do.
+        // Both kinds of quotes are allowed.
         ("string values must be quoted", _) => expected = None,
         (fault, _) if OF_DATES.iter().any(|of| fault.starts_with(of)) => {
             return "geçersiz tarih ya da saat".to_owned();
@@ -22,7 +22,7 @@ pub(super) fn said(message: &str) -> String {
         _ => {}
     }
     let Some(fault) = wrong(fault) else {
-        return format!("okuyucunun sözüyle \"{message}\"");
+        return format!("TOML okuyucusunun iletisi: \"{message}\"");
     };
     match expected.map(wanted) {
         None => fault,
@@ -38,7 +38,7 @@ fn wrong(fault: &str) -> Option<String> {
     Some((*said).to_owned())
 }
 
-/// What could stand there: marks as they are, and kinds of text by their names.
+/// Translates the expected items: symbols stay, names of text kinds are translated.
 fn wanted(expected: &str) -> String {
     let items = expected.split(OR);
     let items = items.map(|item| {
@@ -48,7 +48,7 @@ fn wanted(expected: &str) -> String {
     items.collect::<Vec<_>>().join(OR)
 }
 
-/// Of the many ways in which a date is none nobody asks: a scene has no dates.
+/// The starts of messages about dates, which share one translation: a scene has no dates.
 const OF_DATES: [&str; 4] = [
     "invalid date",
     "invalid time",
@@ -59,11 +59,11 @@ const OF_DATES: [&str; 4] = [
 const FAULTS: [(&str, &str); 67] = [
     (
         "`_` may only go between digits",
-        "`_` yalnız rakamların arasında olur",
+        "`_` yalnız rakamların arasında bulunabilir",
     ),
     (
         "cannot recurse further; max recursion depth met",
-        "iç içe bu kadar liste ve tablo olmaz",
+        "listeler ve tablolar çok fazla iç içe",
     ),
     (
         "carriage return must be followed by newline",
@@ -79,20 +79,17 @@ const FAULTS: [(&str, &str); 67] = [
     ("extra comma in inline table", "tabloda fazladan virgül"),
     (
         "integers with a radix cannot be signed",
-        "0x, 0o ve 0b sayılarının işareti olmaz",
+        "0x, 0o ve 0b ile yazılan sayılar işaretsizdir",
     ),
     ("invalid array", "geçersiz liste"),
     ("invalid basic string", "geçersiz metin"),
-    ("invalid binary number", "geçersiz ikili sayı"),
+    ("invalid binary number", "geçersiz ikilik sayı"),
     ("invalid boolean", "geçersiz true ya da false"),
-    (
-        "invalid comment character",
-        "açıklamada olamayacak bir karakter",
-    ),
-    ("invalid exponent", "sayının geçersiz üssü"),
+    ("invalid comment character", "açıklamada geçersiz karakter"),
+    ("invalid exponent", "sayının üssü geçersiz"),
     ("invalid float", "geçersiz sayı"),
-    ("invalid fraction", "sayının geçersiz kesri"),
-    ("invalid hexadecimal number", "geçersiz on altılı sayı"),
+    ("invalid fraction", "sayının kesri geçersiz"),
+    ("invalid hexadecimal number", "geçersiz onaltılık sayı"),
     ("invalid inline table element", "tabloda geçersiz öge"),
     ("invalid integer number", "geçersiz tam sayı"),
     ("invalid key", "geçersiz anahtar"),
@@ -108,7 +105,7 @@ const FAULTS: [(&str, &str); 67] = [
         "geçersiz çok satırlı tek tırnaklı metin",
     ),
     ("invalid newline", "geçersiz satır sonu"),
-    ("invalid octal number", "geçersiz sekizli sayı"),
+    ("invalid octal number", "geçersiz sekizlik sayı"),
     ("invalid string", "geçersiz metin"),
     ("invalid table", "geçersiz tablo"),
     ("invalid unquoted key", "geçersiz tırnaksız anahtar"),
@@ -136,7 +133,7 @@ const FAULTS: [(&str, &str); 67] = [
         "anahtarlar arasında virgül eksik",
     ),
     ("missing comment start", "açıklamanın başı eksik"),
-    ("missing escaped value", "`\\` ardında bir şey eksik"),
+    ("missing escaped value", "`\\` ardında karakter eksik"),
     ("missing inline table opening", "tablonun başı eksik"),
     (
         "missing key for inline table element",
@@ -169,24 +166,21 @@ const FAULTS: [(&str, &str); 67] = [
     ("unclosed array table", "kapanmamış [[bölüm]]"),
     ("unclosed inline table", "kapanmamış tablo"),
     ("unclosed table", "kapanmamış [bölüm]"),
-    ("unexpected `=` in array", "listede `=` olmaz"),
-    ("unexpected content", "buraya ait olmayan metin"),
+    ("unexpected `=` in array", "listede beklenmeyen `=`"),
+    ("unexpected content", "beklenmeyen metin"),
     (
         "unexpected content between comment and newline",
-        "açıklamanın ardında buraya ait olmayan metin",
+        "açıklamanın ardında beklenmeyen metin",
     ),
-    (
-        "unexpected key or value",
-        "burada olmayacak anahtar ya da değer",
-    ),
+    ("unexpected key or value", "beklenmeyen anahtar ya da değer"),
     ("unexpected leading zero", "sayının başında fazladan sıfır"),
-    ("unexpected sign", "burada olmayacak işaret"),
+    ("unexpected sign", "beklenmeyen işaret"),
     (
         "unquoted keys cannot be empty",
         "tırnaksız anahtar boş olamaz",
     ),
     ("invalid unicode value", "geçersiz Unicode karakteri"),
-    ("invalid escape sequence", "`\\` ile geçersiz karakter"),
+    ("invalid escape sequence", "geçersiz `\\` dizisi"),
 ];
 
 const WANTED: [(&str, &str); 17] = [
@@ -211,7 +205,7 @@ const WANTED: [(&str, &str); 17] = [
     ("nothing", "hiçbir şey"),
     ("numbers", "rakam"),
     ("printable characters", "görünür karakter"),
-    ("unicode hexadecimal value", "on altılı Unicode değeri"),
+    ("unicode hexadecimal value", "onaltılık Unicode değeri"),
     ("value", "değer"),
 ];
 
@@ -220,7 +214,7 @@ mod tests {
     use super::*;
     use toml::de::DeTable;
 
-    /// What the reader says of a text, and what becomes of it.
+    /// Returns the parser's message for a text, and its translation.
     fn told(text: &str) -> (String, String) {
         let (_, errors) = DeTable::parse_recoverable(text);
         let message = errors[0].message().to_owned();
@@ -228,7 +222,7 @@ mod tests {
         (message, turkish)
     }
 
-    /// A list of all that it can say is nowhere to be had: these are what people and editors make of a file.
+    /// There is no list of all messages: these are common mistakes of people and editors.
     #[test]
     fn what_befalls_a_file_is_told_in_turkish() {
         for text in [
@@ -315,6 +309,9 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_quoted() {
-        assert_eq!(said("a new rule"), "okuyucunun sözüyle \"a new rule\"");
+        assert_eq!(
+            said("a new rule"),
+            "TOML okuyucusunun iletisi: \"a new rule\""
+        );
     }
 }

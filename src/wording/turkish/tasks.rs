@@ -1,4 +1,4 @@
-//! Görevler.
+//! Tasks: descriptions of desired motions.
 
 use super::Turkish;
 use crate::wording::english::TasksWords;
@@ -7,72 +7,81 @@ catalogue! {
     impl TasksWords for Turkish {
         the_task_itself = "görevin kendisi";
         task_for_a_scene = "bu bir görev, sahne değil";
-        synthesize_does_tasks = "görevi yapan mekanizmaları `krank synthesize` arar: her biri bir sahne olur";
+        synthesize_does_tasks = "görev için mekanizmaları `krank synthesize` ile bul: her biri bir sahne olur";
         scene_for_a_task = "bu bir sahne, görev değil";
-        synthesize_reads_tasks = "görev istenen hareketi söyler (krank help synthesis); sahneleri `krank check` ve `krank DOSYA` açar";
+        synthesize_reads_tasks =
+            "görev istenen hareketi tanımlar (krank help synthesis); sahneleri `krank check` ve `krank DOSYA` açar";
         task_without_kind = "görevin `kind` anahtarı yok";
-        these_are_known(words: &str) = "bilinenler: `{words}`";
+        these_are_known(words: &str) = "şunlardan birini kullan: `{words}`";
         not_known_here = "bilinmiyor";
         no_kind_of_task(kind: &str) = "{kind} bir görev türü değil";
         key_of_another_kind(key: &str, kind: &str) = "`{key}` `{kind}` türünden bir göreve ait değil";
         belongs_to_another_kind = "başka bir görev türüne ait";
-        no_form_of_linkage(form: &str) = "{form} aranan bir mekanizma değil";
-        no_linkage_wanted = "`linkages` hiçbirini adlandırmıyor";
-        item_of(number: usize, key: &str) = "`{key}` içinde {number}. öğe";
-        must_be_row(what: &str, form: &str, count: usize) = "{what} {form} olmalı, {count} öğeli bir liste değil";
+        no_form_of_linkage(form: &str) = "{form} desteklenen bir mekanizma değil";
+        no_linkage_wanted = "`linkages` boş";
+        item_of(number: usize, key: &str) = "`{key}` içinde {number}. öge";
+        must_be_row(what: &str, form: &str, count: usize) = "{what} {form} olmalı, {count} ögeli bir liste değil";
         task_lacks(of: &str, key: &str) = "`{of}` için `{key}` eksik";
-        told_twice(first: usize, again: usize) = "{again}. öğe {first}. öğenin aynısı";
-        the_same_again = "yine aynısı";
-        first_told_here = "burada verildi";
-        take_out_one_pose = "birini çıkarın: aynı konuma iki kez gelen cismin bir konumu eksiktir";
-        take_out_one_point = "birini çıkarın; yol ilk noktasına dönüyorsa `closed = true` yazın";
-        count_of_poses(count: usize) = "konum görevinde üç ile beş arası konum olur, {count} değil";
-        poses_that_methods_take = "üç konum çok şeyi açık bırakır, dördü eğriler, beşi birkaç mekanizma bırakır";
-        too_much_given(poses: usize, given: usize) = "{poses} konumla verilmiş {given} mesnet ya da mafsala yer yok";
+        told_twice(first: usize, again: usize) = "{again}. öge {first}. ögeyi yineliyor";
+        the_same_again = "burada yinelendi";
+        first_told_here = "ilk burada verildi";
+        take_out_one_pose = "birini çıkar: yinelenen bir konum yeni bir konum değildir";
+        take_out_one_point = "birini çıkar; yol ilk noktasına dönüyorsa `closed = true` yaz";
+        count_of_poses(count: usize) = "konum görevinde 3 ile 5 arası konum olur, {count} değil";
+        poses_that_methods_take =
+            "üç konum çok serbestlik bırakır, dört konum çözüm eğrileri, beş konum birkaç mekanizma bırakır";
+        too_much_given(poses: usize, given: usize) = "{poses} konumla {given} mesnet ya da pim verilemez";
         one_too_many = "bir fazla";
-        what_poses_leave_free = "üç konumla mesnet ve mafsallardan ikisi verilebilir, daha çok konumla hiçbiri";
-        take_out_last_point = "sonuncuyu çıkarın: `closed = true` yolun ilk noktasına döndüğünü söyler";
-        slider_crank_has_one_pivot = "bir krank-biyelin şasede tek mesnedi vardır, krankınki";
+        what_poses_leave_free = "üç konumla en çok iki mesnet ve pim ver, daha çok konumla hiç verme";
+        take_out_last_point = "sonuncuyu çıkar: `closed = true` ile yol ilk noktasına döner";
+        slider_crank_has_one_pivot = "bir krank-biyelin şasede tek mesnedi vardır, krankın mesnedi";
         slider_cranks_alone = "yalnızca krank-biyel aranıyor";
-        take_out_one_pivot = "tek mesnet verin ya da `linkages` listesine \"four-bar\" ekleyin";
+        take_out_one_pivot = "tek mesnet ver ya da `linkages` listesine \"four-bar\" ekle";
         count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
         more_than_two_pivots = "bir dört çubuk mekanizmasının iki mesnedi vardır";
         weights_are_positive = "her ağırlık 0 değerinden büyük olmalı";
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
-        turns_begin_at_nought = "`turns` ilk noktadan sayar: ilki 0 olur";
+        turns_begin_at_nought = "`turns` ilk noktadan sayılır: ilki 0 olmalı";
         turns_go_one_way = "`turns` noktadan noktaya hep artmalı ya da hep azalmalı";
-        links_have_their_own_ends = "tek noktaya asılı iki uzuv tek uzuvdur";
-        turns_end_within_one = "kapalı bir yolda bütün `turns` bir tam dönüşün içindedir: sonuncusu ilk noktaya döner";
-        direction_wants_order = "`order = false` ile `direction` çelişir: sırası serbest olan noktalara iki yandan da gelinir";
-        one_output = "bir işlevin tek çıkışı vardır: `linkages` içinde birini yazın";
+        links_have_their_own_ends = "ucu aynı olan iki uzuv tek uzuvdur: iki ayrı nokta ver";
+        turns_end_within_one =
+            "kapalı bir yolda bütün `turns` bir turun içinde olmalı: son noktadan sonra ilk nokta gelir";
+        direction_wants_order = "`order = false` ile `direction` çelişir: ikisinden birini çıkar";
+        one_output = "bir fonksiyonun tek çıkışı vardır: `linkages` içinde birini yaz";
         angle_below_90 = "0 ile 90 arasında (90 hariç)";
         at_least_1 = "en az 1";
         inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
         no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
-        given_pivot_outside = "verilen bir mesnet, mesnetlerin bulunması istenen kutunun dışında";
+        given_pivot_outside = "verilen bir mesnet, mesnetler için verilen kutunun dışında";
         outside_the_box = "`inside` dışında";
-        widen_the_box = "`inside` kutusunu genişletin ya da ikisinden birini çıkarın";
-        turns_against_direction = "`turns` bir yöne, `direction` öteki yöne dönüyor: `turns` işaretini ya da dileği değiştirin";
-        crank_against_direction = "krankın `swing` ya da `scale` değeri bir yöne, `direction` öteki yöne dönüyor: bir şey denmezse yön saat yönünün tersidir; işareti ya da dileği değiştirin";
-        pivot_of_function_outside(place: &str) = "işlevin {place} noktasındaki mesnedi, mesnetlerin bulunması istenen kutunun dışında";
-        widen_for_function = "krankın mesnedi [0, 0] noktasında, dört çubukta öteki mesnet [size, 0] noktasındadır: `inside` kutusunu genişletin ya da çıkarın";
-        pairs_and_function = "çiftler iki kez verilmiş: `pairs` ile ve `function` ile";
+        widen_the_box = "`inside` kutusunu genişlet ya da ikisinden birini çıkar";
+        turns_against_direction = "`turns` ile `direction` ters yönlü: `turns` işaretini ya da tercihi değiştir";
+        crank_against_direction =
+            "krankın `swing` ya da `scale` değeri (verilmezse saat yönünün tersi) ile `direction` ters yönlü: \
+             işareti ya da tercihi değiştir";
+        pivot_of_function_outside(place: &str) =
+            "fonksiyonun {place} noktasındaki mesnedi, mesnetler için verilen kutunun dışında";
+        widen_for_function =
+            "krankın mesnedi [0, 0] noktasında, dört çubukta öteki mesnet [size, 0] noktasındadır: `inside` \
+             kutusunu genişlet ya da çıkar";
+        pairs_and_function = "çiftler hem `pairs` hem `function` ile verilmiş: birini çıkar";
         positive_number = "pozitif bir sayı";
-        count_of_pairs(count: usize, most: usize) = "bir işlevde 3 ile {most} arası çift olur, {count} değil";
-        pairs_not_in_order(number: usize) = "{number}. çift öncekinden ileride değil";
+        count_of_pairs(count: usize, most: usize) = "bir fonksiyonda 3 ile {most} arası çift olur, {count} değil";
+        pairs_not_in_order(number: usize) = "{number}. çiftin x değeri öncekininkinden büyük değil";
         not_further_on = "x artmıyor";
-        pairs_by_growing_x = "çiftleri artan x sırasıyla, her x için bir kez yazın";
+        pairs_by_growing_x = "çiftleri artan x sırasıyla yaz, her x bir kez";
         range_of_function(most: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {most} arası noktayla gitmeli";
-        swing_and_scale = "`swing` ile `scale` aynı şeyi söyler: birini verin";
-        start_wants_scale = "`start` x değerinin en küçük olduğu yerdir: verilmiş bir `scale` ya da `swing` gerektirir";
-        scale_is_nought = "hareket etmeyen bir şey hiçbir işlevi izlemez: ölçeği 0 dışında bir sayı olmalı";
-        output_stands_still(y: &str) = "y her x değerinde {y}: duran bir çıkış hiçbir işlevi izlemez";
-        let_y_change = "y değerinin değiştiği bir işlev ya da çiftler yazın; bekleme işlevin ancak bir parçası olabilir";
+        swing_and_scale = "`swing` ile `scale` aynı anlama gelir: birini ver";
+        start_wants_scale = "`start` en küçük x değerine aittir: onunla bir `scale` ya da `swing` ver";
+        scale_is_nought = "`scale` 0 olamaz";
+        output_stands_still(y: &str) = "y her x değerinde {y}: çıkış hareket etmezdi";
+        let_y_change =
+            "y değerinin değiştiği bir fonksiyon ya da çiftler yaz; bekleme fonksiyonun ancak bir parçası olabilir";
 
         // What came of a task.
         wanted_motion = "istenen";
         poses_wanted(count: usize) = "{count} konumda bir cisim";
-        pairs_wanted(count: usize) = "{count} çiftten geçen bir işlev";
+        pairs_wanted(count: usize) = "{count} çiftten geçen bir fonksiyon";
         points_wanted(count: usize, closed: bool) = {
             let form = if closed { "kapalı bir yol" } else { "bir yol" };
             format!("{count} noktadan geçen {form}")
@@ -84,55 +93,59 @@ catalogue! {
             };
             let others = match defective {
                 0 => String::new(),
-                count => format!("; yapamayan {count} mekanizma daha"),
+                count => format!("; kusurlu {count} mekanizma daha"),
             };
             let proof = match (complete, reason) {
                 (true, "") => "; başkası yok".into(),
                 (true, reason) => format!("; başkası yok: {reason}"),
-                (false, "") => "; bu bir arama, başkaları için bir şey kanıtlamaz".into(),
+                (false, "") => "; aramayla bulundu, başkaları olabilir".into(),
                 (false, reason) => format!("; {reason}"),
             };
-            format!("görevi yapan {good} mekanizma{most}{others}{proof}")
+            format!("görev için {good} mekanizma{most}{others}{proof}")
         };
-        poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yazın";
+        poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yaz";
         poses_turn_about(x: &str, y: &str) =
-            "bütün konumlar tek bir noktanın, ({x}, {y}), çevresindeki dönmelerdir: cismi oradaki bir mesnet götürür, bir mekanizma götürmez";
-        poses_only_shift = "cisim dönmüyor, yerleri de eşit uzuvların onu götürebileceği bir çember üzerinde değil";
-        given_leads_nowhere = "verilenleri bütün konumlarda tutan bir uzuv ya da kızak yok";
+            "bütün konumlar tek bir noktanın, ({x}, {y}), çevresindeki dönmelerdir: cismi oradaki bir mesnet \
+             yönlendirir, bir mekanizma değil";
+        poses_only_shift =
+            "cisim dönmüyor, yerleri de eşit uzuvların onu yönlendirebileceği bir çember üzerinde değil";
+        given_leads_nowhere = "verilenlere bütün konumlarda uyan bir uzuv ya da kızak yok";
         no_pair_of_dyads = "bu konumlardan geçen uzuv ve kızakların hiçbir ikisi böyle bir mekanizma oluşturmuyor";
-        dyads_out_of_reach = "bu konumlardan geçenler çok uzakta ya da uzunlukları çok orantısız";
-        poses_nearly_repeat = "konumlar neredeyse aynı, yuvarlamaları başkası olup olmadığını açık bırakıyor";
+        dyads_out_of_reach = "bu konumlardan geçen uzuvlar ve kızaklar çok uzakta ya da boyları çok orantısız";
+        poses_nearly_repeat =
+            "bazı konumlar neredeyse çakışıyor: yuvarlama, başka mekanizma olup olmadığını açık bırakıyor";
         head_transmission = "bağlama";
         head_miss = "sapma";
         head_turns = "krank";
-        head_lacks = "tutmayan dilek";
+        head_lacks = "eksik tercih";
         turns_fully_shortly = "döner";
         swings_shortly = "salınır";
         defective_ones = "kusurlu";
-        stands_in_dead_point = "ilk noktada açılamıyor: orada ölü konumda duruyor";
+        stands_in_dead_point = "ilk noktada açılamıyor: orası bir ölü konum";
         branch_between(from: usize, to: usize) = "dal: {from} ve {to} noktaları arasında bir ölü konum var";
         circuit_between(from: usize, to: usize) =
-            "devre: {from} ve {to} noktaları ayrı devrelerde, mekanizmanın sökülmesi gerekir";
+            "devre: {from} ve {to} noktaları ayrı devrelerde, arada mekanizmanın sökülüp takılması gerekir";
         order_between(from: usize, to: usize) = "sıra: krank {from} noktasından {to} noktasına geri dönüyor";
-        short_of_range = "her çifte gelir, ama aralığın tümünde kapanmaz";
-        misses_its_function = "yapısal hata: işlevden, çıkışın salınımının onda birinden çok sapıyor (rms)";
+        short_of_range = "her çifte ulaşır, ama aralığın tümünde kapanmaz";
+        misses_its_function = "yapısal hata: fonksiyondan sapması çıkışın salınımının onda birinden büyük (rms)";
         structural_error = "1 için yapısal hata";
-        point_missed(point: usize) = "{point} noktasına gelmiyor";
+        point_missed(point: usize) = "{point} noktasına ulaşmıyor";
         point_far_off(point: usize) = "uzak: {point} noktasının yanından yolun boyutunun % 5'inden daha uzakta geçer";
         candidate_called(task: &str, number: usize) = "{task}, aday {number}";
         candidate_made_by(task: &str) = "krank synthesize, görevden: {task}";
         driven_as_written(miss: &str, unit: &str) =
-            "krank synthesize tarafından yazıldığı haliyle görevi boyunca sürüldü; ondan en çok {miss} {unit} sapar.";
+            "krank synthesize tarafından yazıldığı haliyle görevi boyunca sürüldü: en büyük sapması {miss} {unit}.";
         transmission_as_written(way: &str, whole: &str) = {
             match way == whole {
-                true => format!("Bağlama açısı, görevin yolunda da başka yerde de en az {way} derecedir."),
+                true => format!("Bağlama açısı görevde de başka yerde de en az {way} derecedir."),
                 false => format!(
-                    "Bağlama açısı görevin yolunda en az {way} derecedir; `krank check` ve hedeflerin saydığı gibi bütün harekette {whole} derece."
+                    "Bağlama açısı görevde en az {way} derecedir; `krank check` ve hedeflerdeki gibi bütün \
+                     harekette {whole} derece."
                 ),
             }
         };
         solved_with_goals(vary: &str) = "  krank solve SAHNE --vary {vary} \\";
-        kept_by_goals = "Başka sayılarla görevini ancak bu istendiğinde yapar:";
+        kept_by_goals = "Başka sayılarla görevini ancak hedefler bunu isterse yapar:";
 
         // The list of what came of it.
         linkages = "mekanizmalar";
@@ -153,10 +166,10 @@ catalogue! {
             "mesnet {pivot}, pim {pin}, uzuv {link} {unit}";
         pin_on_slide(angle: &str, pin: &str, unit: &str) = "kızak {angle} derecede, pim {pin} {unit}";
         dyad_picked(dyad: &str) = "öbürü: {dyad}";
-        pick_the_second = "Enter seçer; ikincisiyle bir mekanizma olur.";
-        dyads_make_nothing = "İkisi bir mekanizma olmuyor.";
+        pick_the_second = "Enter seçer; ikisi bir mekanizma oluşturur.";
+        dyads_make_nothing = "Bu ikisi bir mekanizma oluşturmuyor.";
         transmission_on_the_way(angle: &str) = "bağlama açısı {angle} derece";
-        dotted_curves = "Noktalı: mesnetlerin ve ilk konumda pimlerinin bulunabileceği yerler.";
+        dotted_curves = "Noktalı: olabilecek mesnetler ve ilk konumda pimleri.";
         walk = "gez";
         next_curve = "sonraki eğri";
         curves_of_dyads = "eğriler";
@@ -164,30 +177,32 @@ catalogue! {
         all_linkages = "liste";
         pick = "seç";
         put_into_list = "listeye koy";
-        task_in_preview(wanted: &str) = "bir görev: {wanted}; Enter onu yapan mekanizmaları arar";
+        task_in_preview(wanted: &str) = "bir görev: {wanted}; Enter mekanizma arar";
         found_before = "önceden bulundu: Enter listeler";
         task_is_no_scene = "bu bir görev, sahne değil";
 
         // The command.
-        search_was_stopped = "durduruldu: o ana kadar bulunanlar aşağıda; bir Ctrl-C daha bitirir";
-        does_synthesize = "Bir görevi yapan mekanizmaları bulur: konumlar, bir işlev ya da bir yol";
+        search_was_stopped = "durduruldu: o ana kadarki sonuçlar aşağıda; bir Ctrl-C daha çıkar";
+        does_synthesize = "Bir görev için mekanizmalar bul: konumlar, bir fonksiyon ya da bir yol";
         task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
-        candidates_to_tell = "En iyisinden başlayarak kaç mekanizma anlatılsın";
-        tolerance_of_candidates = "Her uzunluğun ne kadar sapabileceği: sahnelere yazılır";
-        candidates_in_workbench = "Mekanizmaları çalışma tezgâhında yolları boyunca gezdir, birini sahne olarak al";
-        folder_of_candidates = "Anlatılan her mekanizmanın sahnesi için bir klasör";
-        tolerance_is_no_length = "--tolerance negatif olmayan bir uzunluk olmalı";
+        candidates_to_tell = "Listelenecek mekanizma sayısı, en iyisinden başlayarak";
+        tolerance_of_candidates = "Her boyun toleransı, sahnelere yazılır";
+        candidates_in_workbench =
+            "Mekanizmaları tezgâhta görev boyunca hareket ederken göster, birini sahne olarak al";
+        folder_of_candidates = "Listelenen her mekanizmanın sahnesi için bir klasör";
+        tolerance_is_no_length = "--tolerance en az 0 olan bir boy olmalı";
         nothing_does_the_task(reason: &str) = {
             match reason {
                 "" => "görevi yapan bir mekanizma bulunamadı".into(),
                 reason => format!("görevi yapan bir mekanizma bulunamadı: {reason}"),
             }
         };
-        no_task_and_no_file(name: &str, meant: &str) = "`{name}` adlı bir görev ya da dosya yok; olanlar: {meant}";
+        no_task_and_no_file(name: &str, meant: &str) =
+            "`{name}` adlı bir görev ya da dosya yok; bulunanlar: {meant}";
         example_is_a_task(name: &str) = "bu bir görev: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` hazır bir sahne, görev değil: krank {name} onu açar (krank help synthesis)";
         scene_would_be_lost(file: &str) =
-            "`{file}` içinde başka bir şey var, kaybolurdu; başka bir klasöre yazın ya da onu başka yere taşıyın";
+            "`{file}` içinde başka bir şey var, kaybolurdu; başka bir klasöre yaz ya da onu başka yere taşı";
         candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
         examples_of_synthesize = "\
 Örnekler:

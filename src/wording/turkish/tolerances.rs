@@ -1,43 +1,35 @@
-//! What tolerances do.
+//! Effects of tolerances.
 
 use super::Turkish;
 use crate::wording::english::TolerancesWords;
 
 catalogue! {
     impl TolerancesWords for Turkish {
-        no_tolerances =
-            "sahnedeki her boy tam: bir boyun ne kadar sapabileceğini tolerance ile, bir pimin \
-             boşluğunu clearance ile söyleyin";
+        no_tolerances = "sahnedeki her boy tam: boylar için `tolerance`, pimler için `clearance` ver";
         or_say_tolerance = "ya da burada: --tolerance 0.1";
-        redundant_jams =
-            "mekanizmada gerekenden çok kısıt var: bir boy saparsa mekanizma sıkışır, hiçbir \
-             büyüklük söylenemez";
-        no_tolerances_of_forces =
-            "toleranslar kuvvetler için değil, hareketin büyüklükleri için söylenir: kuvvetleri \
-             çıkarın";
+        redundant_jams = "mekanizma aşırı kısıtlı: bir boyun sapması onu sıkıştırır, hiçbir değer hesaplanamaz";
+        no_tolerances_of_forces = "toleranslar hareketin değerlerine uygulanır, kuvvetlere değil: bunları çıkar";
 
-        // What comes of them.
+        // Effects.
         within_tolerances = "toleranslar içinde";
         label_worst_case = "en kötü durum";
         range_and_off(low: &str, high: &str, below: &str, above: &str) =
             "{low} ile {high} arası ({below}, {above})";
         worst_by_corners = "toleransların bütün köşeleri çözüldü";
-        worst_enclosed = "kuşatıldı: hiçbir makine dışarıda kalmaz; en kötüsü daha içeride olabilir";
+        worst_enclosed = "kuşatıldı: hiçbir makine dışarıda kalmaz; gerçek en kötü durum daha küçük olabilir";
         worst_reached(low: &str, high: &str, below: &str, above: &str) =
-            "kesin ulaşılan: {low} ile {high} arası ({below}, {above})";
-        worst_searched =
-            "tahmin: bir boyla hem artıp hem azalıyor; en kötüsü toleransların içinde de arandı, \
-             kanıtlanmadı";
-        worst_at_edge = "tahmin: büyüklüğün var olduğu sınıra kadar arandı, kanıtlanmadı";
+            "ulaşıldığı kanıtlı: {low} ile {high} arası ({below}, {above})";
+        worst_searched = "tahmin: bir boyla monoton değil, bu yüzden toleransların içi de arandı; kanıtlanmadı";
+        worst_at_edge = "tahmin: değerin var olduğu sınıra kadar arandı; kanıtlanmadı";
         worst_unbounded = "toleranslar içindeki bir montaj sınırına doğru sınırsız büyüyor";
         no_worst_case(why: &str) = "yok: {why}";
         worst_at_least(low: &str, below: &str) = "en az {low} ({below})";
-        worst_above(why: &str) = "en büyüğü: yok: {why}";
+        worst_above(why: &str) = "en büyük: yok: {why}";
         worst_at_most(high: &str, above: &str) = "en çok {high} ({above})";
-        worst_below(why: &str) = "en küçüğü: yok: {why}";
-        worst_beside_unbounded = "öteki uç tahmin: sınır boyunca arandı, kanıtlanmadı";
-        worst_by_derivatives = "tahmin: türevlerin gösterdiği yerde çözüldü, kanıtlanmadı";
-        worst_sampled = "tahmin: bir örnek çözülenlerden daha ileri gidiyor, kanıtlanmadı";
+        worst_below(why: &str) = "en küçük: yok: {why}";
+        worst_beside_unbounded = "öteki uç tahmin: sınır boyunca arandı; kanıtlanmadı";
+        worst_by_derivatives = "tahmin: türevlerin gösterdiği köşede çözüldü; kanıtlanmadı";
+        worst_sampled = "tahmin: bir örnek çözülen değerleri aşıyor; kanıtlanmadı";
         worst_does_not_close = "kapanan makineler için; hepsi kapanmıyor";
         label_root_sum_square = "kareler karekökü";
         no_first_order = "yok: burada türev yok";
@@ -54,39 +46,37 @@ catalogue! {
         how_samples_are_made(count: u32, spread: &str, seed: u64) =
             "{count} makine, boylar {spread}, tohum {seed}";
         spread_normally = "normal dağılmış (tolerans üç standart sapma)";
-        spread_evenly = "eşit dağılmış";
+        spread_evenly = "düzgün dağılmış";
         samples_all_close = "hepsi burada kapanıyor";
         part_of_samples_open(part: &str) = "{part} kadarı burada kapanmıyor";
-        samples_keep_class = "hepsi ilk çevrimin sınıfını koruyor";
-        part_of_samples_changed(part: &str) = "{part} kadarında ilk çevrimin sınıfı değişiyor";
+        samples_keep_class = "hepsi ilk döngünün sınıfını koruyor";
+        part_of_samples_changed(part: &str) = "{part} kadarında ilk döngünün sınıfı değişiyor";
         rows_estimated(some: u64, rows: u64) =
-            "{rows} satırdan {some} tanesinde en kötü durum tahmin, kanıtlanmadı: nasıl \
-             bulunduğu worst.by sütununda";
+            "{rows} satırdan {some} tanesinde en kötü durum tahmin, kanıtlanmadı: worst.by sütununa bak";
         rows_that_may_not_close(some: u64, rows: u64) =
             "{rows} satırdan {some} tanesinde toleransı içindeki her makine kapanmıyor; en kötü \
              durum kapananlarınki";
 
-        no_figure_in_line = "bu satırda büyüklük yok: / ile birini bulun";
+        no_figure_in_line = "bu satırda değer yok: / ile bul";
 
-        // What a scene says of them.
+        // Tolerances in a scene.
         tolerance_of_point(name: &str) = "{name} noktasının toleransı";
         clearance_of_pin(name: &str) = "{name} piminin boşluğu";
         no_general_tolerance(what: &str, text: &str) =
             "{what} bir sayı ya da bir ISO 2768-1 sınıfı olmalı, oysa {text}";
         unknown_general_tolerance = "bilinmeyen sınıf";
         known_general_tolerances(list: &str) = "sınıflar: {list}";
-        nought_is_exact = "iki yana da sayılır; 0 tam demektir";
+        nought_is_exact = "iki yana da uygulanır; 0 tam demektir";
         frame_has_no_tolerance(name: &str) =
             "{name} uzvu şasenin kendisi, ona ayrı tolerans verilmez";
         is_of_the_frame = "şasenin";
-        give_ground_points_tolerances = "sabit noktalarına [tolerances] içinde verin";
-        guide_has_no_tolerance(of: &str) =
-            "{of}, adıyla verilen bir noktadan geçiyor: sapabilecek koordinatı yok";
+        give_ground_points_tolerances = "sabit noktalarının toleranslarını [tolerances] içinde ver";
+        guide_has_no_tolerance(of: &str) = "{of} adı verilen bir noktadan geçiyor: sapabilecek koordinatı yok";
         nothing_to_be_off = "sapacak bir şey yok";
-        give_point_of_guide_tolerance = "o noktaya [tolerances] içinde verin";
+        give_point_of_guide_tolerance = "o noktanın toleransını [tolerances] içinde ver";
         point_has_no_coordinates(what: &str) =
             "{what}: nokta yalnız uzuvların ucu, kendi koordinatı yok";
-        give_link_a_tolerance = "boyu orada biten uzva `tolerance` verin";
+        give_link_a_tolerance = "boyu orada biten uzva `tolerance` ver";
         tolerance_beyond_length(what: &str, length: f64, literal: &str) =
             "tolerans ({what}) boydan, {length} değerinden, küçük olmalı, oysa {literal}";
         no_deviation_of_size(class: &str, what: &str, size: f64, sizes: &str) =
@@ -95,17 +85,17 @@ catalogue! {
         sizes_over_to(low: f64, high: f64) = "{low} mm üstünde, {high} mm dahil ona kadar";
         of_this_length = "bu boy için";
         by_this_class = "bu sınıfla";
-        give_it_its_own_tolerance = "ona kendi toleransını verin";
+        give_it_its_own_tolerance = "ona kendi toleransını ver";
         clearance_beyond_length(what: &str, of: &str, length: f64, literal: &str) =
             "{what} yanındaki boydan ({of}), {length} değerinden, küçük olmalı, oysa {literal}";
-        give_it_its_own_clearance = "pime [clearances] içinde kendi boşluğunu verin";
+        give_it_its_own_clearance = "pime [clearances] içinde kendi boşluğunu ver";
         is_no_pin(what: &str) = "{what}: nokta hiçbir şeyi birleştirmiyor";
         joins_nothing = "pim değil";
         pins_join = "bir pim iki uzvu, ya da bir uzvu şaseyle veya bir yarıkla birleştirir";
         over_the_whole_motion = "bütün hareket boyunca";
         whole_has_no_place =
-            "bütün hareketin büyüklüklerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
+            "bütün hareketin değerlerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkar";
         beside_whole_say_where(name: &str) =
-            "{name} bütün hareketin büyüklüklerinin yanında: konumunu --at ile söyleyin ya da {name}@60 yazın";
+            "{name} bütün hareketin değerleriyle birlikte: yerini --at ile ver ya da {name}@60 yaz";
     }
 }

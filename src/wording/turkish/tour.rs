@@ -10,9 +10,8 @@ catalogue! {
 
         tour_of_the_screen = "krank'ın gösterdikleri";
         tour_of_the_screen_text =
-            "Bir krank mekanizmayı çevirir. Çizim ölçeklidir; tablolarda her parçanın konumu, hızı ve \
-             ivmesi vardır, * krank'ın bulduğudur.\nSon satır krankın yerini ve şimdi işe yarayan \
-             tuşları söyler.";
+            "Krank mekanizmayı sürer. Çizim ölçeklidir; tablolar her parçanın konumunu, hızını ve ivmesini \
+             gösterir, * hesaplanan değerdir.\nSon satır krank açısını ve en yararlı tuşları gösterir.";
         tour_of_the_crank = "Krankı çevirmek";
         tour_of_the_crank_text(keys: &[String; 10]) = {
             let [step, step_back, play, smaller, larger, slower, faster, reverse, go_to, opening] =
@@ -27,20 +26,19 @@ catalogue! {
         tour_of_figures_text(views: &[String; 8]) = {
             let [motion, tables, plots, accuracy, forces, working, motor, lengths] = views;
             format!(
-                "{tables} tablo, {plots} grafik, {forces} kuvvet, {working} çözüm, {motor} motor, \
-                 {motion} yine hareket.\nDeğerlerin, olduğunda, kanıtlı hata sınırı vardır: ötesindeki \
-                 haneler soluk ya da noktadır. Olmayan değer - ile yazılır. {accuracy} yöntemleri ölçer, \
-                 {lengths} boyların etkisini."
+                "{tables} tablo, {plots} grafik, {forces} kuvvet, {working} çözüm, {motor} motor, {motion} yine \
+                 hareket.\nDeğerlerin, olabildiğinde, kanıtlı hata sınırı vardır: ötesindeki haneler soluk ya da \
+                 noktadır. - değer yok demektir. {accuracy} yöntemleri, {lengths} boyların etkisini gösterir."
             )
         };
         tour_of_editing = "Düzenlemek ve kaydetmek";
         tour_of_editing_text(open: &str, next: &str, scene: &str, undo: &str, save: &str) =
-            "{open} hazır sahne ya da dosya açar; {next} sonraki hazır sahnedir.\n{scene} sahnenin \
-             bütün sayılarını düzenlemek için sıralar, mekanizma izler. {undo} geri alır. {save} \
-             basılmadan hiçbir şey yazılmaz.";
-        tour_of_help = "Yardım nerede";
+            "{open} hazır sahne ya da dosya açar; {next} sonraki hazır sahnedir.\n{scene} sahnenin bütün \
+             sayılarını düzenlemek için listeler, mekanizma izler. {undo} geri alır. {save} basılmadan hiçbir şey \
+             yazılmaz.";
+        tour_of_help = "Yardım almak";
         tour_of_help_text(help: &str, search: &str, back: &str, quit: &str, tour: &str) =
-            "{help} görünümün tuşlarını, sonra ötekileri sıralar; {search} arar. {back} bir düzey geri \
-             gider, {quit} çıkar.\n{tour} bu turu getirir. Terminalsiz: krank --help, krank man.";
+            "{help} görünümün tuşlarını, sonra ötekileri listeler; {search} arar. {back} bir düzey geri gider, \
+             {quit} çıkar.\n{tour} bu turu yine gösterir. Terminalsiz: krank --help, krank man.";
     }
 }

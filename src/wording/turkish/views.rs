@@ -1,4 +1,4 @@
-//! What the views are, and what is above and beside what they show.
+//! The views: titles, headings and remarks.
 
 use super::Turkish;
 use crate::wording::english::ViewsWords;
@@ -11,7 +11,7 @@ catalogue! {
         // The line of tabs, and panes.
         short_accuracy = "hata";
         means_nothing_here(key: &dyn Display, help: &str) = "{key} burada bir şey yapmaz; tuşlar: {help}";
-        nothing_acts_in_short = "burada bir şey etki etmiyor: yük, yay, kütle yok";
+        nothing_acts_in_short = "burada kuvvet yok: yük, yay ya da kütle yok";
         layout_is(name: &str) = {
             // The configuration's word stands behind it: that is what is written there.
             let said = match name {
@@ -32,13 +32,13 @@ catalogue! {
         drawing_with_live_tables = "Çizim, canlı tablolarla";
         tables_all = "Bütün tablolar";
         in_the_tables = "Tablolarda";
-        plotted_over_the_motion = "Hareket boyunca büyüklükler";
+        plotted_over_the_motion = "Hareket boyunca değerler";
         in_the_plots = "Grafiklerde";
         accuracy_of_methods = "Süreye karşı hata";
         in_the_accuracy_view = "Doğruluk görünümünde";
-        forces_everywhere = "Tahrikin yapması gereken, mafsalların ve kılavuzların taşıdığı";
+        forces_everywhere = "Tahrikin torku ya da kuvveti, mafsal ve kılavuz kuvvetleri";
         in_the_forces_view = "Kuvvet görünümünde";
-        what_the_scene_gives = "Sahnenin verdikleri";
+        what_the_scene_gives = "Sahnenin değerleri";
         in_the_scene_view = "Sahne görünümünde";
         working_line_by_line = "Çözüm, satır satır";
         in_the_working = "Çözümde";
@@ -59,13 +59,12 @@ catalogue! {
 
         // Forces.
         effort_without_bound(effort: &str) = "{effort}: sınırsız";
-        nothing_acts_at_all =
-            "Bu mekanizmaya bir şey etki etmiyor: sahnede yük, yay ve kütle yok.";
+        nothing_acts_at_all = "Bu mekanizmaya kuvvet etki etmiyor: sahnede yük, yay ve kütle yok.";
         gravity_without_mass =
-            "Bu mekanizmaya bir şey etki etmiyor: sahnede yerçekimi var, ama hiçbir uzvun kütlesi yok.";
+            "Bu mekanizmaya kuvvet etki etmiyor: sahnede yerçekimi var, ama hiçbir uzvun kütlesi yok.";
         how_forces_come =
-            "Bir uzva mass ve com ver ya da dosyaya [[loads]] veya [[springs]] ekle: o zaman bu görünüm \
-             tahrikin yapması gerekeni ve her mafsalın taşıdığını gösterir.";
+            "Bir uzva mass ve com ver ya da dosyaya [[loads]] veya [[springs]] ekle. Bu görünüm o zaman tahrikin \
+             torkunu ya da kuvvetini ve her mafsalın kuvvetini gösterir.";
         table_of_guides = "kılavuz";
         least_norm = "en küçük norm";
         force_on = "kuvvet";
@@ -75,9 +74,9 @@ catalogue! {
         table_of_checks = "sağlama";
         off_by = "fark";
 
-        // What takes too long.
-        too_many_lengths = "çok fazla boy: etkilerini krank table --sensitivity söyler";
-        too_many_links = "burada izlenecek uzuv çok fazla: krank explain hepsini yazar";
+        // Limits.
+        too_many_lengths = "çok fazla boy: krank table --sensitivity kullan";
+        too_many_links = "burada gösterilecek uzuv çok fazla: krank explain kullan";
         the_curve = "eğri";
     }
 }

@@ -151,7 +151,7 @@ fn the_end_that_a_link_begins_at_says_why_it_stays() {
     let from = place_of(&mut bench, "T");
     drag(&mut bench, from, &[Vec2::new(20.0, 20.0)]);
     let screen = bench.text();
-    assert!(screen.contains("T is where r4 begins"), "{screen}");
+    assert!(screen.contains("T is the origin of r4"), "{screen}");
     assert_eq!(bench.app().open_scene().scene().text(), text);
     assert!(!bench.app().is_changed());
 }
