@@ -261,6 +261,16 @@ impl Turn {
         }
     }
 
+    /// The point at a length in this direction from another one: where it is rounded, to its own digits.
+    fn from(self, pivot: Typed, length: Decimal) -> Typed {
+        match self {
+            Turn::Exact { .. } => pivot + self.times(length),
+            Turn::Rounded { angle, digits } => {
+                Typed::with_digits(pivot.plane() + unit(angle) * length.value(), digits)
+            }
+        }
+    }
+
     fn is_exact(self) -> bool {
         matches!(self, Turn::Exact { .. })
     }
@@ -556,11 +566,11 @@ impl Group {
 
     fn parallelogram(&mut self, frame: Decimal, turn: Turn, of: &'static Stage, draft: &mut Draft) {
         let pivot = self.at_pivot(draft, of);
-        let by = turn.times(frame);
-        draft.frame.push((of.far, pivot + by));
+        let far = turn.from(pivot, frame);
+        draft.frame.push((of.far, far));
         draft.bar(of.coupler, of.pin, of.joint, frame);
         draft.bar(of.rocker, of.far, of.joint, self.crank);
-        let by = by.plane();
+        let by = far.plane() - pivot.plane();
         self.follow(move |_, named| vec![(of.joint, named(of.pin) + by)]);
         self.changes_along(by, &[0.0, 180.0]);
         self.shifts.push((of.pin, of.joint, by));
@@ -630,12 +640,12 @@ impl Group {
             "kite" => self.crank,
             _ => self.frame(scale, dice),
         };
-        let by = turn.times(frame);
-        let far = (pivot + by).plane();
-        let by = by.plane();
+        let place = turn.from(pivot, frame);
+        let far = place.plane();
+        let by = far - middle;
         match name {
             "antiparallelogram" => {
-                draft.frame.push((of.far, pivot + turn.times(frame)));
+                draft.frame.push((of.far, place));
                 draft.bar(of.coupler, of.pin, of.joint, frame);
                 draft.bar(of.rocker, of.far, of.joint, self.crank);
                 self.follow(move |_, named| {
@@ -646,7 +656,7 @@ impl Group {
             }
             "kite" => {
                 let long = Decimal::rounded(a * dice.between(1.1, 4.0), 2);
-                draft.frame.push((of.far, pivot + turn.times(frame)));
+                draft.frame.push((of.far, place));
                 draft.bar(of.coupler, of.pin, of.joint, long);
                 draft.bar(of.rocker, of.far, of.joint, long);
                 let long = long.value();
@@ -655,7 +665,7 @@ impl Group {
                 self.doubles = true;
             }
             "dart" => {
-                draft.frame.push((of.far, pivot + turn.times(frame)));
+                draft.frame.push((of.far, place));
                 draft.bar(of.coupler, of.pin, of.joint, self.crank);
                 draft.bar(of.rocker, of.far, of.joint, frame);
                 self.follow(move |_, named| vec![(of.joint, middle.mirrored(named(of.pin), far))]);

@@ -871,6 +871,28 @@ fn unrelated_mistakes_are_no_misread_value() {
     assert!(points <= 8, "{points}");
 }
 
+/// Of two mistakes that have nothing in common one is not explained by a value that makes the other.
+#[test]
+fn two_unrelated_mistakes_are_no_misread_value() {
+    let key = key("four-bar", &[]);
+    let last = u32::try_from(key.figures.len() - 1).unwrap();
+    let mut chance = crate::numeric::SeededChance::new(7);
+    let mut explained = 0;
+    for _ in 0..100 {
+        let wrong = [chance.between(0, last), chance.between(0, last)];
+        let rows = (0..).zip(&key.figures).map(|(number, f)| {
+            let factor = match wrong.contains(&number) {
+                true => f64::from(chance.between(600, 900)) / 1000.0,
+                false => 1.0,
+            };
+            format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
+        });
+        let rows: String = rows.collect();
+        explained += usize::from(graded_rows("four-bar", None, &rows).misread.is_some());
+    }
+    assert!(explained <= 2, "{explained}");
+}
+
 /// A value of 0 is asked for, and 0 is the answer.
 #[test]
 fn an_answer_of_0_is_worth_a_point() {

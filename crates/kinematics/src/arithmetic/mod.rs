@@ -11,7 +11,6 @@ mod constant;
 mod decimal;
 mod double;
 mod dual;
-mod exponential;
 mod halves;
 mod lanes;
 mod machine;

@@ -37,6 +37,8 @@ pub(super) struct Engine {
     /// What is not placed, because nobody asked for it.
     left_out: Option<Arc<Marks>>,
     driven: Option<LinkId>,
+    /// For every point a link that carries it and is placed no later than it; `None` on the ground.
+    pub carriers: Vec<Option<LinkId>>,
     /// By how much more a watched constraint may miss, in the solver's unit.
     accepted: f64,
     /// The driver's speed and acceleration, in radians or scaled lengths.
@@ -54,6 +56,7 @@ impl Engine {
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
+            carriers: carriers(mechanism, &program),
             program,
             frame,
             turns: driver.turns(),
@@ -549,4 +552,23 @@ impl Gauge {
         };
         (miss, place.nearest().norm().max(1.0))
     }
+}
+
+/// Finds for every point a link that carries it, of those that are placed no later than the point.
+fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
+    let mut is_placed = vec![false; program.links.len()];
+    let mut carriers = vec![None; program.points.len()];
+    for step in &program.steps {
+        let mut points = Vec::new();
+        step.outputs(&program.coupled, &mut |part| match part {
+            PlacedPart::Point(point) => points.push(point),
+            PlacedPart::Link(link) => is_placed[link.index()] = true,
+            PlacedPart::Slide(_) => {}
+        });
+        for point in points {
+            let mut links = mechanism.point(point).links.iter().copied();
+            carriers[point.index()] = links.find(|link| is_placed[link.index()]);
+        }
+    }
+    carriers
 }

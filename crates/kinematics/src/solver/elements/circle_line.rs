@@ -10,7 +10,7 @@ use super::line::{Chord, GuideAt};
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, GuideLine, POSITION, StepOutcome, Stretching,
-    TwoAssemblies, VELOCITY,
+    TwoAssemblies, VELOCITY, sum,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -176,14 +176,15 @@ impl TwoAssemblies for CircleLine {
     }
 
     /// Seen from the guide.
-    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+    fn stretching(&self, _q: f64, _seen_from: LinkState, state: &State) -> Option<Stretching> {
         let guide = self.line.at(state);
         let pivot = state.points[self.arm.pivot.index()];
         let s = guide.t.dot(pivot.p - guide.q.p);
         Some(Stretching {
             toward: guide.n,
-            v: pivot.v - guide.velocity(s),
-            a: pivot.a - guide.acceleration(s, 0.0),
+            growth: guide.n.dot(pivot.v - guide.velocity(s)),
+            v: sum([pivot.v, -guide.velocity(s)]),
+            a: sum([pivot.a, -guide.acceleration(s, 0.0)]),
         })
     }
 

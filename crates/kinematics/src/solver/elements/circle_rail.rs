@@ -174,10 +174,12 @@ impl TwoAssemblies for CircleRail {
         Some(Vec2::of(self.along).cross(v))
     }
 
-    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+    fn stretching(&self, _q: f64, _seen_from: LinkState, state: &State) -> Option<Stretching> {
         let pivot = state.points[self.arm.pivot.index()];
+        let toward = self.along.nearest().perp();
         Some(Stretching {
-            toward: self.along.nearest().perp(),
+            toward,
+            growth: toward.dot(pivot.v),
             v: pivot.v,
             a: pivot.a,
         })

@@ -237,20 +237,24 @@ impl TwoAssemblies for Cylinder {
     }
 
     /// Both the distance of its pivots and its own arm change: these are the two components.
-    fn stretching(&self, q: f64, state: &State) -> Option<Stretching> {
+    fn stretching(&self, q: f64, _seen_from: LinkState, state: &State) -> Option<Stretching> {
         let of = self.triangle(q, state);
         let (local, along) = (self.local(q), self.along.nearest());
         let [near, far] = [self.pivot, self.far.pivot].map(|p| state.points[p.index()]);
         let (dv, da) = (far.v - near.v, far.a - near.a);
         let input = self.input(q);
         let (d, rho) = (of.d2.sqrt(), of.rho);
+        let across = of.u.cross(dv) / d;
         let arm = local.dot(along) / rho;
         let is_inner = of.inner < of.outer;
         let longer = if rho < self.far.length.hi { 1.0 } else { -1.0 };
+        let toward = Vec2::new(1.0, if is_inner { longer } else { -1.0 });
+        let v = Vec2::new(of.u.dot(dv) / d, arm * input.w);
         Some(Stretching {
-            toward: Vec2::new(1.0, if is_inner { longer } else { -1.0 }),
-            v: Vec2::new(of.u.dot(dv) / d, arm * input.w),
-            a: Vec2::new(of.u.dot(da) / d, arm * input.a),
+            toward,
+            growth: toward.dot(v),
+            v,
+            a: Vec2::new((of.u.dot(da) + across * across) / d, arm * input.a),
         })
     }
 

@@ -1,11 +1,13 @@
 //! The dyads with two assemblies, and what can be asked of each of them.
 
 use super::through::{FEW, Height, InSeries, Snap, between, squared};
-use super::{CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Stretching, Swing};
+use super::{
+    CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Stretching, Swing, sum,
+};
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
-use crate::solver::state::State;
-use crate::{Double, Number, PointId, Vec2};
+use crate::solver::state::{LinkState, State};
+use crate::{Double, LinkId, Number, PointId, Vec2};
 
 /// A dyad with two assemblies, of which the sign of its group chooses one.
 #[derive(Clone, Copy, Debug)]
@@ -56,13 +58,15 @@ pub(super) trait TwoAssemblies {
         Some((b.p - a.p).dot(b.v - a.v))
     }
 
-    /// How it is being stretched, by the rates of what it stands on.
-    fn stretching(&self, _q: f64, state: &State) -> Option<Stretching> {
+    /// Returns how it is being stretched, by the rates of its pivots.
+    fn stretching(&self, _q: f64, seen_from: LinkState, state: &State) -> Option<Stretching> {
         let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
+        let (d, LinkState { w, a: alpha, .. }) = (b.p - a.p, seen_from);
         Some(Stretching {
-            toward: b.p - a.p,
-            v: b.v - a.v,
-            a: b.a - a.a,
+            toward: d,
+            growth: d.dot(b.v - a.v),
+            v: sum([b.v, -a.v, -d.perp() * w]),
+            a: sum([b.a, -a.a, -d.perp() * alpha, d * (w * w)]),
         })
     }
 
@@ -135,9 +139,19 @@ impl Dyad<'_> {
         each!(self, d => d.stretch_rate(state))
     }
 
-    /// See [`TwoAssemblies::stretching`].
-    pub(in crate::solver) fn stretching(self, q: f64, state: &State) -> Option<Stretching> {
-        each!(self, d => d.stretching(q, state))
+    /// Returns how it is being stretched, seen from a link that carries one of its pivots: where that link is the
+    /// frame of an input, the relative motion stops and turns back as the input does.
+    pub(in crate::solver) fn stretching(
+        self,
+        q: f64,
+        carriers: &[Option<LinkId>],
+        state: &State,
+    ) -> Option<Stretching> {
+        let pivots = each!(self, d => d.pivots());
+        let carrier = pivots.and_then(|[_, pivot]| carriers[pivot.index()]);
+        let ground = LinkState::fixed(Vec2::X);
+        let seen_from = carrier.map_or(ground, |link| state.links[link.index()]);
+        each!(self, d => d.stretching(q, seen_from, state))
     }
 
     /// By how much it misses to close; 0 where it closes.

@@ -118,29 +118,62 @@ impl Walker<'_> {
                 }
             }
         }
-        found.retain(|(stretch, at)| {
-            let place = (stretch.group, *at);
-            self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
-        });
-        found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
-        found.into_iter().find_map(|(stretch, at)| {
-            if !is_known[stretch.step] || self.is_extreme_near(stretch.step, at) {
-                return self.limit_at(&stretch, at);
+        found.retain(|(stretch, at)| self.is_new(stretch, *at));
+        while let Some((stretch, at)) = self.take_nearest(&mut found) {
+            let limit = if !is_known[stretch.step] || self.exactly_near(stretch.step, at).is_some()
+            {
+                self.limit_at(&stretch, at)
+            } else {
+                // Doubles took it for stretched at the place of another one.
+                let mut extremes = self.extremes(&stretch).into_iter();
+                extremes.find_map(|at| {
+                    let is_new = self.is_new(&stretch, at);
+                    is_new.then(|| self.limit_at(&stretch, at)).flatten()
+                })
+            };
+            if limit.is_some() {
+                return limit;
             }
-            // Doubles took it for stretched at the place of another one.
-            let mut extremes = self.extremes(&stretch).into_iter();
-            extremes.find_map(|at| {
-                let is_passed = self.passages.has(self.engine, (stretch.group, at), SAME);
-                let is_new = self.ahead(at) > 0.0 && !is_passed;
-                is_new.then(|| self.limit_at(&stretch, at)).flatten()
-            })
-        })
+        }
+        None
     }
 
-    /// Whether a dyad's reach is extreme close to a coordinate, in twice the digits.
-    fn is_extreme_near(&mut self, step: usize, at: f64) -> bool {
+    /// Whether an extreme lies ahead and was not passed before.
+    fn is_new(&self, stretch: &Stretch, at: f64) -> bool {
+        self.ahead(at) > 0.0 && !self.passages.has(self.engine, (stretch.group, at), SAME)
+    }
+
+    /// Takes the extreme that comes first. Close to a change point of an earlier group doubles put that of a later
+    /// one elsewhere: it is moved to where it is in twice the digits.
+    fn take_nearest(&mut self, found: &mut Vec<(Stretch, f64)>) -> Option<(Stretch, f64)> {
+        for _ in 0..found.len() {
+            let (stretch, at) = self.pop_nearest(found)?;
+            let is_unsure = self.measure(stretch.group, at).abs() < UNSURE;
+            let exact = is_unsure.then(|| self.exactly(stretch.step, at)).flatten();
+            let is_elsewhere = |exact: &Double| {
+                let is_within = (exact.hi - stretch.from.0) * (stretch.to.0 - exact.hi) > 0.0;
+                is_within && self.engine.difference(exact.hi, at).abs() > NEIGHBOURING
+            };
+            match exact.filter(is_elsewhere) {
+                Some(exact) if self.is_new(&stretch, exact.hi) => found.push((stretch, exact.hi)),
+                _ => return Some((stretch, at)),
+            }
+        }
+        self.pop_nearest(found)
+    }
+
+    fn pop_nearest(&self, found: &mut Vec<(Stretch, f64)>) -> Option<(Stretch, f64)> {
+        let places = found.iter().enumerate();
+        let nearest = places.min_by(|(_, x), (_, y)| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
+        let number = nearest.map(|(number, _)| number)?;
+        Some(found.remove(number))
+    }
+
+    /// Where a dyad's reach is extreme close to a coordinate, in twice the digits. Newton's method may go to another
+    /// extreme from a place that is none.
+    fn exactly_near(&mut self, step: usize, at: f64) -> Option<Double> {
         let exact = self.exactly(step, at);
-        exact.is_some_and(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)
+        exact.filter(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)
     }
 
     /// Those of some dyads whose reach is extreme at the same place as that of another one.
@@ -166,7 +199,7 @@ impl Walker<'_> {
         for (i, step) in engine.program.steps.iter().enumerate() {
             let stretching = step.dyad().and_then(|dyad| {
                 engine.place_dyad(step, at, &mut self.state.state);
-                dyad.stretching(q, &self.state)
+                dyad.stretching(q, &engine.carriers, &self.state)
             });
             rates.push(stretching.and_then(|s| s.rate()));
             if self.run_some(i..i + 1, at, Order::Acceleration) == Condition::NoAssembly {
@@ -249,10 +282,8 @@ impl Walker<'_> {
     /// Where a dyad's reach is extreme, and how it stands there, in twice the digits; `None` where that cannot
     /// be told.
     fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
-        let exact = self.exactly(step, at)?;
-        let is_here = self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING;
-        let standing = is_here.then(|| self.standing_at(step, exact)).flatten();
-        Some((exact, standing?))
+        let at = self.exactly_near(step, at)?;
+        Some((at, self.standing_at(step, at)?))
     }
 
     fn note_miss(&mut self, group: usize, sine: f64, at: f64) {

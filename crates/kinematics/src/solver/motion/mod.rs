@@ -185,7 +185,7 @@ impl Motion {
 
     /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
     /// from a limit all that is left of a group's equations is rounding, and a state may not be found. Where the
-    /// pivots of equal arms meet at zero, the smallest distance gives them a direction.
+    /// pivots of equal arms meet, a distance gives them a direction.
     pub(super) fn drawn_back(&self, at: f64) -> impl Iterator<Item = f64> + use<> {
         let (low, high) = match self.whole {
             Range::Full { .. } => (f64::NEG_INFINITY, f64::INFINITY),
@@ -197,9 +197,7 @@ impl Motion {
             (high, -1.0)
         };
         let ulp = self.finest.max(f64::EPSILON * end.abs());
-        let beside_zero = (end == 0.0).then_some(inwards * BESIDE_ZERO);
         let draws = (0..MOST_DRAWS).map(move |k| end + inwards * ulp * f64::from(k).exp2());
-        let draws = beside_zero.into_iter().chain(draws);
         draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
@@ -217,8 +215,6 @@ impl Motion {
     }
 }
 
-/// Closest to a range end at zero: far below the rounding of any length, and its square is still a double.
-const BESIDE_ZERO: f64 = 1e-60;
 /// Doublings from one ulp by which a coordinate is drawn back from the end of a range, at the most.
 const MOST_DRAWS: i32 = 24;
 
@@ -247,6 +243,8 @@ pub(super) fn explore<'e>(
         sense: 1.0,
         passages: Passages::default(),
         ahead: None,
+        limit: start,
+        last_passed: f64::NEG_INFINITY,
         unproved: Vec::new(),
         lined_up: Vec::new(),
         samples: Vec::new(),
@@ -266,6 +264,7 @@ pub(super) fn explore<'e>(
         Ok(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
+            walker.last_passed = f64::NEG_INFINITY;
             let low = walker.walk()?.end();
             let low = low.unwrap_or_else(|turns| BoundedEnd::exact(start - angle_turn(turns)));
             let bounds = [low, high].map(|end| end.bound);

@@ -88,6 +88,10 @@ pub(super) struct Walker<'e> {
     pub(super) passages: Passages,
     /// The extreme that was found last, at the limit that it is.
     pub(super) ahead: Option<ReachExtreme>,
+    /// The limit that is being passed.
+    pub(super) limit: f64,
+    /// How far on the way the last change point is.
+    pub(super) last_passed: f64,
     /// The groups whose assemblies meet at the limit ahead, as far as that is known.
     pub(super) unproved: Vec<GroupId>,
     /// The ends at which groups are lined up.
@@ -271,7 +275,7 @@ impl Walker<'_> {
         let steps = self.engine.program.steps.iter().enumerate();
         let dyads = steps.filter_map(|(i, step)| Some((i, step.dyad()?)));
         dyads
-            .map(|(i, dyad)| (i, dyad.stretching(q, &self.state)))
+            .map(|(i, dyad)| (i, dyad.stretching(q, &self.engine.carriers, &self.state)))
             .collect()
     }
 
