@@ -196,11 +196,7 @@ fn a_singular_group_names_its_elements() {
         elements: vec![ElementId::Point(point), ElementId::Driver],
         is_here_only: false,
     };
-    says(
-        &scene,
-        &fault,
-        &["determine no position", "the driver"],
-    );
+    says(&scene, &fault, &["determine no position", "the driver"]);
     let fault = Fault::Singular {
         elements: vec![ElementId::Point(point)],
         is_here_only: true,
@@ -208,7 +204,10 @@ fn a_singular_group_names_its_elements() {
     says(
         &scene,
         &fault,
-        &["the scene opens at a change point or a dead point", "open the scene at another"],
+        &[
+            "the scene opens at a change point or a dead point",
+            "open the scene at another",
+        ],
     );
 }
 

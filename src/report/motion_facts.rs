@@ -250,7 +250,10 @@ mod tests {
         assert!(!told.contains("the motion over time passes"), "{told}");
         assert!(json["motion"]["leaves"].is_null());
         // Neither end of it is ever met.
-        assert!(told.contains("never reached: rod from 100 to 500 mm"), "{told}");
+        assert!(
+            told.contains("never reached: rod from 100 to 500 mm"),
+            "{told}"
+        );
         assert_eq!(json["unmet"][0]["name"], "rod");
     }
 }

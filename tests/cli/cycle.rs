@@ -183,10 +183,7 @@ fn the_driver_is_followed_where_it_is_named() {
 #[test]
 fn poles_and_rests_are_told() {
     let text = done(&["cycle", "four-bar", "--columns", "MA = r2.omega / r4.omega"]);
-    assert!(
-        text.contains("none: it is unbounded near 36.4"),
-        "{text}"
-    );
+    assert!(text.contains("none: it is unbounded near 36.4"), "{text}");
     let text = done(&["cycle", "four-bar", "--columns", "f = max(B.y, 50 mm)"]);
     assert!(
         text.contains("minimum 50 mm from 150 deg to 30 deg"),

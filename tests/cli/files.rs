@@ -77,7 +77,11 @@ fn the_scene_that_is_read_is_not_written_over() {
         ] {
             let told = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
             assert_eq!(told.code, 2, "{command} {name}: {}", told.err);
-            assert!(told.err.contains("the output file is the input scene"), "{}", told.err);
+            assert!(
+                told.err.contains("the output file is the input scene"),
+                "{}",
+                told.err
+            );
         }
         let told = shell(&folder, &format!("$KRANK sweep - -o {name} < scene.toml"));
         assert_eq!(told.code, 2, "{name}: {}", told.err);

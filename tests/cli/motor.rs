@@ -203,7 +203,9 @@ fn a_ram_is_measured_where_nothing_acts() {
     let heard = krank(&args);
     assert_eq!(heard.code, 0, "a ram is something to tell");
     assert!(
-        heard.err.contains("the scene has no loads, springs or masses"),
+        heard
+            .err
+            .contains("the scene has no loads, springs or masses"),
         "{}",
         heard.err
     );

@@ -163,7 +163,9 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     let Run { code, out, err } = krank(&study(&["--vary", vary]));
     assert_eq!(code, 0);
     assert!(
-        err.contains("1 of 2 designs cannot be assembled like the scene, and 0 are not valid scenes"),
+        err.contains(
+            "1 of 2 designs cannot be assembled like the scene, and 0 are not valid scenes"
+        ),
         "{err}"
     );
     let found = rows(&out);
@@ -202,7 +204,8 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     );
 
     assert!(
-        refused_with_rows(&study(&["--vary", "r3.length=10..20/2"])).contains("none of the values exists")
+        refused_with_rows(&study(&["--vary", "r3.length=10..20/2"]))
+            .contains("none of the values exists")
     );
 }
 

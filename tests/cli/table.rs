@@ -123,9 +123,7 @@ fn where_there_is_no_sensitivity_it_is_said() {
     assert_eq!(heard.code, 0);
     assert!(json(&heard.out)["sensitivity"].is_null(), "{}", heard.out);
     assert!(
-        heard
-            .err
-            .starts_with("note: no derivatives by the lengths"),
+        heard.err.starts_with("note: no derivatives by the lengths"),
         "{}",
         heard.err
     );
@@ -485,7 +483,8 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
     for at in ["60", "-300", "780"] {
         let heard = table(at);
         assert!(heard.out.contains("driver r2 at 420 deg"), "{}", heard.out);
-        let note = format!("note: using 420 deg instead of {at} deg: the driver covers 396.8698976458");
+        let note =
+            format!("note: using 420 deg instead of {at} deg: the driver covers 396.8698976458");
         assert!(heard.err.contains(&note), "{}", heard.err);
     }
     assert!(!table("420").err.contains("taken as"));

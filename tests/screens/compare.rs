@@ -230,12 +230,7 @@ fn it_ends_by_its_key_and_with_the_scene() {
     let before = session.look();
     session.press("D").type_in("longer").press("Enter");
     assert!(session.look().contains("against longer.toml"));
-    assert!(
-        session
-            .press("D")
-            .last_line()
-            .contains("comparison ended")
-    );
+    assert!(session.press("D").last_line().contains("comparison ended"));
     // The message goes with the next key.
     assert_eq!(session.press("Esc").look(), before);
     // What was compared last is under the cursor: to and fro takes two keys.

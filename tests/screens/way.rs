@@ -276,7 +276,10 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert!(line.contains("C=- now; F6 saves it"), "{line}");
     let help = session.press("F9 /").type_in("preset").look();
     assert!(!help.contains("the next preset"), "{help}");
-    let topic = session.press("Tab Tab Tab Tab Tab /").type_in("pause").look();
+    let topic = session
+        .press("Tab Tab Tab Tab Tab /")
+        .type_in("pause")
+        .look();
     assert!(topic.contains("Help: keys"), "{topic}");
     assert!(
         topic.contains("`F5`") && !topic.contains("`space`"),

@@ -171,11 +171,11 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "Stephenson's third six-bar chain, driven at the dyad's side; own dimensions",
-        "Stephenson'ın üçüncü altı çubuk zinciri, diadın yanından tahrikli; boyutlar kendimizden",
+        "Stephenson'ın üçüncü altı çubuk zinciri, ikili grubun yanından tahrikli; boyutlar kendimizden",
     ),
     (
         "No dyad can be solved by itself: three legs carry the ternary coupler r4 at once (an Assur group of class III), so all of them are solved together, by Newton.",
-        "Hiçbir diad tek başına çözülemez: üç bacak, üç mafsallı biyel r4 uzvunu birlikte taşır (III. sınıf Assur grubu); bu yüzden hepsi birlikte, Newton yöntemiyle çözülür.",
+        "Hiçbir ikili grup tek başına çözülemez: üç bacak, üç mafsallı biyel r4 uzvunu birlikte taşır (III. sınıf Assur grubu); bu yüzden hepsi birlikte, Newton yöntemiyle çözülür.",
     ),
     (
         "Jansen's walking leg",

@@ -37,7 +37,7 @@ pub(super) struct Engine {
     /// What is not placed, because nobody asked for it.
     left_out: Option<Arc<Marks>>,
     driven: Option<LinkId>,
-    /// For every point a link that carries it and is placed no later than it; `None` on the ground.
+    /// For every point the link placed before it that carries it, if one does: a joint is carried by none.
     pub carriers: Vec<Option<LinkId>>,
     /// By how much more a watched constraint may miss, in the solver's unit.
     accepted: f64,
@@ -554,21 +554,22 @@ impl Gauge {
     }
 }
 
-/// Finds for every point a link that carries it, of those that are placed no later than the point.
+/// Finds for every point the link placed before it that carries it.
 fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
     let mut is_placed = vec![false; program.links.len()];
     let mut carriers = vec![None; program.points.len()];
     for step in &program.steps {
-        let mut points = Vec::new();
+        let mut links = Vec::new();
         step.outputs(&program.coupled, &mut |part| match part {
-            PlacedPart::Point(point) => points.push(point),
-            PlacedPart::Link(link) => is_placed[link.index()] = true,
+            PlacedPart::Point(point) => {
+                let of_point = &mechanism.point(point).links;
+                let mut before = of_point.iter().copied().filter(|l| is_placed[l.index()]);
+                carriers[point.index()] = before.next();
+            }
+            PlacedPart::Link(link) => links.push(link),
             PlacedPart::Slide(_) => {}
         });
-        for point in points {
-            let mut links = mechanism.point(point).links.iter().copied();
-            carriers[point.index()] = links.find(|link| is_placed[link.index()]);
-        }
+        links.iter().for_each(|link| is_placed[link.index()] = true);
     }
     carriers
 }

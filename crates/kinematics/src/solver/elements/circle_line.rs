@@ -9,8 +9,8 @@
 use super::line::{Chord, GuideAt};
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, GuideLine, POSITION, StepOutcome, Stretching,
-    TwoAssemblies, VELOCITY, sum,
+    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, GuideLine, POSITION, RelativeMotion,
+    StepOutcome, Stretching, TwoAssemblies, VELOCITY, sum,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -183,8 +183,10 @@ impl TwoAssemblies for CircleLine {
         Some(Stretching {
             toward: guide.n,
             growth: guide.n.dot(pivot.v - guide.velocity(s)),
-            v: sum([pivot.v, -guide.velocity(s)]),
-            a: sum([pivot.a, -guide.acceleration(s, 0.0)]),
+            seen: [RelativeMotion {
+                v: sum([pivot.v, -guide.velocity(s)]),
+                a: sum([pivot.a, -guide.acceleration(s, 0.0)]),
+            }; FRAMES],
         })
     }
 

@@ -3,8 +3,8 @@
 use super::line::Chord;
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, StepOutcome, Stretching, TwoAssemblies,
-    VELOCITY,
+    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, POSITION, RelativeMotion, StepOutcome,
+    Stretching, TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -180,8 +180,10 @@ impl TwoAssemblies for CircleRail {
         Some(Stretching {
             toward,
             growth: toward.dot(pivot.v),
-            v: pivot.v,
-            a: pivot.a,
+            seen: [RelativeMotion {
+                v: pivot.v,
+                a: pivot.a,
+            }; FRAMES],
         })
     }
 

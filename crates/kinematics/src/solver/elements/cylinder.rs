@@ -2,8 +2,8 @@
 
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, Stretching,
-    TwoAssemblies, VELOCITY, triangle_reserve,
+    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, POSITION, REACH_SLACK, RelativeMotion,
+    StepOutcome, Stretching, TwoAssemblies, VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -253,8 +253,10 @@ impl TwoAssemblies for Cylinder {
         Some(Stretching {
             toward,
             growth: toward.dot(v),
-            v,
-            a: Vec2::new((of.u.dot(da) + across * across) / d, arm * input.a),
+            seen: [RelativeMotion {
+                v,
+                a: Vec2::new((of.u.dot(da) + across * across) / d, arm * input.a),
+            }; FRAMES],
         })
     }
 

@@ -2,7 +2,8 @@
 
 use super::through::{FEW, Height, InSeries, Snap, between, squared};
 use super::{
-    CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Stretching, Swing, sum,
+    CircleLine, CircleRail, Circles, Cylinder, Element, RelativeMotion, StepOutcome, Stretching,
+    Swing, sum,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -62,11 +63,18 @@ pub(super) trait TwoAssemblies {
     fn stretching(&self, _q: f64, seen_from: LinkState, state: &State) -> Option<Stretching> {
         let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
         let (d, LinkState { w, a: alpha, .. }) = (b.p - a.p, seen_from);
-        Some(Stretching {
-            toward: d,
-            growth: d.dot(b.v - a.v),
+        let from_ground = RelativeMotion {
+            v: b.v - a.v,
+            a: b.a - a.a,
+        };
+        let from_link = RelativeMotion {
             v: sum([b.v, -a.v, -d.perp() * w]),
             a: sum([b.a, -a.a, -d.perp() * alpha, d * (w * w)]),
+        };
+        Some(Stretching {
+            toward: d,
+            growth: d.dot(from_ground.v),
+            seen: [from_ground, from_link],
         })
     }
 
@@ -139,8 +147,7 @@ impl Dyad<'_> {
         each!(self, d => d.stretch_rate(state))
     }
 
-    /// Returns how it is being stretched, seen from a link that carries one of its pivots: where that link is the
-    /// frame of an input, the relative motion stops and turns back as the input does.
+    /// Returns how it is being stretched. `carriers` tells for every point the link that carries it, if one does.
     pub(in crate::solver) fn stretching(
         self,
         q: f64,
@@ -148,7 +155,8 @@ impl Dyad<'_> {
         state: &State,
     ) -> Option<Stretching> {
         let pivots = each!(self, d => d.pivots());
-        let carrier = pivots.and_then(|[_, pivot]| carriers[pivot.index()]);
+        let mut carriers = pivots.into_iter().flatten().map(|p| carriers[p.index()]);
+        let carrier = carriers.find_map(|carrier| carrier);
         let ground = LinkState::fixed(Vec2::X);
         let seen_from = carrier.map_or(ground, |link| state.links[link.index()]);
         each!(self, d => d.stretching(q, seen_from, state))

@@ -5,14 +5,25 @@ use crate::Vec2;
 /// A sum of velocities or accelerations below this part of its largest term is rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// The motion that stretches a dyad: its component along `toward` changes the reach, the distance of the pivots
-/// or of pivot and guide.
+/// How fast a dyad is being stretched: how its reach changes, the distance of the pivots or of pivot and guide.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Stretching {
+    /// The direction in which the reach grows, not of unit length.
     pub(in crate::solver) toward: Vec2,
     /// How fast the reach grows, times the length of `toward`, by the driver's coordinate.
     pub(in crate::solver) growth: f64,
-    /// The relative velocity of both ends, by the driver's coordinate.
+    /// How both ends move against each other, seen from the ground and from a link that carries one of them: relative
+    /// to the frame of an input this stops, and turns back, as the input does.
+    pub(in crate::solver) seen: [RelativeMotion; FRAMES],
+}
+
+/// The frames in which the ends of a dyad are looked at.
+pub(in crate::solver) const FRAMES: usize = 2;
+
+/// How one end of a dyad moves against the other.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct RelativeMotion {
+    /// The velocity, by the driver's coordinate.
     pub(in crate::solver) v: Vec2,
     /// Its derivative where it is zero.
     pub(in crate::solver) a: Vec2,
@@ -22,26 +33,21 @@ impl Stretching {
     /// The rate of the reach for unit speed and, up to a positive factor, unit reach: the cosine of an angle
     /// between links. `None` where nothing moves.
     pub(in crate::solver) fn rate(&self) -> Option<f64> {
-        let rate = self.growth / self.v.norm();
-        rate.is_finite().then_some(rate)
+        let rate = self.growth / self.seen[0].v.norm();
+        let moves = rate.is_finite() && !self.rests();
+        moves.then_some(rate)
     }
 
     /// Whether nothing moves, and nothing begins to.
     pub(in crate::solver) fn rests(&self) -> bool {
-        self.v == Vec2::ZERO && self.a == Vec2::ZERO
+        let mut seen = self.seen.iter();
+        seen.any(|seen| seen.v == Vec2::ZERO && seen.a == Vec2::ZERO)
     }
 
-    /// As [`Stretching::rate`], 0 where nothing moves; beside a standstill, towards `sense`, what begins the motion.
-    pub(in crate::solver) fn rate_from(&self, sense: f64, is_still: bool) -> f64 {
-        match is_still {
-            true => self.rate_beside(sense),
-            false => self.rate().unwrap_or(0.0),
-        }
-    }
-
-    /// The sign that the rate has just beside a place at which the motion turns back, towards `sense`.
-    pub(in crate::solver) fn rate_beside(&self, sense: f64) -> f64 {
-        sense * self.toward.dot(self.a)
+    /// The sign that the rate has just beside a place at which the motion in a frame stops or turns back, towards
+    /// `sense`.
+    pub(in crate::solver) fn rate_beside(&self, frame: usize, sense: f64) -> f64 {
+        sense * self.toward.dot(self.seen[frame].a)
     }
 }
 

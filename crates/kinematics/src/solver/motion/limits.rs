@@ -7,7 +7,7 @@ use super::{NearMiss, ONE_MISS};
 use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;
-use crate::solver::elements::Stretching;
+use crate::solver::elements::{FRAMES, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
@@ -215,11 +215,11 @@ impl Walker<'_> {
         let &Stretch { step, from, to, .. } = stretch;
         let rates = stretch.rates(self.sense);
         let [a, b] = [(from.0, rates[0]), (to.0, rates[1])];
-        let Some((back, still)) = self.turning_back(stretch) else {
+        let Some((back, still, frame)) = self.turning_back(stretch) else {
             return self.most_stretched(step, a, b).into_iter().collect();
         };
         let sense = self.sense;
-        let [before, behind] = [-sense, sense].map(|side| (back, still.rate_beside(side)));
+        let [before, behind] = [-sense, sense].map(|side| (back, still.rate_beside(frame, side)));
         let first = self.most_stretched(step, a, before);
         let last = self.most_stretched(step, behind, b);
         let mut all: Vec<f64> = first.into_iter().chain([back]).chain(last).collect();
@@ -227,23 +227,26 @@ impl Walker<'_> {
         all
     }
 
-    /// Where the motion that stretches a dyad turns back between two samples, and how it does.
-    fn turning_back(&mut self, stretch: &Stretch) -> Option<(f64, Stretching)> {
+    /// Where the motion that stretches a dyad turns back between two samples, how it does, and in which frame.
+    fn turning_back(&mut self, stretch: &Stretch) -> Option<(f64, Stretching, usize)> {
         let &Stretch { step, from, to, .. } = stretch;
-        let (v, w) = (from.1.v, to.1.v);
-        if !stretch.turns_back() {
-            return None;
-        }
-        let along = |s: Stretching| s.v.dot(v - w);
-        let ends = [from, to].map(|(at, s)| (at, along(s)));
         let finest = self.engine.finest();
-        let back = root(ends[0], ends[1], finest, |at| {
-            self.stretching(step, at).map(along)
-        });
-        let back = back.ok()?;
-        let there = self.stretching(step, back)?;
-        let is_still = there.v.norm() <= STILL * v.norm().max(w.norm());
-        is_still.then_some((back, there))
+        (0..FRAMES).find_map(|frame| {
+            if !stretch.turns_back_in(frame) {
+                return None;
+            }
+            let velocity = |s: &Stretching| s.seen[frame].v;
+            let (v, w) = (velocity(&from.1), velocity(&to.1));
+            let along = |s: &Stretching| velocity(s).dot(v - w);
+            let ends = [from, to].map(|(at, s)| (at, along(&s)));
+            let back = root(ends[0], ends[1], finest, |at| {
+                self.stretching(step, at).as_ref().map(along)
+            });
+            let back = back.ok()?;
+            let there = self.stretching(step, back)?;
+            let is_still = velocity(&there).norm() <= STILL * v.norm().max(w.norm());
+            is_still.then_some((back, there, frame))
+        })
     }
 
     /// The limit that an extreme of a dyad's reach is, or that comes just before it.
@@ -404,21 +407,29 @@ impl Walker<'_> {
 }
 
 impl Stretch {
-    /// Whether the relative velocity turns back between the samples.
+    /// Whether the relative velocity turns back between the samples, in any frame.
     fn turns_back(&self) -> bool {
-        self.from.1.v.dot(self.to.1.v) < 0.0
+        (0..FRAMES).any(|frame| self.turns_back_in(frame))
+    }
+
+    fn turns_back_in(&self, frame: usize) -> bool {
+        let [v, w] = [self.from.1, self.to.1].map(|s| s.seen[frame].v);
+        v.dot(w) < 0.0
     }
 
     /// The rates at both samples. Where one stands still, as at the end of a table, the rate is zero there whatever
     /// happens between: what counts is its sign just beside, on the inner side.
     fn rates(&self, sense: f64) -> [f64; 2] {
         let [from, to] = [self.from.1, self.to.1];
-        let speeds = [from, to].map(|s| s.v.norm());
-        let is_still = |own: f64, other: f64| own <= STILL * other;
-        let rates = [
-            from.rate_from(sense, is_still(speeds[0], speeds[1])),
-            to.rate_from(-sense, is_still(speeds[1], speeds[0])),
-        ];
+        let rate = |own: Stretching, other: Stretching, inwards: f64| {
+            let speed = |s: &Stretching, frame: usize| s.seen[frame].v.norm();
+            let is_still = |&f: &usize| speed(&own, f) <= STILL * speed(&other, f);
+            match (0..FRAMES).find(is_still) {
+                Some(frame) => own.rate_beside(frame, inwards),
+                None => own.rate().unwrap_or(0.0),
+            }
+        };
+        let rates = [rate(from, to, sense), rate(to, from, -sense)];
         // Behind the end of a table nothing moves: there is no extreme.
         match (from.rests(), to.rests()) {
             (true, true) => [0.0; 2],
