@@ -554,22 +554,24 @@ impl Gauge {
     }
 }
 
-/// Finds for every point the link placed before it that carries it.
+/// Finds for every point the first link placed before it that carries it.
 fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
-    let mut is_placed = vec![false; program.links.len()];
+    let mut placed: Vec<Option<usize>> = vec![None; program.links.len()];
     let mut carriers = vec![None; program.points.len()];
-    for step in &program.steps {
+    for (number, step) in program.steps.iter().enumerate() {
         let mut links = Vec::new();
         step.outputs(&program.coupled, &mut |part| match part {
             PlacedPart::Point(point) => {
-                let of_point = &mechanism.point(point).links;
-                let mut before = of_point.iter().copied().filter(|l| is_placed[l.index()]);
-                carriers[point.index()] = before.next();
+                let carrying = mechanism.point(point).links.iter().copied();
+                let before = carrying.filter_map(|l| Some((placed[l.index()]?, l)));
+                carriers[point.index()] = before.min_by_key(|(at, _)| *at).map(|(_, l)| l);
             }
             PlacedPart::Link(link) => links.push(link),
             PlacedPart::Slide(_) => {}
         });
-        links.iter().for_each(|link| is_placed[link.index()] = true);
+        for link in links {
+            placed[link.index()].get_or_insert(number);
+        }
     }
     carriers
 }

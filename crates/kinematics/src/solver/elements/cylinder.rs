@@ -3,7 +3,7 @@
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, POSITION, REACH_SLACK, RelativeMotion,
-    StepOutcome, Stretching, TwoAssemblies, VELOCITY, triangle_reserve,
+    StepOutcome, Stretching, TwoAssemblies, VELOCITY, settled, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -249,13 +249,16 @@ impl TwoAssemblies for Cylinder {
         let is_inner = of.inner < of.outer;
         let longer = if rho < self.far.length.hi { 1.0 } else { -1.0 };
         let toward = Vec2::new(1.0, if is_inner { longer } else { -1.0 });
-        let v = Vec2::new(of.u.dot(dv) / d, arm * input.w);
+        let inwards = across * across / d;
+        let speed = settled(of.u.dot(dv) / d, dv.norm());
+        let rate = settled(of.u.dot(da) / d + inwards, da.norm().max(inwards));
+        let v = Vec2::new(speed, arm * input.w);
         Some(Stretching {
             toward,
             growth: toward.dot(v),
             seen: [RelativeMotion {
                 v,
-                a: Vec2::new((of.u.dot(da) + across * across) / d, arm * input.a),
+                a: Vec2::new(rate, arm * input.a),
             }; FRAMES],
         })
     }

@@ -42,7 +42,7 @@ pub(super) use lock::Lock;
 pub(super) use push::Push;
 pub(super) use ride::Ride;
 pub(super) use slide_readout::SlideReadout;
-pub(super) use stretching::{FRAMES, RelativeMotion, Stretching, sum};
+pub(super) use stretching::{FRAMES, RelativeMotion, Stretching, settled, sum};
 pub(super) use swing::Swing;
 pub(super) use through::{Height, Snap, ZERO, root};
 pub(super) use timed::Timed;

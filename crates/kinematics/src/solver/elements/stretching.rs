@@ -58,3 +58,9 @@ pub(in crate::solver) fn sum<const N: usize>(terms: [Vec2; N]) -> Vec2 {
     let is_rounding = sum.norm() <= ROUNDING * largest;
     if is_rounding { Vec2::ZERO } else { sum }
 }
+
+/// A value that is all rounding against the largest of its terms is zero.
+pub(in crate::solver) fn settled(value: f64, largest: f64) -> f64 {
+    let is_rounding = value.abs() <= ROUNDING * largest;
+    if is_rounding { 0.0 } else { value }
+}

@@ -20,8 +20,6 @@ const TOGETHER: f64 = 1e-12;
 /// or the pivots are so many roundings of their coordinates away from where they would be: a line that
 /// begins with a short link is turned by them.
 const LEVER: f64 = 64.0;
-/// A second coefficient below this part of the fourth may stand for zeros that are close to each other.
-const SHALLOW: f64 = 1e-8;
 /// A third coefficient squared below this part of the product of its neighbours belongs to an even function: close to
 /// the end of a motion it is 0.8 of that, at one of two zeros close to each other 4 times that.
 const EVEN: f64 = 1e-3;
@@ -106,7 +104,7 @@ impl Walker<'_> {
                     return missing(dyad, q, &height, state);
                 }
                 Some(0) => return beside(&height),
-                Some(2) if touches(&height) => return missing(dyad, q, &height, state),
+                Some(2) if touches(&height, first) => return missing(dyad, q, &height, state),
                 Some(order) => {
                     let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
                     (snap, Some(order))
@@ -210,9 +208,11 @@ fn beside(height: &Height) -> Result<Standing, Refusal> {
 /// Whether a dyad's height squared is (a + b t^2)^2, with an `a` too small to be told from zero: what moves the dyad
 /// turns back here, close to a change point. At one of two change points close to each other the square is
 /// (a t + b t^2)^2 instead.
-fn touches(height: &Height) -> bool {
+fn touches(height: &Height, zero: f64) -> bool {
     let [second, third, fourth] = [2, 3, 4].map(|n| height.square.c[n].hi);
-    second.abs() <= SHALLOW * fourth && third * third <= EVEN * second.abs() * fourth
+    let is_even = third * third <= EVEN * second.abs() * fourth;
+    let is_shallow = second * second <= 4.0 * fourth * zero * height.size.c[0].hi;
+    is_even && is_shallow
 }
 
 /// How much of a snap is across the reach: what parts the arms, and does not only move the place.
