@@ -369,7 +369,7 @@ mod tests {
         assert_eq!(judge(&[]).variables()[0], ("TERM", None));
         assert_eq!(
             judge(&[("TERM", "vt220")]).colours().why,
-            "TERM=vt220 has none"
+            "TERM=vt220 supports none"
         );
     }
 

@@ -38,8 +38,8 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     };
     let phrases = [
         "the mobility is 2, not 1",
-        "`r3` floats",
-        "`r4` floats",
+        "`r3` is not fully constrained",
+        "`r4` is not fully constrained",
         "1 constraint is redundant",
         "1 constraint is missing",
     ];

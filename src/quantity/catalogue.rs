@@ -396,7 +396,10 @@ mod tests {
         let unknown = catalogue.select(&["c.x"]).unwrap_err();
         assert_eq!(unknown.nearest.as_deref(), Some("C.x"));
         let nothing = catalogue.select(&["driver.torque"]).unwrap_err();
-        assert!(nothing.to_string().contains("nothing acts"), "{nothing}");
+        assert!(
+            nothing.to_string().contains("no loads, springs or masses"),
+            "{nothing}"
+        );
     }
 
     /// They are found by their names, offered beside other names, and never by a star.

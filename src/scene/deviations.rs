@@ -476,7 +476,7 @@ mod tests {
             .replace("ISO 2768-m", "ISO 2768-v")
             .replace("[40, 0.2]", "[40, 0.3]");
         let told = Scene::parse(&text, "t.toml").unwrap_err().to_string();
-        assert!(told.contains("it speaks of over 3 up to 4000 mm"), "{told}");
+        assert!(told.contains("it covers over 3 up to 4000 mm"), "{told}");
     }
 
     const SCENE: &str = r#"

@@ -264,7 +264,7 @@ fn a_class_is_a_table() {
     let one = krank(&["grade", shown(&class), shown(&files[0])]);
     assert_eq!((one.code, one.err.as_str()), (0, ""));
     assert!(
-        one.out.contains("22 points of 22: 22 figures are right"),
+        one.out.contains("22 points of 22: 22 values are right"),
         "{}",
         one.out
     );

@@ -225,7 +225,10 @@ fn the_motor_goes_through_the_period_of_the_motion() {
     );
     near(found["period"].as_f64().unwrap(), 1.1, 1.0);
     let text = done(&["motor", &path, "--rated", "1"]);
-    assert!(text.contains("period of 1.1 s"), "{text}");
+    assert!(
+        text.contains("over one period of the motion, 1.1 s"),
+        "{text}"
+    );
     assert!(refused(2, &["motor", &path, "--from", "0", "--to", "9"]).contains("--from"));
     // The same step by step: the torque, what of it goes into inertia, and what the work has come to.
     let csv = done(&["motor", &path, "--format", "csv"]);

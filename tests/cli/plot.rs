@@ -104,7 +104,7 @@ fn what_cannot_be_plotted_is_refused_with_the_mend() {
     assert!(columns("state").contains("--columns"));
     let base = ["plot", "four-bar", "--columns", "C.x"];
     let with = |more: &[&str]| refused(2, &[&base[..], more].concat());
-    assert!(with(&["--against", "C.*"]).contains("6 figures"));
+    assert!(with(&["--against", "C.*"]).contains("names 6 quantities"));
     assert!(with(&["--against", "C.q"]).contains("--against"));
     assert!(with(&["--from", "5", "--to", "5"]).contains("both 5"));
     assert!(with(&["--size", "10x3"]).contains("too small"));

@@ -105,7 +105,7 @@ fn printed_figures_stand_beside_krank_s() {
         ])
     };
     let text = of("en");
-    let (_, beside) = text.split_once(" Beside notes.csv\n").unwrap();
+    let (_, beside) = text.split_once(" Comparison with notes.csv\n").unwrap();
     let row = |name: &str| -> Vec<&str> {
         let line = beside.lines().find(|line| line.starts_with(name)).unwrap();
         line.split_whitespace().collect()
@@ -159,7 +159,7 @@ fn a_course_stands_beside_krank_s() {
     let of = || {
         let args = ["report", "four-bar", "--against", path, "--format", "text"];
         let text = done(&args);
-        let (_, beside) = text.split_once(" Beside motion.csv\n").unwrap();
+        let (_, beside) = text.split_once(" Comparison with motion.csv\n").unwrap();
         beside.to_owned()
     };
     let row = |text: &str, name: &str| -> Vec<String> {

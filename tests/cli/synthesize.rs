@@ -423,7 +423,7 @@ fn what_nothing_does_ends_with_1() {
 #[test]
 fn what_cannot_be_read_ends_with_2() {
     let message = refused(2, &["synthesize", "wipper"]);
-    assert!(message.contains("there is wiper"), "{message}");
+    assert!(message.contains("available: wiper"), "{message}");
     let message = refused(2, &["synthesize", "zzzzzzzzzzz"]);
     assert!(message.contains("wiper, hatch, logarithm"), "{message}");
     refused(2, &["synthesize", "not-there.toml"]);

@@ -94,8 +94,8 @@ fn a_figure_without_a_sensitivity_is_counted() {
         let heard = krank(args);
         assert_eq!(heard.code, 0, "{}", heard.err);
         let counts = match args[0] {
-            "table" => "note: 1 of 2 figures",
-            _ => "note: 11 of 22 figures",
+            "table" => "note: 1 of 2 values",
+            _ => "note: 11 of 22 values",
         };
         assert!(heard.err.starts_with(counts), "{}", heard.err);
         assert!(heard.err.contains("have no derivatives"), "{}", heard.err);

@@ -94,7 +94,7 @@ fn a_loop_asks_for_what_it_finds_itself() {
     assert_eq!(asked.matches("= ?").count(), 4, "{asked}");
     assert_eq!(second.matches("= ?").count(), 2, "{second}");
     assert!(second.contains("from loop 1"), "{second}");
-    let rates = between(&report, "Velocities\n", "differentiated");
+    let rates = between(&report, "Velocities\n", "The time derivative");
     assert_eq!(rates.matches("= ?").count(), 4, "{rates}");
 }
 

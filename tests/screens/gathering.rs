@@ -173,7 +173,7 @@ fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
     let line = session.press("b").last_line();
     assert!(line.contains("r3 length 1000: C out of reach by"), "{line}");
     assert_eq!(row(&mut session), ">+r3 length 1000 mm");
-    assert!(session.press("Esc").last_line().contains("dropped"));
+    assert!(session.press("Esc").last_line().contains("discarded"));
     assert_eq!(row(&mut session), "> r3 length 300 mm");
     assert!(
         session

@@ -96,13 +96,13 @@ fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
     let mut slider = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 80, 24);
     let shown = slider.press("8").body();
     assert!(
-        shown.contains("nothing acts") && shown.contains("stroke"),
+        shown.contains("no load and no mass") && shown.contains("stroke"),
         "{shown}"
     );
     // There is nothing to write, and that is said.
     let before = said(&bare.press("[").look());
     let after = said(&bare.press("Y").look());
-    let count = |text: &str| text.matches("nothing acts").count();
+    let count = |text: &str| text.matches("no load and no mass").count();
     assert_eq!(count(&after), count(&before) + 1, "{after}");
 }
 

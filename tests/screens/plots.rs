@@ -147,18 +147,18 @@ fn x_stands_for_the_driver_then_time_then_each_figure() {
     assert!(session.press(".").look().contains("over time"));
     let against = session.press("X").look();
     assert!(
-        against.contains("against P.x") && against.contains("* P.y"),
+        against.contains("over P.x") && against.contains("* P.y"),
         "{against}"
     );
     assert!(!against.contains("* P.x"), "{against}");
     insta::assert_snapshot!("plots-coupler-curve-ascii-80x24", session.press("m").body());
     let other = session.press("X").look();
-    assert!(other.contains("against P.y"), "{other}");
+    assert!(other.contains("over P.y"), "{other}");
     assert!(session.press("X").look().contains("over driver.angle"));
     // Without a speed no time passes.
     let still = open(STILL, Origin::Stdin);
     let mut still = Session::new(still, Glyphs::Ascii, 80, 24);
-    assert!(still.press("3 X").look().contains("against r4.omega"));
+    assert!(still.press("3 X").look().contains("over r4.omega"));
 }
 
 #[test]

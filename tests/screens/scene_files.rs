@@ -110,7 +110,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     .unwrap();
     wait(&mut session);
     let line = session.press("[").last_line();
-    assert!(line.contains("has changed on disk: R reads it"), "{line}");
+    assert!(line.contains("has changed on disk: R reloads"), "{line}");
     assert_eq!(session.row(), edited);
     let asked = [
         "mine.toml has changed on disk: overwrite it?",
@@ -210,7 +210,7 @@ fn edits_of_an_earlier_session_are_offered() {
     let mut session = begin();
     session.paint();
     let screen = session.pass(1.0).press("d").look();
-    assert!(screen.contains("d again drops them"), "{screen}");
+    assert!(screen.contains("d again deletes for good"), "{screen}");
     assert_eq!(kept(), 1, "not at once");
     session.press("d");
     assert_eq!(kept(), 0, "deleted");
@@ -238,7 +238,7 @@ fn edits_that_waited_are_offered_too() {
     drop(session);
     let mut session = begin();
     let screen = session.press("c").look();
-    for part in ["waits: r3 length = 1000", "waits: D x = 402"] {
+    for part in ["staged: r3 length = 1000", "staged: D x = 402"] {
         assert!(screen.contains(part), "{screen}");
     }
     let line = session.press("t").last_line();
@@ -365,7 +365,7 @@ fn a_point_that_is_gone_is_followed_no_longer() {
     let (file, opened) = file(&folder("scene-point-gone"), named);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let line = session.press("s").last_line();
-    assert!(line.contains("window stays with P"), "{line}");
+    assert!(line.contains("the view follows P"), "{line}");
     let without: String = named
         .lines()
         .map(|line| line.replace(", points = { P = [200, 0] }", "") + "\n")
@@ -377,7 +377,7 @@ fn a_point_that_is_gone_is_followed_no_longer() {
     // It comes back with the reading that is taken back, and is not followed by that.
     session.press("u");
     let line = session.press("s").last_line();
-    assert!(line.contains("window stays with P"), "{line}");
+    assert!(line.contains("the view follows P"), "{line}");
     session.press("Ctrl-R u u");
     session.look();
 }

@@ -330,8 +330,9 @@ fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxi
     tried.map(axis).filter(fits)
 }
 
-/// Every second tick, every third or fewer, until their rows are evenly spaced.
-fn thinned(scale: &CellScale, ticks: Ticks) -> Ticks {
+/// Keeps the ticks on the axis: every second, every third or fewer, until their rows are evenly spaced.
+fn thinned(scale: &CellScale, mut ticks: Ticks) -> Ticks {
+    ticks.values.retain(|&value| scale.cell(value).is_some());
     let values = |every: usize| ticks.values.iter().copied().step_by(every).collect();
     let mut tried = (1..ticks.values.len()).map(|every| Ticks {
         values: values(every),

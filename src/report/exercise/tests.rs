@@ -173,7 +173,7 @@ fn each_mistake_has_its_name() {
         ("r3.angle -29.379", "wrong sign"),
         ("r3.angle 35", "wrong"),
         ("r3.angle 29", "too few digits"),
-        ("r3.angle no", "no figure"),
+        ("r3.angle no", "not a number"),
         ("r3.omega -37.40", "in rpm"),
         ("r3.omega -224.4", "in deg/s"),
         ("r3.omega 3.916", "wrong sign"),
@@ -181,7 +181,7 @@ fn each_mistake_has_its_name() {
         ("r3.omega -3.9", "too few digits"),
         ("r3.omega -37.4 rpm", "right"),
         ("r3.omega -3.9164 rd/s", "right"),
-        ("r3.omega -3.9164 mm", "no figure"),
+        ("r3.omega -3.9164 mm", "not a number"),
         ("r3.alpha 2421.7", "in deg/s^2"),
         ("C.v 0.77277", "in m/s"),
         ("C.v 77.277", "in cm/s"),
@@ -226,8 +226,8 @@ fn what_follows_from_a_mistake_is_right_by_it() {
     let w4 = -100.0 * w2 * sin(t2 - t3) / (250.0 * sin(t4 - t3));
     let again = format!("r3.angle 39.379\nr4.angle 290.7525\nr3.omega {w3:.4}\nr4.omega {w4:.4}");
     let again = told("four-bar", &again);
-    assert_eq!(again[2], format!("r3.omega {w3:.4}: right by r3.angle"));
-    assert_eq!(again[3], format!("r4.omega {w4:.4}: right by r3.angle"));
+    assert_eq!(again[2], format!("r3.omega {w3:.4}: right given r3.angle"));
+    assert_eq!(again[3], format!("r4.omega {w4:.4}: right given r3.angle"));
     assert!(matches!(
         verdict("r4.angle"),
         FigureVerdict::Right | FigureVerdict::Rounded(RoundedEarly::Near)
@@ -244,7 +244,7 @@ fn what_was_carried_on_with_all_digits_is_right_by_it() {
     let answers = format!("r3.angle 39.38\nr4.angle 290.75\nr3.omega {w3:.5}\nr4.omega {w4:.5}");
     let told = told("four-bar", &answers);
     for line in &told[2..] {
-        assert!(line.ends_with(": right by r3.angle"), "{told:#?}");
+        assert!(line.ends_with(": right given r3.angle"), "{told:#?}");
     }
 }
 

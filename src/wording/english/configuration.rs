@@ -72,7 +72,7 @@ catalogue! {
         languages_are(values: &str) = "{values}";
         decimals_of_csv(values: &str) = "in CSV files: {values}";
         separators_of_csv(values: &str) = "{values}";
-        panes_stand_as(values: &str) = "pane layout: {values}";
+        panes_stand_as(values: &str) = "panes: {values}";
         mouse_from_the_start = "use the mouse from the start: true or false";
         tour_on_first_start = "show the tour on the first start: true or false";
         template_keys = "

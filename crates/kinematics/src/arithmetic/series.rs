@@ -60,13 +60,7 @@ impl Series {
 
     /// The place of the first coefficient that is more than a part of its size.
     pub(crate) fn valuation(&self, sizes: &Series, part: f64) -> Option<usize> {
-        self.valuation_from(0, sizes, part)
-    }
-
-    /// The same from a coefficient on.
-    pub(crate) fn valuation_from(&self, first: usize, sizes: &Series, part: f64) -> Option<usize> {
-        let known = self.known.min(sizes.known);
-        (first..known).find(|&n| self.c[n].hi.abs() > part * sizes.c[n].hi)
+        (0..self.known.min(sizes.known)).find(|&n| self.c[n].hi.abs() > part * sizes.c[n].hi)
     }
 
     /// Divided by t^n; the first n coefficients are taken for zeros.

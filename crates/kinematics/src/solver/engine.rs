@@ -562,7 +562,11 @@ fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
         let mut links = Vec::new();
         step.outputs(&program.coupled, &mut |part| match part {
             PlacedPart::Point(point) => {
-                let carrying = mechanism.point(point).links.iter().copied();
+                // The program has points of its own besides those of the mechanism.
+                let given = mechanism.points().get(point.index());
+                let carrying = given
+                    .into_iter()
+                    .flat_map(|point| point.links.iter().copied());
                 let before = carrying.filter_map(|l| Some((placed[l.index()]?, l)));
                 carriers[point.index()] = before.min_by_key(|(at, _)| *at).map(|(_, l)| l);
             }

@@ -240,7 +240,7 @@ mod tests {
             ("PLAY", "play"),
             ("svg", "svg"),
             ("extrema", "extrema"),
-            ("wscene", "opening"),
+            ("initial position", "opening"),
         ] {
             assert_eq!(found(typed).first(), Some(&name), "{typed}");
         }

@@ -168,7 +168,7 @@ mod tests {
         keymap.set(Action::GoTo, Vec::new());
         let text = screen(1, &keymap).text;
         assert!(text.starts_with("F7 and , step"), "{text}");
-        assert!(text.contains("(no key) goes where you type"), "{text}");
+        assert!(text.contains("(no key) goes to a typed value"), "{text}");
     }
 
     #[test]

@@ -27,7 +27,7 @@ const LED: f64 = 1e-4;
 const LEAST_MISS: f64 = 1e-9;
 /// An extreme of a dyad's stretch belongs to a limit if it is at most this close to it, in radians or scaled
 /// lengths: it is sought from the first of these distances on, each wider than the last.
-const EXTREMES: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3];
+const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
 /// A dyad whose measure is more than this at a limit is not what ends or passes there.
 const LARGE: f64 = 1e-3;
 
@@ -59,27 +59,15 @@ impl Walker<'_> {
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
-        self.limit = limit;
         if let Some(extreme) = self.ahead.take().filter(|e| e.at.hi == limit) {
-            let beyond = self.pass_extreme(extreme.step, extreme.at);
-            // Close to a change point of an earlier group the place of a later one has no digits: both are passed
-            // at that of the earlier one.
-            return beyond.or_else(|| {
-                let stretched = self.stretched(limit).into_iter();
-                self.pass_first(stretched.filter(|(step, _)| *step < extreme.step))
-            });
+            return self.pass_extreme(extreme.step, extreme.at);
         }
         let stretched = self.stretched(limit);
         if stretched.is_empty() {
             return self.cross(limit);
         }
-        self.pass_first(stretched.into_iter())
-    }
-
-    /// Goes on beyond the first place that can be passed, of some at which dyads are stretched. Those of the plan's
-    /// first group are sure: what later ones do depends on the side it is on.
-    fn pass_first(&mut self, mut stretched: impl Iterator<Item = (usize, f64)>) -> Option<f64> {
-        stretched.find_map(|(step, at)| {
+        // Those of the plan's first group are sure: what later ones do depends on the side it is on.
+        stretched.into_iter().find_map(|(step, at)| {
             let at = self.exactly(step, at)?;
             self.pass_extreme(step, at)
         })
@@ -140,7 +128,6 @@ impl Walker<'_> {
         for (passage, is_led) in self.passages.latest(known).iter_mut().zip(led) {
             passage.is_led = is_led;
         }
-        self.last_passed = self.ahead(junction.at.hi);
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
@@ -166,11 +153,6 @@ impl Walker<'_> {
         let at = junction.at.hi;
         let before = engine.moved(at, -self.sense * by);
         let beyond = engine.moved(at, self.sense * by);
-        // Between the limit and a place behind it the motion is not known; before the last change point signs are others.
-        let is_known = self.last_passed..=self.ahead(self.limit);
-        if !is_known.contains(&self.ahead(before)) {
-            return None;
-        }
         self.aim_at(before);
         if self.run(before, Order::Acceleration) != Condition::Ok {
             return None;
@@ -248,11 +230,7 @@ impl Walker<'_> {
         let at = EXTREMES.into_iter().find_map(|by| {
             let a = self.engine.moved(limit, -by);
             let b = self.engine.moved(limit, by);
-            // Behind the end of a table nothing moves.
-            let rates = (
-                self.stretching(step, a)?.rate()?,
-                self.stretching(step, b)?.rate()?,
-            );
+            let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
             self.most_stretched(step, (a, rates.0), (b, rates.1))
         })?;
         self.stretch_rate(step, at)?;

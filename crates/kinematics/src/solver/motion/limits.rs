@@ -29,8 +29,6 @@ const GOLDEN_SECTIONS: usize = 44;
 const SAME: f64 = 1e-14;
 /// What doubles miss an extreme by at the most, in radians or scaled lengths.
 const NEIGHBOURING: f64 = 1e-5;
-/// What they miss it by at the most where an earlier group is close to its own change point.
-const MOVED: f64 = 1e-3;
 /// Dyads whose stretch is extreme within this on both sides of a place are stretched there, in radians or scaled
 /// lengths.
 const SAME_PLACE: f64 = 1e-12;
@@ -44,25 +42,6 @@ struct Stretch {
     group: usize,
     from: (f64, Stretching),
     to: (f64, Stretching),
-}
-
-/// An extreme of a dyad's reach that may be a limit.
-#[derive(Clone, Copy)]
-struct Candidate {
-    stretch: Stretch,
-    at: f64,
-    /// Whether its place was looked for in twice the digits.
-    is_refined: bool,
-}
-
-impl Candidate {
-    fn new(stretch: Stretch, at: f64) -> Candidate {
-        Candidate {
-            stretch,
-            at,
-            is_refined: false,
-        }
-    }
 }
 
 impl Walker<'_> {
@@ -123,80 +102,39 @@ impl Walker<'_> {
     /// The first extreme of a reach that is a limit; those that are close to one are noted.
     fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
         self.ahead = None;
-        let mut found: Vec<Candidate> = Vec::new();
+        let mut found: Vec<(Stretch, f64)> = Vec::new();
         let mut is_known = vec![false; self.engine.program.steps.len()];
         for (number, stretch) in stretches.iter().enumerate() {
             if is_known[stretch.step] {
                 continue;
             }
             let extremes = self.extremes(stretch);
-            found.extend(extremes.iter().map(|&at| Candidate::new(*stretch, at)));
+            found.extend(extremes.iter().map(|&at| (*stretch, at)));
             // Of a long row all are stretched at one place: they are asked for in one run.
             if let ([at], false) = (&extremes[..], stretch.turns_back()) {
                 for together in self.stretched_together(*at, &stretches[number + 1..]) {
                     is_known[together.step] = true;
-                    found.push(Candidate::new(together, *at));
+                    found.push((together, *at));
                 }
             }
         }
-        found.retain(|candidate| self.is_new(&candidate.stretch, candidate.at));
-        while let Some(Candidate { stretch, at, .. }) = self.take_nearest(&mut found, &is_known) {
-            if is_known[stretch.step] && self.exactly_near(stretch.step, at).is_none() {
-                // Doubles took it for stretched at the place of another one.
-                is_known[stretch.step] = false;
-                let extremes = self.extremes(&stretch).into_iter();
-                let extremes = extremes.filter(|&at| self.is_new(&stretch, at));
-                found.extend(extremes.map(|at| Candidate::new(stretch, at)));
-                continue;
+        found.retain(|(stretch, at)| {
+            let place = (stretch.group, *at);
+            self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
+        });
+        found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
+        found.into_iter().find_map(|(stretch, at)| {
+            if !is_known[stretch.step] || self.exactly_near(stretch.step, at).is_some() {
+                return self.limit_at(&stretch, at);
             }
-            let limit = self.limit_at(&stretch, at);
-            if limit.is_some() {
-                return limit;
-            }
-        }
-        None
-    }
-
-    /// Whether an extreme lies ahead and was not passed before.
-    fn is_new(&self, stretch: &Stretch, at: f64) -> bool {
-        self.ahead(at) > 0.0 && !self.passages.has(self.engine, (stretch.group, at), SAME)
-    }
-
-    /// Takes the extreme that comes first. Close to a change point of an earlier group doubles put that of a later
-    /// one elsewhere: all that are close to the first are moved to where they are in twice the digits.
-    fn take_nearest(&mut self, found: &mut Vec<Candidate>, is_known: &[bool]) -> Option<Candidate> {
-        loop {
-            let places = found.iter().map(|candidate| self.ahead(candidate.at));
-            let nearest = places.enumerate().min_by(|(_, x), (_, y)| x.total_cmp(y));
-            let nearest = nearest.map(|(number, _)| number)?;
-            let first = found[nearest].at;
-            let is_unsure = |candidate: &Candidate| {
-                let away = self.engine.difference(candidate.at, first).abs();
-                !candidate.is_refined && !is_known[candidate.stretch.step] && away <= MOVED
-            };
-            let Some(unsure) = found.iter().position(is_unsure) else {
-                return Some(found.remove(nearest));
-            };
-            found[unsure].is_refined = true;
-            let Candidate { stretch, at, .. } = found[unsure];
-            let is_flat = self.measure(stretch.group, at).abs() < UNSURE;
-            let exact = is_flat.then(|| self.exactly(stretch.step, at)).flatten();
-            let is_elsewhere = |exact: &Double| {
-                let is_within = (exact.hi - stretch.from.0) * (stretch.to.0 - exact.hi) > 0.0;
-                is_within && self.engine.difference(exact.hi, at).abs() > NEIGHBOURING
-            };
-            let Some(exact) = exact.filter(is_elsewhere) else {
-                continue;
-            };
-            // Newton's method may have gone to another extreme of the same dyad.
-            let is_another = found.iter().any(|other| {
-                let away = self.engine.difference(other.at, exact.hi).abs();
-                other.stretch.step == stretch.step && away <= NEIGHBOURING
-            });
-            if !is_another && self.is_new(&stretch, exact.hi) {
-                found[unsure].at = exact.hi;
-            }
-        }
+            // Doubles took it for stretched at the place of another one.
+            let mut extremes = self.extremes(&stretch).into_iter();
+            extremes.find_map(|at| {
+                let is_passed = self.passages.has(self.engine, (stretch.group, at), SAME);
+                let is_new = self.ahead(at) > 0.0 && !is_passed;
+                is_new.then(|| self.limit_at(&stretch, at)).flatten()
+            })
+        })
     }
 
     /// Where a dyad's reach is extreme close to a coordinate, in twice the digits. Newton's method may go to another

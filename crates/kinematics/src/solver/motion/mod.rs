@@ -243,8 +243,6 @@ pub(super) fn explore<'e>(
         sense: 1.0,
         passages: Passages::default(),
         ahead: None,
-        limit: start,
-        last_passed: f64::NEG_INFINITY,
         unproved: Vec::new(),
         lined_up: Vec::new(),
         samples: Vec::new(),
@@ -264,7 +262,6 @@ pub(super) fn explore<'e>(
         Ok(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
-            walker.last_passed = f64::NEG_INFINITY;
             let low = walker.walk()?.end();
             let low = low.unwrap_or_else(|turns| BoundedEnd::exact(start - angle_turn(turns)));
             let bounds = [low, high].map(|end| end.bound);

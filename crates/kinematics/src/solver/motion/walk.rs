@@ -88,10 +88,6 @@ pub(super) struct Walker<'e> {
     pub(super) passages: Passages,
     /// The extreme that was found last, at the limit that it is.
     pub(super) ahead: Option<ReachExtreme>,
-    /// The limit that is being passed.
-    pub(super) limit: f64,
-    /// How far on the way the last change point is.
-    pub(super) last_passed: f64,
     /// The groups whose assemblies meet at the limit ahead, as far as that is known.
     pub(super) unproved: Vec<GroupId>,
     /// The ends at which groups are lined up.

@@ -3,7 +3,7 @@
 use super::Junction;
 use crate::arithmetic::Series;
 use crate::solver::change_point::Passage;
-use crate::solver::elements::{Snap, root};
+use crate::solver::elements::root;
 use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
 use crate::{Double, Number, Vec2};
@@ -78,22 +78,22 @@ impl Walker<'_> {
         let (q, direction) = self.coordinate_of(at, 1);
         let mut here = engine.state::<Series>(self.state.travels.len());
         for i in 0..steps {
-            let Some(dyad) = engine.program.steps[i].dyad() else {
+            let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
+            let fold = fold.ok().map(|k| &junction.folds[k]);
+            let (Some(fold), Some(dyad)) = (fold, engine.program.steps[i].dyad()) else {
                 if self.lay(i..i + 1, at.hi, q, direction, &mut here).is_none() {
                     return false;
                 }
                 continue;
             };
-            let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
-            let snap = fold.map_or(Snap::default(), |k| junction.folds[k].snap);
-            let square = dyad.square(q, snap, &here);
+            let square = dyad.square(q, fold.snap, &here);
             if !(square.nearest() > 0.0) {
                 return false;
             }
             let mut misses = [-1.0, 1.0]
                 .map(|side| {
-                    let height = root(square, 0, side * signs[dyad.group()]);
-                    dyad.run_through(q, snap, height, &mut here.state);
+                    let height = root(square, 0, side * signs[fold.group]);
+                    dyad.run_through(q, fold.snap, height, &mut here.state);
                     let told = dyad.placed(&junction.series);
                     told.zip(dyad.placed(&here))
                         .map(|(told, here)| miss(told, here, dq))

@@ -20,15 +20,8 @@ const TOGETHER: f64 = 1e-12;
 /// or the pivots are so many roundings of their coordinates away from where they would be: a line that
 /// begins with a short link is turned by them.
 const LEVER: f64 = 64.0;
-/// A third coefficient squared below this part of the product of its neighbours belongs to an even function: close to
-/// the end of a motion it is 0.8 of that, at one of two zeros close to each other 4 times that.
-const EVEN: f64 = 1e-3;
-/// Newton's steps to a snap: each doubles the digits.
+/// Newton's steps to a snap, or to a place: each doubles the digits.
 const STEPS: usize = 8;
-/// Newton's steps to an extreme: close to two others it comes from afar by thirds.
-const STEPS_TO_EXTREME: usize = 48;
-/// A rate of the reach below this part of its size is rounding.
-const ROUNDED: f64 = 1e-30;
 /// A place is known to this, in radians or scaled lengths.
 const PLACED: f64 = 1e-26;
 /// Terms that the reach of one dyad needs to tell where it is extreme.
@@ -61,10 +54,10 @@ impl Walker<'_> {
             ROUGH
         };
         let how = (is_extreme, apart);
-        match self.standing_by([part; 2], how, (dyad, q, slack), state) {
+        match self.standing_by(part, how, (dyad, q, slack), state) {
             // Two change points close to each other, and what moves the group turns back between them: one by one.
             Err(Refusal::End) if is_extreme && part > FINE => {
-                match self.standing_by([part, FINE], how, (dyad, q, slack), state) {
+                match self.standing_by(FINE, how, (dyad, q, slack), state) {
                     Ok(singular @ Standing::Singular { .. }) => Ok(singular),
                     Ok(Standing::Regular | Standing::Missing { .. }) | Err(_) => Err(Refusal::End),
                 }
@@ -73,11 +66,10 @@ impl Walker<'_> {
         }
     }
 
-    /// As [`Walker::standing`], where less than these parts of the sizes of the first coefficient of a square, and of
-    /// the others, is zero.
+    /// As [`Walker::standing`], where less than this part of the size of a square is zero.
     fn standing_by(
         &self,
-        [first, rest]: [f64; 2],
+        part: f64,
         (is_extreme, apart): (bool, Option<f64>),
         (dyad, q, slack): (Dyad<'_>, Series, f64),
         state: &State<Series>,
@@ -89,14 +81,7 @@ impl Walker<'_> {
         let (snap, order) = if let Some(u) = meeting.filter(near) {
             (Snap::of_meeting(-u), None)
         } else {
-            let Height { square, size, .. } = &height;
-            let is_zero = square.c[0].hi.abs() <= first * size.c[0].hi;
-            let order = if is_zero {
-                square.valuation_from(1, size, rest)
-            } else {
-                Some(0)
-            };
-            match order {
+            match height.square.valuation(&height.size, part) {
                 None => return Err(Refusal::Terms),
                 Some(0)
                     if is_extreme && height.square.valuation(&height.size, ROUGH) != Some(0) =>
@@ -104,7 +89,6 @@ impl Walker<'_> {
                     return missing(dyad, q, &height, state);
                 }
                 Some(0) => return beside(&height),
-                Some(2) if touches(&height, first) => return missing(dyad, q, &height, state),
                 Some(order) => {
                     let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
                     (snap, Some(order))
@@ -153,7 +137,7 @@ impl Walker<'_> {
         // Where the extreme is of a higher order, what begins it is a rounding.
         [FINE, ROUGH].into_iter().find_map(|part| {
             let mut at = Double::exactly(at);
-            for _ in 0..STEPS_TO_EXTREME {
+            for _ in 0..STEPS {
                 let (q, direction) = self.coordinate_of(at, FEW);
                 let mut series = engine.state::<Series>(self.state.travels.len());
                 self.lay(0..step, at.hi, q, direction, &mut series)?;
@@ -173,10 +157,7 @@ impl Walker<'_> {
 fn extreme(dyad: Dyad<'_>, part: f64, state: &State<Series>) -> Option<Double> {
     let [reach, size] = dyad.reach(state);
     let moving = |n: &usize| reach.c[*n].hi.abs() > part * size.c[*n].hi;
-    let order = (2..reach.known).step_by(2).find(moving)?;
-    if reach.c[order - 1].hi.abs() <= ROUNDED * size.c[order - 1].hi {
-        return Some(Double::ZERO);
-    }
+    let order = (2..reach.known).find(moving)?;
     Some(-(reach.c[order - 1] / (reach.c[order] * Double::exactly(order as f64))))
 }
 
@@ -203,16 +184,6 @@ fn beside(height: &Height) -> Result<Standing, Refusal> {
     } else {
         Err(Refusal::End)
     }
-}
-
-/// Whether a dyad's height squared is (a + b t^2)^2, with an `a` too small to be told from zero: what moves the dyad
-/// turns back here, close to a change point. At one of two change points close to each other the square is
-/// (a t + b t^2)^2 instead.
-fn touches(height: &Height, zero: f64) -> bool {
-    let [second, third, fourth] = [2, 3, 4].map(|n| height.square.c[n].hi);
-    let is_even = third * third <= EVEN * second.abs() * fourth;
-    let is_shallow = second * second <= 4.0 * fourth * zero * height.size.c[0].hi;
-    is_even && is_shallow
 }
 
 /// How much of a snap is across the reach: what parts the arms, and does not only move the place.
