@@ -308,10 +308,21 @@ impl Session {
     }
 
     /// Closes every descriptor of the other end.
+    /// Closes the terminal's end of the line.
     pub(crate) fn hang_up(&mut self) {
         self.switches.cut.store(true, Ordering::SeqCst);
+        self.wake_reader();
         *self.keys.lock().unwrap() = Box::new(std::io::sink());
         self.master = None;
+    }
+
+    /// Sends the reading thread one byte: it owns a copy of the line, and closes it only once it has read.
+    fn wake_reader(&self) {
+        let line = self.master.as_deref().and_then(MasterPty::tty_name);
+        let flags = OFlags::WRONLY | OFlags::NOCTTY | OFlags::NONBLOCK;
+        let line = rustix::fs::open(line.unwrap(), flags, Mode::empty()).unwrap();
+        // A full line wakes it as well.
+        let _ = rustix::io::write(line, b"\0");
     }
 
     /// Lets a reader that takes nothing go.
