@@ -16,6 +16,7 @@ mod failure;
 mod grade;
 mod help;
 mod language;
+mod lookup;
 mod measured;
 mod misuse;
 mod motor;

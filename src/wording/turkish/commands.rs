@@ -62,6 +62,9 @@ catalogue! {
             "`{word}` adında konu ya da komut yok; konular: {topics}";
         no_topic_but_near(word: &str, near: &str, topics: &str) =
             "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? konular: {topics}";
+        word_occurs(word: &str) = "`{word}` adında konu ya da komut yok; geçtiği yerler:";
+        word_occurs_but_near(word: &str, near: &str) =
+            "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? geçtiği yerler:";
         check_names_points = "noktaları `krank check SCENE` ile listele";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: sahnede `{name}` adında bir nokta yok; {mend}";
@@ -158,6 +161,8 @@ catalogue! {
 
         // The contents of the manual.
         topics_heading = "Konular: krank help TOPIC";
+        keys_heading = "Tezgâhın tuşları: krank help keys";
+        columns_heading = "Sütunlar: krank help columns";
         commands_heading = "Komutlar: krank help COMMAND";
         help_of_workbench = "Tezgâh ve seçenekleri: `krank --help`.";
     }
