@@ -149,6 +149,10 @@ catalogue! {
         minutes_left(minutes: f64, seconds: f64) = "{minutes} min {seconds} s left";
         hours_left(hours: f64, minutes: f64) = "{hours} h {minutes} min left";
 
+        // The version.
+        build_details(features: &str, target: &str, profile: &str, licence: &str) =
+            "features  {features}\ntarget    {target}\nprofile   {profile}\nlicence   {licence}";
+
         // The contents of the manual.
         topics_heading = "Topics: krank help TOPIC";
         keys_heading = "Keys of the workbench: krank help keys";

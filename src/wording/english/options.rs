@@ -150,6 +150,7 @@ catalogue! {
             "The driver's angle in deg, or the position of a driven slide [default: where the scene opens]";
         assembly_of_group = "The assembly of a group where the scene opens, as check lists them; separated by commas";
         write_to_a_file = "Write to a file instead of standard output, completely or not at all";
+        add_to_version = "With --version: also print the features, target, profile and licence of this build";
         the_shell = "The shell";
         command_of_page = "The command of the page [default: krank itself]";
         rated_effort = "The motor's rated torque in N m, or force in N";

@@ -159,6 +159,10 @@ catalogue! {
         minutes_left(minutes: f64, seconds: f64) = "{minutes} dk {seconds} s kaldı";
         hours_left(hours: f64, minutes: f64) = "{hours} sa {minutes} dk kaldı";
 
+        // The version.
+        build_details(features: &str, target: &str, profile: &str, licence: &str) =
+            "özellikler  {features}\nhedef       {target}\nprofil      {profile}\nlisans      {licence}";
+
         // The contents of the manual.
         topics_heading = "Konular: krank help TOPIC";
         keys_heading = "Tezgâhın tuşları: krank help keys";

@@ -123,6 +123,7 @@ catalogue! {
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
         write_to_a_file = "Standart çıktı yerine dosyaya yaz, ya tam ya hiç";
+        add_to_version = "--version ile: bu derlemenin özelliklerini, hedefini, profilini ve lisansını da yaz";
         the_shell = "Kabuk";
         command_of_page = "Sayfanın komutu [yoksa: krank'ın kendisi]";
         rated_effort = "Motorun anma torku, N m, ya da kuvveti, N";
