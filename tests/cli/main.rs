@@ -280,6 +280,15 @@ fn completions_and_the_manual_are_written() {
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         assert!(done(&["completions", shell]).contains("sweep"), "{shell}");
     }
+    let names = presets().join(" ");
+    for (shell, presets) in [
+        ("bash", names.clone()),
+        ("zsh", format!(":{{compadd {names}; _files}}'")),
+        ("fish", format!("-a \"{names}\"\n")),
+    ] {
+        let script = done(&["completions", shell]);
+        assert!(script.contains(&presets), "{shell}");
+    }
     assert!(done(&["man"]).contains(".TH krank 1"));
     assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));
 }
