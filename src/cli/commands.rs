@@ -14,7 +14,8 @@ use crate::report::{
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
-use clap::{Command, CommandFactory};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, Command, CommandFactory};
 use clap_complete::Shell;
 
 /// `krank list`: a line per preset.
@@ -211,8 +212,38 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
 pub(super) fn completions(shell: Shell, screen: TextScreen) -> Result<(), Failure> {
     // The generator panics where it cannot write, so it writes to memory.
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "krank", &mut script);
-    write_text(None, &screen.shown(&String::from_utf8_lossy(&script)))
+    clap_complete::generate(shell, &mut with_presets(), "krank", &mut script);
+    let mut script = screen.shown(&String::from_utf8_lossy(&script));
+    let presets: Vec<&str> = presets::all().iter().map(|preset| preset.name).collect();
+    let presets = presets.join(" ");
+    match shell {
+        // The generator lists values in place of files; a scene may be either.
+        Shell::Zsh => {
+            let values = format!("({presets})");
+            script = script.replace(&values, &format!("{{compadd {presets}; _files}}"));
+        }
+        // The generator leaves out arguments that are no options.
+        Shell::Fish => {
+            let without = "list help man completions config";
+            script += &format!(
+                "complete -c krank -n \"not __fish_seen_subcommand_from {without}\" -a \"{presets}\"\n"
+            );
+        }
+        _ => {}
+    }
+    write_text(None, &script)
+}
+
+/// Returns the command line with the names of the presets as values of each scene.
+fn with_presets() -> Command {
+    let with = |arg: Arg| match arg.get_id() == "scene" {
+        true => arg.value_parser(PossibleValuesParser::new(
+            presets::all().iter().map(|preset| preset.name),
+        )),
+        false => arg,
+    };
+    let krank = Cli::command().mut_args(with);
+    krank.mut_subcommands(move |command| command.mut_args(with))
 }
 
 /// `krank man`: the page of krank, or of one of its commands.

@@ -2,6 +2,7 @@
 
 use super::args::{Cli, HelpArgs};
 use super::failure::Failure;
+use super::lookup;
 use super::output::write_text;
 use super::pager;
 use super::screen::{TextScreen, size};
@@ -22,7 +23,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
         None => laid_out(&contents(), screen),
         Some(word) => match manual::find(word) {
             Some(topic) => laid_out(&topic.text(key_rows), screen),
-            None => of_command(word)?,
+            None => of_word(word, screen)?,
         },
     };
     let text = screen.shown(&text);
@@ -34,8 +35,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
 
 /// The text as wide as the terminal; there its headings are bold.
 fn laid_out(text: &str, screen: TextScreen) -> String {
-    let width = size().map_or(USUAL_WIDTH, |(columns, _)| columns.into());
-    let lines = manual::lines(text, width).into_iter();
+    let lines = manual::lines(text, width()).into_iter();
     let shown = lines.map(|line| match line.kind {
         LineKind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
         LineKind::Title | LineKind::Words | LineKind::Code => line.text + "\n",
@@ -43,19 +43,23 @@ fn laid_out(text: &str, screen: TextScreen) -> String {
     shown.collect()
 }
 
+fn width() -> usize {
+    size().map_or(USUAL_WIDTH, |(columns, _)| columns.into())
+}
+
 /// Topics and commands.
 fn contents() -> String {
     let rows = |rows: Vec<(&str, String)>| -> String {
         let rows = rows.into_iter();
-        rows.map(|(name, about)| format!("| {name} | {about} |\n"))
-            .collect()
+        let rows = rows.map(|(name, about)| format!("| {name} | {about} |\n"));
+        table(&rows.collect::<String>())
     };
     let topics = TOPICS.iter().map(|topic| (topic.name, topic.told()));
     let krank = Cli::command();
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));
     format!(
-        "# {}\n\n| | |\n|---|---|\n{}\n# {}\n\n| | |\n|---|---|\n{}\n{}\n",
+        "# {}\n\n{}\n# {}\n\n{}\n{}\n",
         words().topics_heading(),
         rows(topics.collect()),
         words().commands_heading(),
@@ -64,32 +68,39 @@ fn contents() -> String {
     )
 }
 
-fn about(command: &Command) -> String {
+/// Returns a table in Markdown with these rows of two cells.
+pub(super) fn table(rows: &str) -> String {
+    format!("| | |\n|---|---|\n{rows}")
+}
+
+pub(super) fn about(command: &Command) -> String {
     command
         .get_about()
         .map(ToString::to_string)
         .unwrap_or_default()
 }
 
-/// The help of a command, as its `--help` has it.
-fn of_command(word: &str) -> Result<String, Failure> {
+/// The help of a command, as its `--help` has it; for another word, where it occurs.
+fn of_word(word: &str, screen: TextScreen) -> Result<String, Failure> {
     let mut krank = Cli::command();
     krank.build();
-    match krank.find_subcommand_mut(word) {
-        Some(command) => Ok(words().of_parser(&command.render_long_help().to_string())),
-        None => Err(unknown(word, &krank)),
+    if let Some(command) = krank.find_subcommand_mut(word) {
+        return Ok(words().of_parser(&command.render_long_help().to_string()));
+    }
+    let topics: Vec<&str> = TOPICS.iter().map(|topic: &Topic| topic.name).collect();
+    let commands = krank.get_subcommands().map(Command::get_name);
+    let others: Vec<&str> = manual::names_of_language().collect();
+    let near = nearest(word, topics.iter().copied().chain(commands).chain(others));
+    match lookup::page(word, near, width()) {
+        Some(page) => Ok(laid_out(&page, screen)),
+        None => Err(unknown(word, near, &topics.join(", "))),
     }
 }
 
-fn unknown(word: &str, krank: &Command) -> Failure {
-    let topics = || TOPICS.iter().map(|topic: &Topic| topic.name);
-    let commands = krank.get_subcommands().map(Command::get_name);
-    let others: Vec<&str> = manual::names_of_language().collect();
-    let near = nearest(word, topics().chain(commands).chain(others));
-    let topics = topics().collect::<Vec<_>>().join(", ");
+fn unknown(word: &str, near: Option<&str>, topics: &str) -> Failure {
     Failure::Usage(match near {
-        Some(near) => words().no_topic_but_near(word, near, &topics),
-        None => words().no_topic_and_no_command(word, &topics),
+        Some(near) => words().no_topic_but_near(word, near, topics),
+        None => words().no_topic_and_no_command(word, topics),
     })
 }
 

@@ -16,6 +16,7 @@ mod failure;
 mod grade;
 mod help;
 mod language;
+mod lookup;
 mod measured;
 mod misuse;
 mod motor;
@@ -38,6 +39,7 @@ mod study_rows;
 mod sweep;
 mod synthesize;
 mod tolerance;
+mod version;
 #[cfg(feature = "tui")]
 mod workbench;
 #[cfg(not(feature = "tui"))]
@@ -49,6 +51,7 @@ use crate::scene::sanitized;
 use crate::wording::words;
 use args::{Cli, Command};
 use clap::Parser;
+use clap::error::ErrorKind;
 use failure::Failure;
 use screen::TextScreen;
 use std::ffi::OsString;
@@ -67,7 +70,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => obey(&cli, screen),
         Err(error) => match misuse::explained(error, &arguments) {
             Ok(message) => Err(Failure::Usage(message)),
-            Err(error) => return refuse(&error, screen),
+            Err(error) => return refuse(&error, &arguments, screen),
         },
     };
     match done {
@@ -87,8 +90,12 @@ fn complete_what_was_cut_off(screen: TextScreen) {
 }
 
 /// Help and version are asked for and go to standard output; everything else is an error.
-fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
-    let text = words().of_parser(&error.render().to_string());
+fn refuse(error: &clap::Error, arguments: &[OsString], screen: TextScreen) -> ExitCode {
+    let mut text = words().of_parser(&error.render().to_string());
+    // The parser stops at `--version` and does not report later options.
+    if error.kind() == ErrorKind::DisplayVersion && arguments.iter().any(|it| it == version::LONG) {
+        text += &version::details();
+    }
     if error.use_stderr() {
         failure::say(&lines_made_harmless(&text, screen));
         return ExitCode::from(2);

@@ -7,6 +7,7 @@
 mod fold;
 mod layout;
 mod markdown;
+mod search;
 mod table;
 
 use crate::document::with_ascii_letters;
@@ -16,6 +17,7 @@ pub(crate) use fold::{folded, joined};
 pub(crate) use layout::{LineKind, lines};
 #[cfg(feature = "tui")]
 pub(crate) use layout::{ManualLine, plain};
+pub(crate) use search::SearchWords;
 
 /// Something to read.
 #[derive(Debug)]

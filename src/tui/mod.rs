@@ -39,7 +39,7 @@ pub use config::{Config, template};
 pub use picture::picture;
 pub use terminal::Terminal;
 pub use views::help::keys::key_list;
-pub(crate) use views::help::keys::key_rows;
+pub(crate) use views::help::keys::{key_rows, key_rows_about};
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;

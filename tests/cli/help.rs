@@ -64,7 +64,7 @@ fn a_topic_that_is_not_there_is_told_with_those_that_are() {
     for (word, near) in [
         ("sceen", "did you mean `scene`?"),
         ("swep", "did you mean `sweep`?"),
-        ("gears", "the topics are"),
+        ("unicorns", "the topics are"),
         ("", "the topics are"),
         ("\x1b[2J", "the topics are"),
     ] {
@@ -78,6 +78,38 @@ fn a_topic_that_is_not_there_is_told_with_those_that_are() {
         );
     }
     refused(2, &["help", "scene", "keys"]);
+}
+
+#[test]
+fn a_word_without_topic_is_searched() {
+    let found = done(&["help", "sensitivity"]);
+    for part in [
+        "no topic or command is named `sensitivity`; it occurs in:\n",
+        "\nTopics: krank help TOPIC\n",
+        "\ncolumns: ",
+        "\n    - Sensitivity: `--sensitivity` adds `C.x.sensitivity` after each",
+        "\nColumns: krank help columns\n\n`C.x.sensitivity`\n",
+        "\nCommands: krank help COMMAND\n",
+        "\nsweep `--sensitivity`",
+    ] {
+        assert!(found.contains(part), "{part:?}\n{found}");
+    }
+    assert!(done(&["help", "time ratio"]).contains("\n    - Time ratio: the slow travel"));
+    let near = done(&["help", "column"]);
+    assert!(near.contains("did you mean `columns`?"), "{near}");
+    for word in [" ", "ensitivity"] {
+        refused(2, &["help", word]);
+    }
+}
+
+#[cfg(feature = "tui")]
+#[test]
+fn keys_are_found_by_name_and_purpose() {
+    for (word, row) in [("undo", "`u`"), ("revert", "`u`"), ("Ctrl-R", "`Ctrl-R`")] {
+        let found = done(&["help", word]);
+        let (_, keys) = found.split_once("\nKeys of the workbench").unwrap();
+        assert!(keys.lines().any(|line| line.starts_with(row)), "{found}");
+    }
 }
 
 /// Whatever tells to ask for help tells of a topic or a command that there is.
@@ -100,7 +132,9 @@ fn every_topic_that_is_named_is_there() {
     }
     assert!(asked.len() > 4, "{asked:?}");
     for word in asked {
-        assert!(names.contains(&word) || commands.contains(&word), "{word}");
+        // The example of a word that is searched.
+        let is_there = word == "stroke" || names.contains(&word) || commands.contains(&word);
+        assert!(is_there, "{word}");
     }
     for name in names {
         let code = format!("`{name}`");

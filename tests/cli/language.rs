@@ -223,6 +223,15 @@ fn the_manual_is_turkish() {
     }
     assert!(turkish(&["help", "sahne"]).contains("\n`name`"));
     assert!(turkish(&["help", "SUTUNLAR"]).starts_with("Sütunlar ve adları\n"));
+    // A word that occurs in the other language only shows the page of that language.
+    let found = turkish(&["help", "mafsal"]);
+    assert!(found.contains("\nKonular: krank help TOPIC\n"), "{found}");
+    let english = krank_in(&UTF8, &["help", "mafsal"]);
+    assert_eq!((english.code, english.out), (0, found));
+    let found = turkish(&["help", "gravity"]);
+    assert!(found.contains("\nKonular: "), "{found}");
+    let found = turkish(&["help", "OLU KONUM"]).to_lowercase();
+    assert!(found.contains("ölü konum"), "{found}");
     // What is nearly one of them is told so.
     let near = krank_in(&UTF8, &["help", "sahna", "--language", "tr"]);
     assert!(

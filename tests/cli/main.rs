@@ -182,6 +182,31 @@ fn version_is_that_of_the_package() {
 }
 
 #[test]
+fn the_long_version_names_features_target_profile_and_licence() {
+    for args in [
+        &["--version", "--long"][..],
+        &["--long", "--version"],
+        &["-V", "--long"],
+    ] {
+        let long = done(args);
+        assert!(long.starts_with(&done(&["--version"])), "{long}");
+        let rows: Vec<_> = long.lines().skip(1).collect();
+        let names = rows.iter().map(|row| row.split_once("  ").unwrap().0);
+        assert!(
+            names.eq(["features", "target", "profile", "licence"]),
+            "{long}"
+        );
+        assert_eq!(rows[0].contains("tui"), cfg!(feature = "tui"));
+        assert_eq!(rows[0].contains("pictures"), cfg!(feature = "pictures"));
+        assert!(rows[1].contains(std::env::consts::ARCH), "{long}");
+        assert!(long.ends_with("MIT OR Apache-2.0\n"), "{long}");
+    }
+    let turkish = done(&["--version", "--long", "--language", "tr"]);
+    assert!(turkish.contains("\nlisans "), "{turkish}");
+    assert!(refused(2, &["--long"]).contains("--version"));
+}
+
+#[test]
 fn every_preset_checks_prints_and_sweeps() {
     let presets = presets();
     assert!(presets.len() >= 19, "{presets:?}");
@@ -254,6 +279,15 @@ fn help_is_a_command_too() {
 fn completions_and_the_manual_are_written() {
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         assert!(done(&["completions", shell]).contains("sweep"), "{shell}");
+    }
+    let names = presets().join(" ");
+    for (shell, presets) in [
+        ("bash", names.clone()),
+        ("zsh", format!(":{{compadd {names}; _files}}'")),
+        ("fish", format!("-a \"{names}\"\n")),
+    ] {
+        let script = done(&["completions", shell]);
+        assert!(script.contains(&presets), "{shell}");
     }
     assert!(done(&["man"]).contains(".TH krank 1"));
     assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));

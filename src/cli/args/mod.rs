@@ -37,7 +37,7 @@ pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 use crate::assembly::Wish;
 use crate::report::WrittenDecimal;
 use crate::wording::words;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
@@ -50,6 +50,13 @@ fn behind_help() -> String {
     keys.to_owned() + words().examples_of_krank()
 }
 
+/// Returns `--long`, the last option in `--help`. It is not a field: `--version` ends the parsing.
+fn long_version() -> Arg {
+    let long = Arg::new("long").long("long").action(ArgAction::SetTrue);
+    let long = long.help(words().add_to_version()).display_order(999);
+    long.requires("version")
+}
+
 /// A terminal workbench for planar linkages.
 #[derive(Debug, Parser)]
 #[command(
@@ -59,6 +66,7 @@ fn behind_help() -> String {
     long_about = words().what_krank_does(),
     args_conflicts_with_subcommands = true,
     disable_help_subcommand = true,
+    arg = long_version(),
     after_help = behind_help()
 )]
 pub(super) struct Cli {

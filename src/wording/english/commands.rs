@@ -57,6 +57,9 @@ catalogue! {
             "no topic or command is named `{word}`; the topics are {topics}";
         no_topic_but_near(word: &str, near: &str, topics: &str) =
             "no topic or command is named `{word}`; did you mean `{near}`? the topics are {topics}";
+        word_occurs(word: &str) = "no topic or command is named `{word}`; it occurs in:";
+        word_occurs_but_near(word: &str, near: &str) =
+            "no topic or command is named `{word}`; did you mean `{near}`? it occurs in:";
         check_names_points = "list the points with `krank check SCENE`";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: the scene has no point `{name}`; {mend}";
@@ -146,8 +149,14 @@ catalogue! {
         minutes_left(minutes: f64, seconds: f64) = "{minutes} min {seconds} s left";
         hours_left(hours: f64, minutes: f64) = "{hours} h {minutes} min left";
 
+        // The version.
+        build_details(features: &str, target: &str, profile: &str, licence: &str) =
+            "features  {features}\ntarget    {target}\nprofile   {profile}\nlicence   {licence}";
+
         // The contents of the manual.
         topics_heading = "Topics: krank help TOPIC";
+        keys_heading = "Keys of the workbench: krank help keys";
+        columns_heading = "Columns: krank help columns";
         commands_heading = "Commands: krank help COMMAND";
         help_of_workbench = "The workbench and its options: `krank --help`.";
     }

@@ -213,6 +213,7 @@ Examples:
   krank help                     the topics
   krank help scene               every key of a scene file
   krank help sweep               the same as krank sweep --help
+  krank help 'time ratio'        where these words occur: topics, keys, columns, commands
 
 On a terminal the text is shown with $PAGER, or with less or more.";
         examples_of_completions = "\

@@ -31,7 +31,7 @@ catalogue! {
         does_start = "Print a scene with the [start] of another assembly";
         does_accuracy = "Measure speed against error of every method for a scene, in a table and a chart";
         does_config = "Print a configuration to start from: every key with its default";
-        does_help = "Show a topic of the manual, or the help of a command";
+        does_help = "Show a topic of the manual or the help of a command, or search for a word";
         does_completions = "Print a completion script for a shell";
         does_man = "Print the manual page";
 
@@ -144,12 +144,13 @@ catalogue! {
         band_root_sum_square = "The root sum square";
         columns_to_plot = "Column names, * as a wildcard, or NAME = FORMULA; separated by commas";
         positions_to_compare = "Number of positions in 360 deg or the range, rounded up to a multiple of 360";
-        topic_or_command = "A topic or a command [default: list them]";
+        topic_or_command = "A topic, a command, or words to search for [default: list topics and commands]";
         write_at_once = "Print everything, without a pager";
         place_of_driver =
             "The driver's angle in deg, or the position of a driven slide [default: where the scene opens]";
         assembly_of_group = "The assembly of a group where the scene opens, as check lists them; separated by commas";
         write_to_a_file = "Write to a file instead of standard output, completely or not at all";
+        add_to_version = "With --version: also print the features, target, profile and licence of this build";
         the_shell = "The shell";
         command_of_page = "The command of the page [default: krank itself]";
         rated_effort = "The motor's rated torque in N m, or force in N";

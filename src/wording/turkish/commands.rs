@@ -62,6 +62,9 @@ catalogue! {
             "`{word}` adında konu ya da komut yok; konular: {topics}";
         no_topic_but_near(word: &str, near: &str, topics: &str) =
             "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? konular: {topics}";
+        word_occurs(word: &str) = "`{word}` adında konu ya da komut yok; geçtiği yerler:";
+        word_occurs_but_near(word: &str, near: &str) =
+            "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? geçtiği yerler:";
         check_names_points = "noktaları `krank check SCENE` ile listele";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: sahnede `{name}` adında bir nokta yok; {mend}";
@@ -156,8 +159,14 @@ catalogue! {
         minutes_left(minutes: f64, seconds: f64) = "{minutes} dk {seconds} s kaldı";
         hours_left(hours: f64, minutes: f64) = "{hours} sa {minutes} dk kaldı";
 
+        // The version.
+        build_details(features: &str, target: &str, profile: &str, licence: &str) =
+            "özellikler  {features}\nhedef       {target}\nprofil      {profile}\nlisans      {licence}";
+
         // The contents of the manual.
         topics_heading = "Konular: krank help TOPIC";
+        keys_heading = "Tezgâhın tuşları: krank help keys";
+        columns_heading = "Sütunlar: krank help columns";
         commands_heading = "Komutlar: krank help COMMAND";
         help_of_workbench = "Tezgâh ve seçenekleri: `krank --help`.";
     }

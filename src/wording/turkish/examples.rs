@@ -209,6 +209,7 @@ tuşlar.";
   krank help                     konular
   krank help scene               sahne dosyasının her anahtarı; krank help sahne de olur
   krank help sweep               krank sweep --help gibi
+  krank help 'zaman oranı'       bu sözcüklerin geçtiği konular, tuşlar, sütunlar, komutlar
 
 Terminalde $PAGER ile, yoksa less ya da more ile gösterilir.";
         examples_of_completions = "\

@@ -31,7 +31,7 @@ catalogue! {
         does_start = "Sahneyi başka bir montaj biçiminin [start] bölümüyle yaz";
         does_accuracy = "Bir sahnede her yöntemin süresini ve hatasını ölç, tablo ve grafikle";
         does_config = "Başlangıç için bir ayar dosyası yaz: her anahtar, varsayılan değeriyle";
-        does_help = "El kitabından bir konuyu ya da bir komutun yardımını göster";
+        does_help = "El kitabından bir konuyu ya da bir komutun yardımını göster, ya da bir sözcük ara";
         does_completions = "Bir kabuk için tamamlama betiği yaz";
         does_man = "man sayfasını yaz";
 
@@ -117,12 +117,13 @@ catalogue! {
         band_root_sum_square = "Karelerin toplamının karekökü";
         columns_to_plot = "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır";
         positions_to_compare = "360 deg ya da aralık boyunca konum sayısı, 360'ın katına yuvarlanır";
-        topic_or_command = "Bir konu ya da komut [yoksa: hepsini listeler]";
+        topic_or_command = "Bir konu, bir komut ya da aranacak sözcükler [yoksa: konuları ve komutları listeler]";
         write_at_once = "Sayfalayıcı kullanmadan hepsini yaz";
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
         write_to_a_file = "Standart çıktı yerine dosyaya yaz, ya tam ya hiç";
+        add_to_version = "--version ile: bu derlemenin özelliklerini, hedefini, profilini ve lisansını da yaz";
         the_shell = "Kabuk";
         command_of_page = "Sayfanın komutu [yoksa: krank'ın kendisi]";
         rated_effort = "Motorun anma torku, N m, ya da kuvveti, N";

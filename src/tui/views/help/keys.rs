@@ -1,8 +1,10 @@
 //! The table of actions by what they are for, as the help, the manual and the configuration tell it.
 
+use crate::manual::SearchWords;
 use crate::tui::app::View;
 use crate::tui::commands::action::{self, ActionRow, KeyContext};
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::commands::keywords::keywords;
 use crate::wording::words;
 
 /// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
@@ -42,11 +44,26 @@ pub(crate) fn key_rows() -> String {
     rows_of(&Keymap::default())
 }
 
+/// Returns the rows of the built-in keys whose name, purpose or keywords have the words.
+pub(crate) fn key_rows_about(sought: &SearchWords) -> String {
+    rows_where(&Keymap::default(), |entry| {
+        let (hint, help) = ((entry.hint)(words()), (entry.help)(words()));
+        let keys = action::listed(entry.keys);
+        sought.are_in(&[&keys, entry.name, hint, help, keywords(entry.action)])
+    })
+}
+
 /// The keys of a keymap and what they do, as rows of a table in Markdown.
 pub(super) fn rows_of(keymap: &Keymap) -> String {
+    rows_where(keymap, |_| true)
+}
+
+/// Returns the rows of the actions that are wanted.
+fn rows_where(keymap: &Keymap, is_wanted: impl Fn(&ActionRow) -> bool) -> String {
     let mut rows = String::new();
     for (title, entries) in groups(None) {
-        let told = entries.into_iter().filter_map(|entry| {
+        let wanted = entries.into_iter().filter(|entry| is_wanted(entry));
+        let told = wanted.filter_map(|entry| {
             let keys = keymap.keys(entry.action).iter();
             let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
             // A bar would part the cells.

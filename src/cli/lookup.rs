@@ -1,0 +1,121 @@
+//! Finds the words of `krank help WORD` in the topics, the keys, the columns and the commands.
+
+use super::args::Cli;
+use super::help::{about, table};
+use crate::manual::{self, SearchWords};
+#[cfg(feature = "tui")]
+use crate::tui::key_rows_about;
+use crate::wording::{Language, words};
+use clap::{Arg, CommandFactory};
+use std::iter::once;
+
+/// Maximum number of lines listed for a topic.
+const MAX_LINES: usize = 3;
+/// Columns by which these lines are indented.
+const INDENT: usize = 4;
+
+/// Returns a page in Markdown that lists where the words occur: in the current language, or else in the other one.
+/// `near` is a similar name.
+pub(super) fn page(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
+    // Replaces control characters such as U+0085.
+    let typed = typed.split_whitespace().collect::<Vec<_>>().join(" ");
+    let current = Language::spoken();
+    let page = [current, current.next()].into_iter().find_map(|language| {
+        language.speak();
+        page_in_language(&typed, near, width)
+    });
+    current.speak();
+    page
+}
+
+fn page_in_language(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
+    let sought = SearchWords::new(typed);
+    let sections = [
+        (words().topics_heading(), topics(&sought, width)),
+        (words().keys_heading(), rows(key_rows_about(&sought))),
+        (words().columns_heading(), columns(&sought)),
+        (words().commands_heading(), rows(commands(&sought))),
+    ];
+    let sections = sections.into_iter().filter(|(_, text)| !text.is_empty());
+    let sections = sections.map(|(heading, text)| format!("\n# {heading}\n\n{text}"));
+    let sections: String = sections.collect();
+    let title = match near {
+        Some(near) => words().word_occurs_but_near(typed, near),
+        None => words().word_occurs(typed),
+    };
+    (!sections.is_empty()).then(|| title + "\n" + &sections)
+}
+
+/// Returns a table with these rows, or nothing if there are none.
+fn rows(rows: String) -> String {
+    match rows.is_empty() {
+        true => rows,
+        false => table(&rows),
+    }
+}
+
+fn topics(sought: &SearchWords, width: usize) -> String {
+    let topics = sought.in_topics(width.saturating_sub(INDENT)).into_iter();
+    let topics = topics.map(|(topic, lines)| {
+        let mut text = format!("{}: {}\n\n```text\n", topic.name, topic.told());
+        for line in lines.iter().take(MAX_LINES) {
+            text += &format!("{line}\n");
+        }
+        if let Some(more @ 1..) = lines.len().checked_sub(MAX_LINES) {
+            text += &format!("{}\n", words().and_more(more));
+        }
+        text + "```\n"
+    });
+    topics.collect::<Vec<_>>().join("\n")
+}
+
+/// Returns the names of columns in the topic about them.
+fn columns(sought: &SearchWords) -> String {
+    let topic = manual::find("columns").map(|topic| topic.text(String::new));
+    let topic = topic.unwrap_or_default();
+    let code = topic.split('`').skip(1).step_by(2);
+    let is_column = |code: &&str| code.contains('.') && !code.contains(char::is_whitespace);
+    let named = code.filter(is_column).filter(|name| sought.are_in(&[name]));
+    let mut names: Vec<&str> = named.collect();
+    names.sort_unstable();
+    names.dedup();
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => names.join(", ") + "\n",
+    }
+}
+
+/// Returns a row for each command that has the words in its name, its purpose or an option, with these options.
+fn commands(sought: &SearchWords) -> String {
+    let krank = Cli::command();
+    let commands = once(&krank).chain(krank.get_subcommands());
+    let rows = commands.filter_map(|command| {
+        let options = command.get_arguments().filter(|arg| is_about(arg, sought));
+        let options = options.filter_map(|arg| Some(format!(" `--{}`", arg.get_long()?)));
+        let (name, options, about) = (
+            command.get_name(),
+            options.collect::<String>(),
+            about(command),
+        );
+        let is_found = !options.is_empty() || sought.are_in(&[name, &about]);
+        is_found.then(|| format!("| {name}{options} | {about} |\n"))
+    });
+    rows.collect()
+}
+
+/// Returns `true` if the name, the help or a value of an option has the words.
+fn is_about(arg: &Arg, sought: &SearchWords) -> bool {
+    let name = format!("--{}", arg.get_long().unwrap_or_default());
+    let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+    let values = arg.get_possible_values();
+    let values = values.iter().map(|value| value.get_name());
+    let texts: Vec<&str> = [name.as_str(), &help].into_iter().chain(values).collect();
+    sought.are_in(&texts)
+}
+
+/// Without the workbench there are no keys.
+#[cfg(not(feature = "tui"))]
+fn key_rows_about(_: &SearchWords) -> String {
+    String::new()
+}
