@@ -1,6 +1,8 @@
 //! The commands that take a line or two each.
 
-use super::args::{CheckArgs, CheckFormat, Cli, OutputFormat, PlaceArgs, StartArgs, TableArgs};
+use super::args::{
+    CheckArgs, CheckFormat, Cli, CompletionShell, OutputFormat, PlaceArgs, StartArgs, TableArgs,
+};
 use super::failure::{Failure, note};
 use super::output::{write_scene, write_text, write_to};
 use super::screen::TextScreen;
@@ -16,7 +18,8 @@ use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, Command, CommandFactory};
-use clap_complete::Shell;
+use clap_complete::{Generator, Shell};
+use clap_complete_nushell::Nushell;
 
 /// `krank list`: a line per preset.
 pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
@@ -209,22 +212,27 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
 }
 
 /// `krank completions`.
-pub(super) fn completions(shell: Shell, screen: TextScreen) -> Result<(), Failure> {
-    // The generator panics where it cannot write, so it writes to memory.
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut with_presets(), "krank", &mut script);
-    let mut script = screen.shown(&String::from_utf8_lossy(&script));
+pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<(), Failure> {
+    let script = match shell {
+        CompletionShell::Bash => completion_script(Shell::Bash),
+        CompletionShell::Elvish => completion_script(Shell::Elvish),
+        CompletionShell::Fish => completion_script(Shell::Fish),
+        CompletionShell::Nushell => completion_script(Nushell),
+        CompletionShell::PowerShell => completion_script(Shell::PowerShell),
+        CompletionShell::Zsh => completion_script(Shell::Zsh),
+    };
+    let mut script = screen.shown(&script);
     let presets: Vec<&str> = presets::all().iter().map(|preset| preset.name).collect();
     let presets = presets.join(" ");
     match shell {
         // The generator lists values in place of files; a scene may be either.
-        Shell::Zsh => {
+        CompletionShell::Zsh => {
             let values = format!("({presets})");
             script = script.replace(&values, &format!("{{compadd {presets}; _files}}"));
         }
         // The generator leaves out arguments that are no options.
-        Shell::Fish => {
-            let without = "list help man completions config";
+        CompletionShell::Fish => {
+            let without = ["list", "help", "man", "completions", "config"].join(" ");
             script += &format!(
                 "complete -c krank -n \"not __fish_seen_subcommand_from {without}\" -a \"{presets}\"\n"
             );
@@ -232,6 +240,13 @@ pub(super) fn completions(shell: Shell, screen: TextScreen) -> Result<(), Failur
         _ => {}
     }
     write_text(None, &script)
+}
+
+fn completion_script(generator: impl Generator) -> String {
+    // The generator panics where it cannot write, so it writes to memory.
+    let mut script = Vec::new();
+    clap_complete::generate(generator, &mut with_presets(), "krank", &mut script);
+    String::from_utf8_lossy(&script).into_owned()
 }
 
 /// Returns the command line with the names of the presets as values of each scene.

@@ -277,7 +277,7 @@ fn help_is_a_command_too() {
 
 #[test]
 fn completions_and_the_manual_are_written() {
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+    for shell in ["bash", "elvish", "fish", "nushell", "powershell", "zsh"] {
         assert!(done(&["completions", shell]).contains("sweep"), "{shell}");
     }
     let names = presets().join(" ");
@@ -289,6 +289,12 @@ fn completions_and_the_manual_are_written() {
         let script = done(&["completions", shell]);
         assert!(script.contains(&presets), "{shell}");
     }
+    let script = done(&["completions", "nushell"]);
+    assert!(
+        presets()
+            .iter()
+            .all(|name| script.contains(&format!("\"{name}\"")))
+    );
     assert!(done(&["man"]).contains(".TH krank 1"));
     assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));
 }

@@ -38,7 +38,6 @@ use crate::assembly::Wish;
 use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum};
-use clap_complete::Shell;
 use std::path::PathBuf;
 
 /// What stands below the help: the keys that one cannot do without, where there is a workbench, and examples.
@@ -127,13 +126,25 @@ pub(super) enum Command {
     #[command(hide = true, about = words().does_completions(), after_help = words().examples_of_completions())]
     Completions {
         #[arg(help = words().the_shell())]
-        shell: Shell,
+        shell: CompletionShell,
     },
     #[command(hide = true, about = words().does_man(), after_help = words().examples_of_man())]
     Man {
         #[arg(help = words().command_of_page())]
         command: Option<String>,
     },
+}
+
+/// A shell with completions.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum CompletionShell {
+    Bash,
+    Elvish,
+    Fish,
+    Nushell,
+    #[value(name = "powershell")]
+    PowerShell,
+    Zsh,
 }
 
 #[derive(Debug, Args)]
