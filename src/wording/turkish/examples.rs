@@ -14,11 +14,11 @@ Tezgâhın tuşları:
 ";
         examples_of_krank = "\
 Örnekler:
-  krank                          derslerdeki dört çubuğu aç
-  krank slider-crank --at 30     hazır bir sahneyi 30 derecede aç
-  krank my-press.toml            bir sahne dosyasını aç
-  krank press --view tables      hazır bir sahneyi bütün tablolarıyla aç
-  krank press --print            açılan ekranı yaz ve çık
+  krank                          derslerdeki dört çubuğu açın
+  krank slider-crank --at 30     hazır bir sahneyi 30 derecede açın
+  krank my-press.toml            bir sahne dosyasını açın
+  krank press --view tables      hazır bir sahneyi bütün tablolarıyla açın
+  krank press --print            açılan ekranı yazın ve çıkın
   krank sweep four-bar -o four-bar.csv
 
 SCENE bir dosya, hazır bir sahnenin adı (krank list) ya da standart girdi için -
@@ -91,8 +91,8 @@ ok, çizildiğinden uzundur.";
 Betik her boyu adıyla tanımlar, her grubu bir satırda, formülleri tam olarak çözer
 ve krank'ı gerektirmez. Başlangıcı, sonu ve adımı alır, krank sweep sütunlarını
 yazar; MATLAB ve Octave'da [rows, heads] = press_ram(0, 360, 10) bunları döndürür.
-Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsin.
-CAD çizimi için krank draw --format dxf, değerler için krank sweep kullan.";
+Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsiniz.
+CAD çizimi için krank draw --format dxf, değerler için krank sweep kullanın.";
         examples_of_sweep = "\
 Örnekler:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -196,7 +196,7 @@ hareketi sahnenin açıldığı konuma ulaşmıyorsa bu konum da değişir.";
 
 Her yöntem konum, hız ve ivme verir ve iki kat hassasiyetli bir hesapla
 karşılaştırılır. Sahnede kullanılamayan yöntemler nedeniyle listelenir. Süreler bu
-makinede ölçülür: o sırada başka iş çalıştırma. Ctrl-C bitirir.";
+makinede ölçülür: o sırada başka iş çalıştırmayın. Ctrl-C bitirir.";
         examples_of_config = "\
 Örnek:
   krank config > ~/.config/krank/config.toml

@@ -76,7 +76,7 @@ catalogue! {
         guess = "tahmin";
         type_where_it_begins = "ilk tahmin";
         guesses_are_typed = "r3=20, r4=280; ikiye bölme: r3=0..90; boş: taslak";
-        no_method_watched(key: &str) = "Seçili yöntem yok; ilki için {key} tuşuna bas";
+        no_method_watched(key: &str) = "Seçili yöntem yok; ilki için {key} tuşuna basın";
         begins_at_no_guess = "Bu yöntem tahmin kullanmaz";
         newton_raphson = "Newton-Raphson";
         bisection_title = "İkiye bölme";
@@ -160,12 +160,12 @@ catalogue! {
         which_it_is = "hangisi";
         also_on_paper(length: &str, unit: &str, paper: &str) = "{length} {unit} (kâğıtta {paper} mm)";
         draw_a_circle(centre: &str, arm: &str, radius: &str) =
-            "Merkezi {centre} olan bir çember çiz: {arm} = {radius}.";
+            "Merkezi {centre} olan bir çember çizin: {arm} = {radius}.";
         draw_a_line(through: &str, theta: &str, direction: &str) =
-            "{through} noktasından bir doğru çiz: {theta} = {direction} deg.";
-        draw_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğruyu çiz.";
+            "{through} noktasından bir doğru çizin: {theta} = {direction} deg.";
+        draw_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğruyu çizin.";
         draw_a_tangent(centre: &str, from: &str, radius: &str) =
-            "Merkezi {centre}, yarıçapı {radius} olan bir çember çiz, ona {from} noktasından bir teğet çek.";
+            "Merkezi {centre}, yarıçapı {radius} olan bir çember çizin, ona {from} noktasından bir teğet çekin.";
         leave_out_beyond(name: &str, length: &str) =
             "Boyunca ölçülen uzaklık {name} ve {length} değerlerinden oluşur; ikincisi uzva aittir.";
         they_meet_in_two = "İki noktada kesişirler:";
@@ -185,16 +185,16 @@ catalogue! {
 
         // Guesses.
         guess_is_written =
-            "NAME=VALUE yaz, belirsizse ardından deg, rad ya da bir boy birimi; ikiye bölme için NAME=FROM..TO";
+            "NAME=VALUE yazın, belirsizse ardından deg, rad ya da bir boy birimi; ikiye bölme için NAME=FROM..TO";
         guess_of_nothing(name: &str, mend: &str) = "`{name}` adında bir vektör yok; {mend}";
         sought_are(names: &str) = "bilinmeyenler {names}";
         not_sought(name: &str, names: &str) = "`{name}` verilmiş ya da tahrikle belirli; bilinmeyenler {names}";
-        other_unit(name: &str, unit: &str) = "`{name}` tahminini {unit} olarak yaz";
+        other_unit(name: &str, unit: &str) = "`{name}` tahminini {unit} olarak yazın";
         unit_missing(name: &str, unit: &str) =
-            "`{name}` için hem boy hem açı bilinmiyor; {name}=VALUE{unit} ya da {name}=VALUEdeg yaz";
-        guessed_twice(name: &str) = "`{name}` aynı bilinmeyeni ikinci kez tahmin ediyor; bir tahmini sil";
+            "`{name}` için hem boy hem açı bilinmiyor; {name}=VALUE{unit} ya da {name}=VALUEdeg yazın";
+        guessed_twice(name: &str) = "`{name}` aynı bilinmeyeni ikinci kez tahmin ediyor; bir tahmini silin";
         guess_is_one_value(name: &str) =
             "Newton-Raphson tek bir değerden başlar; {name}=FROM..TO ikiye bölme içindir";
-        needs_no_guess(name: &str) = "`{name}`: bu yöntem tahmin kullanmaz; Newton-Raphson ya da ikiye bölme seç";
+        needs_no_guess(name: &str) = "`{name}`: bu yöntem tahmin kullanmaz; Newton-Raphson ya da ikiye bölme seçin";
     }
 }

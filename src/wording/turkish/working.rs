@@ -13,7 +13,7 @@ catalogue! {
             "Durum: {state}. Tahrik {driver} kayar: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
         inputs_are_given = "Öteki girişler tahriki izler: koordinatları, onunki gibi verilmiştir.";
         inputs_have_tables(names: &str) = "Sahnedeki tablosunun kübik spline'ından {names} burada:";
-        forces_of_inputs_in_tables = "Birden çok girişle kuvvetler burada türetilmez: kuvvet tablosuna bak.";
+        forces_of_inputs_in_tables = "Birden çok girişle kuvvetler burada türetilmez: kuvvet tablosuna bakın.";
         dead_point_explained =
             "Ölü konum: hareket burada biter. Konumlar vardır; hızlar ve ivmeler yoktur, çünkü denklemleri 0 olan \
              bir sinüse bölünür.";
