@@ -35,7 +35,7 @@ catalogue! {
         picture_too_large(width: u32, height: u32) = "{width} x {height} piksellik resim çok büyük";
         #[cfg(feature = "pictures")]
         turn_too_large(pictures: usize) =
-            "bu boyda {pictures} resim çok fazla";
+            "bu boyutta {pictures} resim çok fazla";
         #[cfg(feature = "pictures")]
         smaller_has_room(why: &str) = "{why}: daha küçük bir `--width` ya da daha az `--seconds` seçin";
         format_takes_no(format: &str, option: &str, others: &str) =

@@ -63,7 +63,7 @@ catalogue! {
                 units => format!("{unit} buraya uymaz: {units}"),
             }
         };
-        typed_two_marks(typed: &str) = "{typed}: binlik ayracını yazmayın: 1234.5 ya da 1234,5";
+        typed_two_marks(typed: &str) = "{typed}: binlik ayırıcısını yazmayın: 1234.5 ya da 1234,5";
         typed_too_large(typed: &str) = "çok büyük: {typed}";
         no_speed_of_driver(typed: &str, units: &str) =
             "`{typed}` bu tahrik için bir hız değil: bir sayı ve şu birimlerden birini yazın: {units}";

@@ -106,7 +106,7 @@ da kütle varsa driver.torque, driver.power, r3.B.fx (r3 uzvuna B piminde gelen 
 r4.normal, r6.moment, ground.fx ve yuvarlama olmasa sıfır olacak iki sağlamanın
 artıkları da vardır. Tahrikin koordinatı hep ilk, state hep son sütundur: ok,
 change-point, dead-point ya da no-assembly. Olmayan değer boş hücredir (JSON: null).
---decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayraç ;.
+--decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayırıcı ;.
 --bounds her C.x sonrasına aynı birimde C.x.bound ekler: sahne verildiği gibi
 çözülürken oluşan hatanın sınırı. --sensitivity C.x.sensitivity ekler: verilen her
 boy bir birim yanlış olursa C.x değerindeki en büyük değişim.
@@ -147,7 +147,7 @@ denklemlerinin en zayıf olduğu yer. Var olmayan bir büyüklüğün nedeni yaz
   krank study press --vary r2.length=80..120,r3.length=250..330 --latin 1000 \\
     --seed 7 --columns r6.angle.swing --format text
 
-Değerlerin adı krank check ve çalışma tezgâhındaki gibidir, boşluk yerine nokta:
+Değerlerin adı krank check ve tezgâhtaki gibidir, boşluk yerine nokta:
 r3.length, A.x, driver.angle; parametreler kendi adlarıyla. En hızlı son değer
 değişir. Her tasarım, bu değerlerle sahnenin montaj biçiminde açılan sahnedir. Son
 sütunlar durumu (ok, no-assembly ya da değerler geçerli bir sahne vermiyorsa
@@ -194,7 +194,7 @@ hareketi sahnenin açıldığı konuma ulaşmıyorsa bu konum da değişir.";
   krank accuracy jansen-leg --format csv -o jansen.csv
   krank accuracy my-press.toml --positions 36000
 
-Her yöntem konum, hız ve ivme verir ve iki kat hassasiyetli bir hesapla
+Her yöntem konum, hız ve ivme verir ve double-double bir hesapla
 karşılaştırılır. Sahnede kullanılamayan yöntemler nedeniyle listelenir. Süreler bu
 makinede ölçülür: o sırada başka iş çalıştırmayın. Ctrl-C bitirir.";
         examples_of_config = "\

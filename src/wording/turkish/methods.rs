@@ -41,7 +41,7 @@ catalogue! {
         of_time_is = "hızları ve ivmeleriyle bir konumun süresi: ortanca ve çeyrekler; RK4 için bir adımın süresi";
         errors_of_three = "kon hız ivm";
         errors_are =
-            "iki kat hassasiyetli hesaba göre en büyük hatalar: noktalarda en uzun boya, hız ve ivmelerde döngünün \
+            "double-double hesaba göre en büyük hatalar: noktalarda en uzun boya, hız ve ivmelerde döngünün \
              en büyük hız ve ivmesine oranla";
         failures_are = "çözüm bulunamayan ya da başka bir montaj biçiminin bulunduğu konumlar; hatalara katılmaz";
         best_are =
@@ -64,7 +64,7 @@ catalogue! {
         newton_from_anchors_is =
             "saklanan birçok durumun en yakınından Newton yöntemi: krank'ın bağlaşık gruplardaki yöntemi";
         polished = "düzeltilmiş";
-        polished_is = "kapalı form ve iki kat hassasiyetli artıklarla bir düzeltme";
+        polished_is = "kapalı form ve double-double artıklarla bir düzeltme";
         single = "tek";
         single_precision_is = "tek hassasiyetle kapalı form";
         newton_at_tolerance = "Newton";
@@ -153,7 +153,7 @@ catalogue! {
         // By compass and ruler.
         no_assembly_to_draw = "Montaj biçimi yok, çemberler kesişmez: çizilecek bir şey yok.";
         scale_of_sheet(scale: &str) =
-            "Bütün noktalar {scale} ölçekle bir A4 kâğıda sığar. Bir nokta kâğıtta 0.2 mm duyarlıkla çizilir ve \
+            "Bütün noktalar {scale} ölçekle bir A4 kâğıda sığar. Bir nokta kâğıtta 0.2 mm doğrulukla çizilir ve \
              okunur.";
         points_to_begin_with = "Şasenin noktaları ve tahrikin yerleştirdiği noktalar:";
         on_paper(axis: &str) = "kâğıtta {axis} [mm]";

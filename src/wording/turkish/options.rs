@@ -43,7 +43,7 @@ catalogue! {
         decimal_of_csv = "CSV sayılarının ondalık işareti [yoksa: point]";
         decimal_point = "15.5";
         decimal_comma = "15,5; Türkçe hesap tablolarındaki gibi";
-        separator_of_csv = "CSV hücrelerinin ayracı [yoksa: comma; --decimal comma ile semicolon]";
+        separator_of_csv = "CSV hücrelerinin ayırıcısı [yoksa: comma; --decimal comma ile semicolon]";
         separator_comma = "Virgül";
         separator_semicolon = "Noktalı virgül";
         separator_tab = "Sekme";
@@ -153,8 +153,8 @@ catalogue! {
         mark_centres = "Ağırlık merkezlerini işaretleyin";
         leave_guides_out = "Kılavuz ve mesnetleri çizmeyin";
         characters_to_draw_with = "Çizimde kullanılacak karakterler";
-        size_of_drawing = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100 geniş]";
-        size_of_plot = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100x40]";
+        size_of_drawing = "Boyutu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyutu ya da 80x24; SVG 100 geniş]";
+        size_of_plot = "Boyutu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyutu ya da 80x24; SVG 100x40]";
         names_none = "Hiçbiri";
         names_of_points_alone = "Noktalar";
         names_all = "Noktalar ve uzuvlar";
@@ -173,7 +173,7 @@ catalogue! {
         pictures_never = "Resim yok";
         view_to_open_with = "Açılışta gösterilecek görünüm";
         print_and_leave = "Açılış ekranını metin olarak yazın ve çıkın; terminal gerekmez";
-        size_of_print = "Yazılan ekranın boyu [yoksa: 80x24]";
+        size_of_print = "Yazılan ekranın boyutu [yoksa: 80x24]";
         tell_of_terminal = "Terminalde ne algılandığını ve nedenini yazın";
         configuration_file = "Ayar dosyası [yoksa: ~/.config/krank/config.toml]";
         colours_as_allowed = "Terminale ve NO_COLOR değişkenine göre";
@@ -197,7 +197,7 @@ catalogue! {
              driver.angle boyunca sütunlar olan CSV";
         measured_figures =
             "Karşılaştırılacak ölçümler: driver.angle ya da driver.position boyunca her değere bir sütunu olan \
-             CSV; adından sonra köşeli ayraçta birimi";
+             CSV; adından sonra köşeli parantezde birimi";
         no_measurements(file: &str) =
             "`{file}` bu sütunların ölçümünü içermiyor: ilk satırda tahrikin koordinatını ve sütunları adlandırın, \
              her satıra sayılarını yazın";

@@ -53,7 +53,7 @@ catalogue! {
         a_finite_number = "sonlu bir sayı";
         at_most_in_size = "büyüklükçe en çok 1e300";
         is_not_a_number = "sayı değil";
-        is_not_finite = "çift hassasiyette sonlu değil";
+        is_not_finite = "double olarak sonlu değil";
         is_too_large = "çok büyük";
         write_a_decimal = "ondalık bir sayı yazın, 12.5 gibi";
         choose_a_unit = "boyutların olağan büyüklükte olduğu bir `unit` seçin";

@@ -7,7 +7,7 @@ catalogue! {
     impl TolerancesWords for Turkish {
         no_tolerances = "sahnedeki her boy tam: boylar için `tolerance`, pimler için `clearance` verin";
         or_say_tolerance = "ya da burada: --tolerance 0.1";
-        redundant_jams = "mekanizma aşırı kısıtlı: bir boyun sapması onu sıkıştırır, hiçbir değer hesaplanamaz";
+        redundant_jams = "mekanizma fazla kısıtlı: bir boyun sapması onu sıkıştırır, hiçbir değer hesaplanamaz";
         no_tolerances_of_forces = "toleranslar hareketin değerlerine uygulanır, kuvvetlere değil: bunları çıkarın";
 
         // Effects.

@@ -165,7 +165,7 @@ catalogue! {
         centre_of_guided(link: &str, direction: &str) =
             "{link} dönmez: merkezi sonsuzdadır, hızına dik, {direction} deg ve ters yönünde.";
         centre_far(link: &str, direction: &str) =
-            "Hanelerin duyarlığına göre {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına dik, {direction} deg \
+            "Hanelerin hassasiyetine göre {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına dik, {direction} deg \
              ve ters yönünde.";
         link_is_at_rest(link: &str) = "{link} bu anda hareketsiz: her noktası merkezdir.";
         centre_is_blurred(link: &str, digits: usize) =
