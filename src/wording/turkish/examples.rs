@@ -56,10 +56,10 @@ krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
   krank explain four-bar --method newton --guess r3=20,r4=280
   krank explain four-bar --method bisection --guess r3=0..90
 
-Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle döngü
-denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve ivmeler,
-mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir de
-sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
+Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle vektörel
+konum denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve
+ivmeler, mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir
+de sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
 bağlaşık bir grubun denklemleri ve çözümü gösterilir, yok etme adımları değil. Yük,
 yay ya da kütle varsa her uzvun ve yüklü pimin dengesi tepki kuvvetleriyle verilir,
 tahrikin kuvveti ya da torku sanal işle sağlanır. Ölü konumda yalnız konumlar

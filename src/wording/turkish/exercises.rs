@@ -22,8 +22,8 @@ catalogue! {
         the_origin = "başlangıç";
         the_frame = "şase";
         slides_along(what: &str, on: &str, through: &str, angle: &str) =
-            "{what} kayar, kızak: {on}, {through} noktasından {angle} deg ile";
-        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kızağa göre hep {angle} deg";
+            "{what} kayar, kılavuz: {on}, {through} noktasından {angle} deg ile";
+        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kılavuza göre hep {angle} deg";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name}: {at}, hız {speed}, ivme {acceleration}";
         what_is_asked =

@@ -35,7 +35,7 @@ catalogue! {
              önce.";
         script_lines = "İki doğrunun kesişimi.";
         script_swing =
-            "Mafsalından belli bir uzaklıkta geçen ve mafsaldan görülen noktadan giden kızağın doğrultusu.";
+            "Mesnedinden belli bir uzaklıkta geçen ve mesnetten görülen noktadan giden kılavuzun doğrultusu.";
         script_side = "q'daki yan; bazı konumlarda değişir.";
         script_follow = "Bir girişin tablosuna göre koordinatı: düğümlerdeki ikinci türevlerle kübik spline.";
         script_newton =

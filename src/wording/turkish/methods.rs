@@ -68,7 +68,7 @@ catalogue! {
         single = "tek";
         single_precision_is = "tek hassasiyetle kapalı form";
         newton_at_tolerance = "Newton";
-        newton_is = "doğrusallaştırılmış döngü denklemlerini tam adımlarla art arda çözer";
+        newton_is = "doğrusallaştırılmış vektörel konum denklemlerini tam adımlarla art arda çözer";
         bisection_is = "her grupta bir kök içeren yarım turu, uçları arasında sayı kalmayana dek ikiye böler";
 
         // A method by hand.
@@ -82,7 +82,7 @@ catalogue! {
         bisection_title = "İkiye bölme";
         by_drawing = "Pergel ve cetvelle";
         newton_how =
-            "Bir x tahmininden sonraki x + dx'tir, J dx = -f. f döngü denklemlerinin artığı, J bunların \
+            "Bir x tahmininden sonraki x + dx'tir, J dx = -f. f vektörel konum denklemlerinin artığı, J bunların \
              bilinmeyenlere göre türevleridir. Bir adım 1e-12 altına inene dek tam adımlar atılır. Hatalar \
              krank'ın çözümünden farklardır: açılar rad, boylar en uzun boyun kesri olarak.";
         bisection_how =

@@ -189,7 +189,7 @@ catalogue! {
         // Methods.
         method_of_positions = "Konumları bulan yöntem";
         method_closed = "Kapalı form, sonra hızlar, ivmeler ve kuvvetler";
-        method_newton = "Döngü denklemlerinde Newton-Raphson, yineleme yineleme";
+        method_newton = "Vektörel konum denklemlerinde Newton-Raphson, yineleme yineleme";
         method_bisection = "Tek bilinmeyenin ikiye bölme yöntemiyle bulunması";
         method_graphical = "Pergel ve cetvel, adım adım";
         against_figures =

@@ -116,7 +116,7 @@ catalogue! {
         // Rates.
         velocities_part = "Hızlar";
         accelerations_part = "İvmeler";
-        differentiated = "Konum denklemlerinin zamana göre türevi, hız denklemleri:";
+        differentiated = "Vektörel konum denklemlerinin zamana göre türevi, hız denklemleri:";
         differentiated_again = "Bir kez daha türev, ivme denklemleri:";
         rates_are_limits =
             "Denklemler burada tekildir; değerler hareket boyunca limitlerdir.";
@@ -178,7 +178,7 @@ catalogue! {
         figures_do_not_differ = "Yukarıdaki değerlerle çözücününkiler arasında fark yok.";
         figures_differ(part: &str, symbol: &str) =
             "Yukarıdaki değerlerle çözücününkiler arasındaki fark, büyüklüklerinin en çok {part} katı ({symbol}).";
-        left_of_loops = "Bütün sayılar yerine konunca konum denklemlerinin artıkları:";
+        left_of_loops = "Bütün sayılar yerine konunca vektörel konum denklemlerinin artıkları:";
         loop_component(number: usize, axis: &dyn Display) = "döngü {number} {axis}";
     }
 }
