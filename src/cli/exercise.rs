@@ -157,7 +157,7 @@ impl MadeExercise {
         seed: u64,
     ) -> Result<MadeExercise, Failure> {
         let titles = ExerciseTitles {
-            name: words().exercise_called(&scene.name, seed),
+            name: words().exercise_called(&scene.title(), seed),
             source: words().exercise_made_by(typed, seed),
             note: words().made_by_chance().into(),
         };

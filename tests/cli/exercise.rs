@@ -61,6 +61,11 @@ fn a_sheet_is_text_and_the_same_for_the_same_seed() {
         turkish.contains("Verilenler") && turkish.is_ascii(),
         "{turkish}"
     );
+    // The title of a preset is that of the language.
+    assert!(
+        turkish.contains("Krank-biyel, eksende: odev"),
+        "{turkish}"
+    );
 }
 
 #[test]

@@ -112,7 +112,7 @@ pub(crate) fn drawing(body: &str) -> String {
         begins.iter().any(|start| line.starts_with(start)) || line.contains('(')
     };
     let untitled = |(row, line): (usize, String)| match row {
-        0 if [" step ", " compared: "]
+        0 if [" step ", " compared"]
             .iter()
             .any(|said| line.contains(said)) =>
         {

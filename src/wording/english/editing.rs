@@ -59,7 +59,7 @@ catalogue! {
         a_slide = "a slide";
         no_common_coordinate(scene: &str, by: &str, this_by: &str) =
             "{scene} is driven by {by}, this scene by {this_by}: they share no coordinate";
-        against(scene: &str) = "compared: {scene}";
-        against_without_assembly(scene: &str) = "against {scene}: no assembly here";
+        against(scene: &str) = "compared with {scene}";
+        against_without_assembly(scene: &str) = "compared with {scene}: no assembly here";
     }
 }

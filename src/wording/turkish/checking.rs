@@ -82,7 +82,7 @@ catalogue! {
             let at = theta.map(|theta| format!(" (theta {theta} deg)")).unwrap_or_default();
             format!(
                 "{name} sahnenin açıldığı konumda negatif, {r} {unit}: `through` noktasından `angle = {angle}` yönünde \
-                 ölçülür, ama vektörü ters yöndedir; pozitif olması için ders notlarındaki gibi `angle = {other}` yaz{at}"
+                 ölçülür, ama vektörü ters yöndedir; pozitif olması için ders notlarındaki gibi `angle = {other}` yazın{at}"
             )
         };
 

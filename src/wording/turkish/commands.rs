@@ -25,47 +25,47 @@ catalogue! {
         };
         file_was_mended(name: &dyn Display) = "`{name}`: yarıda kalan kayıt tamamlandı";
         output_is_the_scene =
-            "çıktı dosyası okunan sahnenin kendisi, sahne kaybolurdu: başka bir dosyaya yaz";
+            "çıktı dosyası okunan sahnenin kendisi, sahne kaybolurdu: başka bir dosyaya yazın";
         output_is_read(file: &str) =
-            "çıktı dosyası okunan `{file}` dosyasının kendisi, dosya kaybolurdu: başka bir dosyaya yaz";
+            "çıktı dosyası okunan `{file}` dosyasının kendisi, dosya kaybolurdu: başka bir dosyaya yazın";
         no_pictures =
-            "bu krank `pictures` özelliği olmadan derlenmiş; şöyle kur: cargo install --path . --features \
+            "bu krank `pictures` özelliği olmadan derlenmiş; şöyle kurun: cargo install --path . --features \
              pictures";
         #[cfg(feature = "pictures")]
         picture_too_large(width: u32, height: u32) = "{width} x {height} piksellik resim çok büyük";
         #[cfg(feature = "pictures")]
         turn_too_large(pictures: usize) =
-            "bu boyda {pictures} resim çok fazla";
+            "bu boyutta {pictures} resim çok fazla";
         #[cfg(feature = "pictures")]
-        smaller_has_room(why: &str) = "{why}: daha küçük bir `--width` ya da daha az `--seconds` seç";
+        smaller_has_room(why: &str) = "{why}: daha küçük bir `--width` ya da daha az `--seconds` seçin";
         format_takes_no(format: &str, option: &str, others: &str) =
-            "`{option}`, `--format {format}` ile kullanılamaz; şunlardan birini kullan: {others}";
-        no_text(format: &str) = "{format} ikili bir biçimdir: `-o FILE` ile bir dosyaya yaz";
+            "`{option}`, `--format {format}` ile kullanılamaz; şunlardan birini kullanın: {others}";
+        no_text(format: &str) = "{format} ikili bir biçimdir: `-o FILE` ile bir dosyaya yazın";
         #[cfg(not(feature = "tui"))]
         no_workbench(scene: &dyn Display) =
-            "bu krank tezgâh olmadan derlenmiş (özellik `tui`); tabloları `krank table {scene}` ile yazdır";
+            "bu krank tezgâh olmadan derlenmiş (özellik `tui`); tabloları `krank table {scene}` ile yazdırın";
 
         // Suggestions.
-        did_you_mean(name: &str) = "`{name}` mi demek istedin?";
-        did_you_mean_command(name: &str) = "`{name}` komutunu mu demek istedin?";
-        did_you_mean_preset(name: &str) = "`{name}` hazır sahnesini mi demek istedin?";
-        list_names_presets = "hazır sahneleri `krank list` ile listele";
+        did_you_mean(name: &str) = "`{name}` mi demek istediniz?";
+        did_you_mean_command(name: &str) = "`{name}` komutunu mu demek istediniz?";
+        did_you_mean_preset(name: &str) = "`{name}` hazır sahnesini mi demek istediniz?";
+        list_names_presets = "hazır sahneleri `krank list` ile listeleyin";
         no_preset_and_no_file(name: &str, mend: &str) = "`{name}` adında hazır sahne ya da dosya yok; {mend}";
-        command_comes_first(command: &str) = "komutu başa yaz: `krank {command} SCENE`";
+        command_comes_first(command: &str) = "komutu başa yazın: `krank {command} SCENE`";
         no_such_command(name: &str, meant: &str) =
-            "bilinmeyen komut `{name}`; `{meant}` komutunu mu demek istedin?";
+            "bilinmeyen komut `{name}`; `{meant}` komutunu mu demek istediniz?";
         one_scene_alone(extra: &str) =
             "beklenmeyen argüman `{extra}`: krank bir kerede tek sahne açar; komutları `krank --help` ile \
-             listele";
+             listeleyin";
         krank_has_no_command(name: &str) = "bilinmeyen komut `{name}`";
         no_topic_and_no_command(word: &str, topics: &str) =
             "`{word}` adında konu ya da komut yok; konular: {topics}";
         no_topic_but_near(word: &str, near: &str, topics: &str) =
-            "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? konular: {topics}";
+            "`{word}` adında konu ya da komut yok; `{near}` mi demek istediniz? konular: {topics}";
         word_occurs(word: &str) = "`{word}` adında konu ya da komut yok; geçtiği yerler:";
         word_occurs_but_near(word: &str, near: &str) =
-            "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? geçtiği yerler:";
-        check_names_points = "noktaları `krank check SCENE` ile listele";
+            "`{word}` adında konu ya da komut yok; `{near}` mi demek istediniz? geçtiği yerler:";
+        check_names_points = "noktaları `krank check SCENE` ile listeleyin";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: sahnede `{name}` adında bir nokta yok; {mend}";
         there_are(names: &str) = "olanlar: {names}";
@@ -75,10 +75,10 @@ catalogue! {
         must_be_a_number = "bir sayı olmalı";
         must_not_be_negative = "sonlu ve negatif olmayan bir sayı olmalı";
         size_is_meant(largest: &dyn Display) =
-            "sütun x satır yaz, örneğin 80x24; her biri 1 ile {largest} arasında";
+            "sütun x satır yazın, örneğin 80x24; her biri 1 ile {largest} arasında";
         comma_for_both =
-            "--decimal comma ile --separator comma birlikte kullanılamaz: --separator semicolon kullan";
-        for_csv_alone(option: &str) = "{option} için CSV gerekir: --format csv ekle";
+            "--decimal comma ile --separator comma birlikte kullanılamaz: --separator semicolon kullanın";
+        for_csv_alone(option: &str) = "{option} için CSV gerekir: --format csv ekleyin";
 
         // The driver and the motion.
         taken_within(typed: &dyn Display, at: &dyn Display, unit: &str, covered: &str) =
@@ -101,7 +101,7 @@ catalogue! {
         // Values.
         too_many_sensitivities(figures: usize, lengths: usize) =
             "--sensitivity: {lengths} boya göre {figures} büyüklük çok fazla: `krank sweep --columns` ile daha \
-             azını seç";
+             azını seçin";
         unproved(some: &dyn Display, figures: &dyn Display) =
             "{figures} değerden {some} tanesinin hata sınırı yok: ölü ya da değişim konumu çok yakın, ya da bir \
              formül tanımsız olabilir";
@@ -119,14 +119,14 @@ catalogue! {
 
         // Plots.
         no_figures_to_plot =
-            "--columns: çizilecek bir şey yok: en az bir sütun adı ver, örneğin C.vx ya da r4.omega";
+            "--columns: çizilecek bir şey yok: en az bir sütun adı verin, örneğin C.vx ya da r4.omega";
         too_small_for_plot(columns: u16, rows: u16) =
-            "--size: {columns}x{rows} bir grafik için çok küçük: bir panel için en az 40x12 ver";
+            "--size: {columns}x{rows} bir grafik için çok küçük: bir panel için en az 40x12 verin";
         panels_without_room(count: usize, columns: u16, rows: u16) =
-            "{count} panel daha sığmıyor: hepsini görmek için --size {columns}x{rows} ver";
+            "{count} panel daha sığmıyor: hepsini görmek için --size {columns}x{rows} verin";
         one_along_x(name: &str, count: usize) =
-            "--against: `{name}` {count} büyüklüğü gösteriyor: x ekseni için birini seç";
-        no_way_between(at: f64) = "--from ve --to değerlerinin ikisi de {at}: iki farklı konum seç";
+            "--against: `{name}` {count} büyüklüğü gösteriyor: x ekseni için birini seçin";
+        no_way_between(at: f64) = "--from ve --to değerlerinin ikisi de {at}: iki farklı konum seçin";
         plot_outside(covered: &str) =
             "grafiğin hiçbir bölümü hareketin içinde değil: tahrikin aralığı {covered}";
         plot_partly_outside(covered: &str) =
@@ -135,19 +135,19 @@ catalogue! {
 
         // The motor.
         peak_less_than_rated(peak: f64, rated: f64) =
-            "--peak: {peak}, anma değeri {rated} sayısından küçük: motorun tepe değerini ver, en az anma \
+            "--peak: {peak}, anma değeri {rated} sayısından küçük: motorun tepe değerini verin, en az anma \
              değeri kadardır";
         fluctuation_above_one(share: f64) =
-            "--fluctuation: {share} 1'den büyük: hızın (en büyük - en küçük) / ortalama oranını ver; 0.02, %2 \
+            "--fluctuation: {share} 1'den büyük: hızın (en büyük - en küçük) / ortalama oranını verin; 0.02, %2 \
              demektir";
         fluctuation_above_two(share: f64) =
             "--fluctuation: {share} olanaksız: 2 değerinde tahrik her döngüde bir kez durur; 0.02, %2 demektir";
         guide_of_ram_moves(name: &str) =
-            "--ram: `{name}` kızağının kılavuzu şasede değil: kılavuzu şasede olan bir kızak ver";
+            "--ram: `{name}` kızağının kılavuzu şasede değil: kılavuzu şasede olan bir kızak verin";
         no_slide_on_ground = "kılavuzu şasede olan bir kızak yok";
         no_slide_named(name: &str, mend: &str) = "--ram: `{name}` adında kızak yok; {mend}";
-        no_ram(why: &dyn Display) = "koç yok: {why}; --ram ile bir kızak ver";
-        nothing_acts_on_it = "sahnede yük, yay ya da kütle yok: [[loads]] ya da bir uzva `mass` ekle";
+        no_ram(why: &dyn Display) = "koç yok: {why}; --ram ile bir kızak verin";
+        nothing_acts_on_it = "sahnede yük, yay ya da kütle yok: [[loads]] ya da bir uzva `mass` ekleyin";
         no_believable_integrals = "tahrik kuvvetinin ya da torkunun integralleri bu döngüde yakınsamıyor";
 
         // Progress.

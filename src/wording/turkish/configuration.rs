@@ -7,15 +7,15 @@ use std::fmt::Display;
 catalogue! {
     impl ConfigurationWords for Turkish {
         the_configuration = "ayar dosyası";
-        quote_texts_and_keys = "metinleri ve tuşları tırnak içinde yaz: \"space\"";
-        write_name_and_value = "ad = değer yaz";
+        quote_texts_and_keys = "metinleri ve tuşları tırnak içinde yazın: \"space\"";
+        write_name_and_value = "ad = değer yazın";
 
         // Values.
         value_cannot_be(key: &str, given: &dyn Display) = "`{key}` değeri {given} olamaz";
         unknown_value = "bilinmeyen değer";
         known_values(quoted: &str) = "bilinen değerler: {quoted}";
         separator_is_decimal = "`separator` ve `decimal` birlikte virgül olamaz";
-        take_a_semicolon = "\"semicolon\" ya da \"tab\" yaz";
+        take_a_semicolon = "\"semicolon\" ya da \"tab\" yazın";
 
         ignored(first: &str, more: usize) = {
             match more {
@@ -27,7 +27,7 @@ catalogue! {
         // Actions.
         unknown_action(name: &str) = "[keys]: bilinmeyen eylem {name}";
         unknown_action_here = "bilinmeyen eylem";
-        config_lists_actions = "eylemleri `krank config` ile listele";
+        config_lists_actions = "eylemleri `krank config` ile listeleyin";
         must_have_a_key(name: &str) = "{name} eyleminin bir tuşu olmalı";
         no_key_here = "tuş yok";
         by_default(keys: &str) = "varsayılan: {keys}";
@@ -42,11 +42,11 @@ catalogue! {
         no_key_called(name: &str) = "{name} adında bir tuş yok";
         unknown_key = "bilinmeyen tuş";
         how_keys_are_called =
-            "yazdırılabilir bir ASCII karakteri ya da yardımdaki tuş adını yaz:\n\
+            "yazdırılabilir bir ASCII karakteri ya da yardımdaki tuş adını yazın:\n\
              space, Enter, Tab, Shift-Tab, Backspace, Left, Right, Up, Down, Home, End,\n\
              PgUp, PgDn, F1 .. F24, Ctrl-A .. Ctrl-Z";
         cannot_be_given_away = "başka eyleme atanamaz";
-        choose_another_key = "başka bir tuş seç";
+        choose_another_key = "başka bir tuş seçin";
         sent_as(key: &dyn Display, sent: &dyn Display) = "terminaller {key} yerine {sent} gönderir";
         never_seen = "hiç alınmaz";
         key_given_twice(key: &dyn Display, action: &str) = "{key} tuşu `{action}` eylemine iki kez atanmış";
@@ -57,7 +57,7 @@ catalogue! {
         here_too = "ve burada";
         has_it_by_default(action: &str) = "`{action}` eyleminin varsayılan tuşu";
         give_another_key(action: &str) =
-            "`{action}` eylemine başka bir tuş ata ya da boş bırak: {action} = []";
+            "`{action}` eylemine başka bir tuş atayın ya da boş bırakın: {action} = []";
 
         // The template of `krank config`.
         template_head = "\
@@ -65,7 +65,7 @@ catalogue! {
 # ~/.config/krank/config.toml dosyasından okunur. krank bu dosyayı hiç yazmaz.
 #
 # Her satır, varsayılan değeri gösteren bir yorumdur: değiştirmek için baştaki #
-# işaretini kaldır. krank açılırken hataları satırlarıyla bildirir ve tanımadığı
+# işaretini kaldırın. krank açılırken hataları satırlarıyla bildirir, tanımadığı
 # adları yok sayar.
 
 ";
@@ -75,8 +75,8 @@ catalogue! {
         decimals_of_csv(values: &str) = "CSV dosyalarında: {values}";
         separators_of_csv(values: &str) = "{values}";
         panes_stand_as(values: &str) = "bölme düzeni: {values}";
-        mouse_from_the_start = "fareyi baştan kullan: true ya da false";
-        tour_on_first_start = "ilk açılışta turu göster: true ya da false";
+        mouse_from_the_start = "fare baştan açık: true ya da false";
+        tour_on_first_start = "ilk açılışta tanıtım turu: true ya da false";
         template_keys = "
 [keys]
 # Her eylem için bir tuş ya da bir tuş listesi, yardımdaki adıyla: \"g\", \"space\",

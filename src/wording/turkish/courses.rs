@@ -13,8 +13,8 @@ catalogue! {
         ends_elsewhere = "başladığı yerde bitmiyor";
         motion_of_link_closes =
             "hareketin yinelenmesi için son adımı tahrikin `angle` açısında ya da ondan tam turlar ötede \
-             bitir";
-        motion_of_slide_closes = "hareketin yinelenmesi için son adımı tahrikin `position` konumunda bitir";
+             bitirin";
+        motion_of_slide_closes = "hareketin yinelenmesi için son adımı tahrikin `position` konumunda bitirin";
         step_leaves_range(number: usize, to: f64, low: f64, high: f64) =
             "hareketin {number}. adımı {to} konumunda bitiyor, ama tahrikin dayamaları {low} ve {high} \
              konumlarında";
@@ -37,17 +37,17 @@ catalogue! {
         places_must_grow(what: &str, first: &str, second: &str) =
             "{what}: tahrikin koordinatları düğümden düğüme artmalı, ama {first} değerinden sonra {second} \
              geliyor";
-        table_beside(of: &str, key: &str) = "{of}: hem `over` tablosu hem `{key}` var: birini bırak";
+        table_beside(of: &str, key: &str) = "{of}: hem `over` tablosu hem `{key}` var: birini bırakın";
         says_the_same_otherwise = "aynı giriş için ikinci bir kural";
         the_table = "tablo";
         table_does_not_close(of: &str, first: f64, last: f64) =
             "{of}: tablo tahrikin tam turlarını kapsıyor, ama {first} değerinde başlayıp {last} değerinde \
              bitiyor, bu yüzden yinelenemez";
         table_of_link_closes =
-            "son değeri ilk değere eşit ya da ondan tam turlar ötede yap: tablo yinelenir";
-        table_of_slide_closes = "son değeri ilk değere eşit yap: tablo yinelenir";
+            "son değeri ilk değere eşit ya da ondan tam turlar ötede yapın: tablo yinelenir";
+        table_of_slide_closes = "son değeri ilk değere eşit yapın: tablo yinelenir";
         or_table_is_shorter =
-            "ya da tabloyu hareketin bittiği yerde bitir, ya da tahrike bir `range` ver";
+            "ya da tabloyu hareketin bittiği yerde bitirin, ya da tahrike bir `range` verin";
         table_of_one_knot(what: &str) = "{what}: tek düğüm var, hiçbir şey hareket etmez";
         table_begins_elsewhere(of: &str, literal: &str) =
             "{of}: ilk düğüm, önceki adımın sonu olan {literal} olmalı";
@@ -56,7 +56,7 @@ catalogue! {
         motion_beside(key: &str) = "tahrikte hem `motion` hem `{key}` var";
         the_motion_says = "bunu `motion` zaten belirliyor";
         leave_out_beside_motion(key: &str) =
-            "`{key}` anahtarını sil; sabit hızı bir adım olarak yaz: {{ law = \"constant\", to = 360, time \
+            "`{key}` anahtarını silin; sabit hızı bir adım olarak yazın: {{ law = \"constant\", to = 360, time \
              = 2 }}";
 
         // Values over time.
@@ -67,7 +67,7 @@ catalogue! {
             "Zamana göre satırlar: --from, --to ve --step, sahne açıldıktan sonraki zamandır (s); tahrik \
              hareketini izler";
         rates_by_coordinate(unit: &str) =
-            "hızlar ve ivmeler 1 {unit} hızındaki tahrik içindir; zamana göre hareketinki için --time kullan";
+            "hızlar ve ivmeler 1 {unit} hızındaki tahrik içindir; zamana göre hareketinki için --time kullanın";
 
         // The motor.
         over_a_period(seconds: &str) = "hareketin {seconds} s süren bir periyodunda";

@@ -7,15 +7,15 @@ catalogue! {
     impl DesignsWords for Turkish {
         no_axis(text: &str) =
             "`{text}` geçerli bir aralık değil: `r3.length` (serbest), `r3.length=280..320` ya da \
-             `r3.length=280..320/9` (9 değer) yaz";
+             `r3.length=280..320/9` (9 değer) yazın";
         no_goal(text: &str) =
-            "`{text}` bir hedef değil: bir büyüklük, bir işaret ve bir sayı yaz: `C.x.stroke = 120`, \
+            "`{text}` bir hedef değil: bir büyüklük, bir işaret ve bir sayı yazın: `C.x.stroke = 120`, \
              `transmission >= 40` ya da `r4.angle.swing <= 75`";
         unit_of_goal(figure: &str, unit: &str, found: &str) = {
             match unit {
-                "" => format!("{figure} birimsizdir, birimi {found} değil: yalnız sayıyı yaz"),
+                "" => format!("{figure} birimsizdir, birimi {found} değil: yalnız sayıyı yazın"),
                 unit => format!(
-                    "{figure} büyüklüğünün birimi {unit}, {found} değil: yalnız sayıyı ya da bu türden bir birimle yaz"
+                    "{figure} büyüklüğünün birimi {unit}, {found} değil: yalnız sayıyı ya da bu türden bir birimle yazın"
                 ),
             }
         };
@@ -63,10 +63,10 @@ catalogue! {
             }
             .to_owned()
         };
-        no_goal_given = "aranacak bir şey verilmemiş: --goal, --minimize ya da --maximize ver";
+        no_goal_given = "aranacak bir şey verilmemiş: --goal, --minimize ya da --maximize verin";
         goals_and_best =
-            "--goal ile --minimize ya da --maximize birlikte kullanılamaz: sınırları --keep ile yaz";
-        free_without_ends(name: &str) = "`{name}` için burada sınırlar gerekir: `{name}=ALT..ÜST` yaz";
+            "--goal ile --minimize ya da --maximize birlikte kullanılamaz: sınırları --keep ile yazın";
+        free_without_ends(name: &str) = "`{name}` için burada sınırlar gerekir: `{name}=ALT..ÜST` yazın";
         no_such_design(number: usize, count: usize) =
             "{number} numaralı tasarım yok: yalnız {count} tasarım bulundu";
         given_lacks = "verilende yok";
@@ -76,7 +76,7 @@ catalogue! {
 
         // The command.
         does_solve =
-            "Bir sahnenin hedefleri karşılayan ya da bir büyüklüğü en küçük veya en büyük yapan değerlerini bul";
+            "Bir sahnenin hedefleri karşılayan ya da bir büyüklüğü en küçük veya en büyük yapan değerlerini bulun";
         values_to_vary =
             "Değiştirilecek değerler, sahne görünümündeki adlarıyla ve noktayla: r3.length, A.x, bir parametre; \
              sınırlarıyla: r3.length=280..320";
@@ -106,18 +106,18 @@ Her tasarım sahnenin montaj biçimini korur. Hedefleri hiçbir tasarım karşı
 en yakını yazılır ve çıkış kodu 1 olur. Çok başlangıçlı bir arama, başka tasarım
 bulunmadığını kanıtlamaz.";
         // Ranges.
-        value_twice(name: &str) = "{name} iki kez verilmiş: her değeri bir kez yaz";
+        value_twice(name: &str) = "{name} iki kez verilmiş: her değeri bir kez yazın";
         axis_without_ends(name: &str) =
-            "{name} için sınır yok: {name}=280..320 ya da 9 değer için {name}=280..320/9 yaz";
+            "{name} için sınır yok: {name}=280..320 ya da 9 değer için {name}=280..320/9 yazın";
         hypercube_has_places(name: &str) =
             "{name} için değer sayısı verilmiş, ama --latin ile bu sayı tasarım sayısıdır: / işaretini ve \
-             arkasındaki sayıyı sil";
+             arkasındaki sayıyı silin";
         too_many_designs(most: &str) =
-            "ızgarada {most} tasarımdan fazlası var: daha az değer ya da --latin kullan";
-        no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yaz";
+            "ızgarada {most} tasarımdan fazlası var: daha az değer ya da --latin kullanın";
+        no_part(text: &str) = "`{text}` bir parça değil: 64 parçanın üçüncüsü için 3/64 yazın";
         disk_without_locks(file: &str) =
-            "{file}: bu diskte dosya kilidi yok; bu dosyayla ikinci bir çalışma başlatma";
-        resume_needs_file = "--resume için bir CSV dosyası gerekir: dosyayı -o ile ver";
+            "{file}: bu diskte dosya kilidi yok; bu dosyayla ikinci bir çalışma başlatmayın";
+        resume_needs_file = "--resume için bir CSV dosyası gerekir: dosyayı -o ile verin";
         chart_needs_grid(most: &str) =
             "grafik için bir ya da iki değerin bütün parçalarıyla ızgarası ve en çok {most} tasarım gerekir";
 
@@ -125,10 +125,10 @@ bulunmadığını kanıtlamaz.";
         designs = "tasarım";
         file_of_other_study(file: &str, line: u64) =
             "{file} başka bir çalışmanın dosyası: {line}. satır farklı. Dosyayı baştan yazmak için --resume \
-             seçeneğini kaldır";
+             seçeneğini kaldırın";
         row_was_changed(file: &str, line: u64) =
-            "{file} dosyasının {line}. satırı, bu çalışma yazdıktan sonra değiştirilmiş. Satırı geri getir ya \
-             da dosyayı baştan yazmak için --resume seçeneğini kaldır";
+            "{file} dosyasının {line}. satırı, bu çalışma yazdıktan sonra değiştirilmiş. Satırı geri getirin ya \
+             da dosyayı baştan yazmak için --resume seçeneğini kaldırın";
         file_goes_on(file: &str, done: u64, all: u64) = "{file} içinde {all} tasarımın {done} tanesi hazır";
         designs_left_out(open: u64, unreadable: u64, all: u64) =
             "{all} tasarımın {open} tanesi sahnedeki gibi kurulamıyor, {unreadable} tanesi geçerli bir sahne \

@@ -57,7 +57,7 @@ catalogue! {
         a_slide = "bir kızak";
         no_common_coordinate(scene: &str, by: &str, this_by: &str) =
             "{scene} sahnesinin tahriki {by}, bu sahneninki {this_by}: ortak koordinat yok";
-        against(scene: &str) = "karşılaştırılan: {scene}";
-        against_without_assembly(scene: &str) = "karşılaştırılan: {scene}, burada kurulamaz";
+        against(scene: &str) = "{scene} ile karşılaştırma";
+        against_without_assembly(scene: &str) = "{scene} ile karşılaştırma: burada kurulamaz";
     }
 }

@@ -14,11 +14,11 @@ Tezgâhın tuşları:
 ";
         examples_of_krank = "\
 Örnekler:
-  krank                          derslerdeki dört çubuğu aç
-  krank slider-crank --at 30     hazır bir sahneyi 30 derecede aç
-  krank my-press.toml            bir sahne dosyasını aç
-  krank press --view tables      hazır bir sahneyi bütün tablolarıyla aç
-  krank press --print            açılan ekranı yaz ve çık
+  krank                          derslerdeki dört çubuğu açın
+  krank slider-crank --at 30     hazır bir sahneyi 30 derecede açın
+  krank my-press.toml            bir sahne dosyasını açın
+  krank press --view tables      hazır bir sahneyi bütün tablolarıyla açın
+  krank press --print            açılan ekranı yazın ve çıkın
   krank sweep four-bar -o four-bar.csv
 
 SCENE bir dosya, hazır bir sahnenin adı (krank list) ya da standart girdi için -
@@ -56,10 +56,10 @@ krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
   krank explain four-bar --method newton --guess r3=20,r4=280
   krank explain four-bar --method bisection --guess r3=0..90
 
-Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle döngü
-denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve ivmeler,
-mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir de
-sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
+Vektörel poligonlar, konum tablosu, bileşenleriyle ve izdüşümleriyle vektörel
+konum denklemleri, her grubun çözümü, türevi alınmış denklemlerle hızlar ve
+ivmeler, mafsallar ve ağırlık merkezleri teğetsel ve merkezcil bileşenleriyle, bir
+de sağlama. Her satır kendi formülüyle, önceki satırların değerlerinden hesaplanır;
 bağlaşık bir grubun denklemleri ve çözümü gösterilir, yok etme adımları değil. Yük,
 yay ya da kütle varsa her uzvun ve yüklü pimin dengesi tepki kuvvetleriyle verilir,
 tahrikin kuvveti ya da torku sanal işle sağlanır. Ölü konumda yalnız konumlar
@@ -91,8 +91,8 @@ ok, çizildiğinden uzundur.";
 Betik her boyu adıyla tanımlar, her grubu bir satırda, formülleri tam olarak çözer
 ve krank'ı gerektirmez. Başlangıcı, sonu ve adımı alır, krank sweep sütunlarını
 yazar; MATLAB ve Octave'da [rows, heads] = press_ram(0, 360, 10) bunları döndürür.
-Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsin.
-CAD çizimi için krank draw --format dxf, değerler için krank sweep kullan.";
+Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsiniz.
+CAD çizimi için krank draw --format dxf, değerler için krank sweep kullanın.";
         examples_of_sweep = "\
 Örnekler:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
@@ -106,7 +106,7 @@ da kütle varsa driver.torque, driver.power, r3.B.fx (r3 uzvuna B piminde gelen 
 r4.normal, r6.moment, ground.fx ve yuvarlama olmasa sıfır olacak iki sağlamanın
 artıkları da vardır. Tahrikin koordinatı hep ilk, state hep son sütundur: ok,
 change-point, dead-point ya da no-assembly. Olmayan değer boş hücredir (JSON: null).
---decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayraç ;.
+--decimal comma, Türkçe hesap tablolarının açtığı CSV yazar: 15,5 ve ayırıcı ;.
 --bounds her C.x sonrasına aynı birimde C.x.bound ekler: sahne verildiği gibi
 çözülürken oluşan hatanın sınırı. --sensitivity C.x.sensitivity ekler: verilen her
 boy bir birim yanlış olursa C.x değerindeki en büyük değişim.
@@ -147,7 +147,7 @@ denklemlerinin en zayıf olduğu yer. Var olmayan bir büyüklüğün nedeni yaz
   krank study press --vary r2.length=80..120,r3.length=250..330 --latin 1000 \\
     --seed 7 --columns r6.angle.swing --format text
 
-Değerlerin adı krank check ve çalışma tezgâhındaki gibidir, boşluk yerine nokta:
+Değerlerin adı krank check ve tezgâhtaki gibidir, boşluk yerine nokta:
 r3.length, A.x, driver.angle; parametreler kendi adlarıyla. En hızlı son değer
 değişir. Her tasarım, bu değerlerle sahnenin montaj biçiminde açılan sahnedir. Son
 sütunlar durumu (ok, no-assembly ya da değerler geçerli bir sahne vermiyorsa
@@ -194,9 +194,9 @@ hareketi sahnenin açıldığı konuma ulaşmıyorsa bu konum da değişir.";
   krank accuracy jansen-leg --format csv -o jansen.csv
   krank accuracy my-press.toml --positions 36000
 
-Her yöntem konum, hız ve ivme verir ve iki kat hassasiyetli bir hesapla
+Her yöntem konum, hız ve ivme verir ve double-double bir hesapla
 karşılaştırılır. Sahnede kullanılamayan yöntemler nedeniyle listelenir. Süreler bu
-makinede ölçülür: o sırada başka iş çalıştırma. Ctrl-C bitirir.";
+makinede ölçülür: o sırada başka iş çalıştırmayın. Ctrl-C bitirir.";
         examples_of_config = "\
 Örnek:
   krank config > ~/.config/krank/config.toml

@@ -22,8 +22,8 @@ catalogue! {
         the_origin = "başlangıç";
         the_frame = "şase";
         slides_along(what: &str, on: &str, through: &str, angle: &str) =
-            "{what} kayar, kızak: {on}, {through} noktasından {angle} deg ile";
-        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kızağa göre hep {angle} deg";
+            "{what} kayar, kılavuz: {on}, {through} noktasından {angle} deg ile";
+        lies_to_guide(what: &str, angle: &str) = "{what} ekseni kılavuza göre hep {angle} deg";
         driver_stands(name: &str, at: &str, speed: &str, acceleration: &str) =
             "{name}: {at}, hız {speed}, ivme {acceleration}";
         what_is_asked =
@@ -94,11 +94,11 @@ catalogue! {
         no_exercise(seed: u64) =
             "{seed} tohumu için ödev bulunamadı: rastgele boylar mekanizmanın gerektirdiği bağıntıları bozuyor";
         no_dimensions = "sahnede rastgele seçilebilecek boy yok";
-        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: başka bir konum seç";
-        folder_for_many = "--count birçok dosya yazar: -o DIR ile bir klasör ver";
+        no_figures_at(at: &str) = "{at} konumunda hız ve ivme yok: başka bir konum seçin";
+        folder_for_many = "--count birçok dosya yazar: -o DIR ile bir klasör verin";
         seeds_run_out = "--seed ile --count en büyük tohumu aşıyor";
         would_be_lost(file: &str) =
-            "`{file}` bu ödevin yazdığı gibi değil ve içeriği kaybolurdu: başka bir klasöre yaz";
+            "`{file}` bu ödevin yazdığı gibi değil ve içeriği kaybolurdu: başka bir klasöre yazın";
         holds_no_answers(file: &str) = "`{file}` içinde cevap yok: hiçbir satırda bir değerin adı yok";
         names_no_figure(file: &str, sheet: &str) =
             "`{file}` içinde cevap yok: hiçbir satırda `{sheet}` sahnesinin bir değeri yok";
@@ -110,12 +110,12 @@ catalogue! {
         some_not_graded(some: usize, files: usize) = "{files} dosyadan {some} tanesi notlandırılmadı";
 
         // On the command line.
-        does_exercise = "Bir sahneden ödev yap: rastgele boyutlu ödev kâğıdı, cevap dosyası, çözüm";
-        does_grade = "Cevapları notlandır: her değer doğru, erken yuvarlanmış, işareti, birimi ya da kendisi yanlış";
+        does_exercise = "Bir sahneden ödev yapın: rastgele boyutlu ödev kâğıdı, cevap dosyası, çözüm";
+        does_grade = "Cevapları notlandırın: her değer doğru, erken yuvarlanmış, işareti, birimi ya da kendisi yanlış";
         seed_of_exercise = "Ödevin tohumu: aynı tohum her makinede aynı ödevi verir";
         count_of_exercises = "Ardışık tohumlarla ödev sayısı";
         format_of_sheet = "Ödev ve çözümün biçimi [yoksa: klasöre html, değilse metin]";
-        folder_of_exercises = "Sahneyi, ödevi, cevap dosyasını ve çözümü bu klasöre yaz";
+        folder_of_exercises = "Sahneyi, ödevi, cevap dosyasını ve çözümü bu klasöre yazın";
         sheet_to_grade =
             "Ödevin sahnesi, herhangi bir sahne ya da hazır sahne, ya da cevaplarda adı geçen sahnelerin \
              klasörü";

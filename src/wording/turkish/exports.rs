@@ -7,11 +7,11 @@ use std::fmt::Display;
 catalogue! {
     impl ExportsWords for Turkish {
         no_clipboard = "bu terminalin panosu yok";
-        nothing_to_copy = "burada kopyalanacak bir şey yok: tablolara bak";
+        nothing_to_copy = "burada kopyalanacak bir şey yok: tablolara bakın";
         no_value_to_copy = "kopyalanacak değer yok";
         sent_to_clipboard(bytes: usize) = "terminalin panosuna gönderildi: {bytes} B";
         too_much_to_copy(bytes: usize) = "kopyalamak için çok fazla, {bytes} B";
-        use_instead(why: &str, key: &dyn Display) = "{why}: {key} kullan";
+        use_instead(why: &str, key: &dyn Display) = "{why}: {key} kullanın";
         no_figures_to_write = "burada yazılacak bir şey yok";
         no_drawing_here = "bu görünümde çizim yok";
         still_shown(bytes: usize) = "piksellerle, {bytes} B; bir tuş kapatır";
@@ -35,7 +35,7 @@ catalogue! {
              önce.";
         script_lines = "İki doğrunun kesişimi.";
         script_swing =
-            "Mafsalından belli bir uzaklıkta geçen ve mafsaldan görülen noktadan giden kızağın doğrultusu.";
+            "Mesnedinden belli bir uzaklıkta geçen ve mesnetten görülen noktadan giden kılavuzun doğrultusu.";
         script_side = "q'daki yan; bazı konumlarda değişir.";
         script_follow = "Bir girişin tablosuna göre koordinatı: düğümlerdeki ikinci türevlerle kübik spline.";
         script_newton =

@@ -8,12 +8,12 @@ catalogue! {
         // Reasons for values that are not shown.
         forces_disagree(at: &str, residual: &str, missed: &str, most: &str) =
             "{at} konumundaki kuvvetler gösterilmiyor: {residual} {missed}, ama yuvarlama en çok {most} \
-             açıklar; iki yöntem uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen bildir";
+             açıklar; iki yöntem uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen bildirin";
         forces_too_large(at: &str) =
             "{at} konumundaki kuvvetler gösterilmiyor: bazıları bir sayıya sığmayacak kadar büyük; olağan \
-             hızlar, kütleler ve yükler seç";
+             hızlar, kütleler ve yükler seçin";
         figure_too_large(figure: &str, at: &str) =
-            "{figure}, {at} konumunda bir sayıya sığmayacak kadar büyük; olağan boylar ve hızlar seç";
+            "{figure}, {at} konumunda bir sayıya sığmayacak kadar büyük; olağan boylar ve hızlar seçin";
 
         // Tables.
         vector = "vektör";

@@ -30,7 +30,7 @@ catalogue! {
         no_permission = "izin yok";
         disk_read_only = "disk salt okunur";
         no_such_folder = "böyle bir klasör yok";
-        add_a_name = "o bir klasör: bir ad ekle";
+        add_a_name = "o bir klasör: bir ad ekleyin";
         not_written(why: &str) = {
             format!("yazılmadı: {}", parser::of_system(&why))
         };

@@ -6,11 +6,11 @@ use crate::wording::english::FormulasWords;
 catalogue! {
     impl FormulasWords for Turkish {
         // Syntax.
-        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter kullan";
+        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter kullanın";
         formula_too_deep(most: usize) = "parantez ve işaretlerin iç içe derinliği {most} sınırını aşıyor";
         no_part_of_a_formula(character: &str) = "`{character}` formülde kullanılamaz";
         minus_without_blank(word: &str) = "`{word}` bir ad ya da çıkarma olabilir";
-        minus_between_blanks = "çıkarma için `-` çevresine boşluk koy: adlarda da geçebilir";
+        minus_between_blanks = "çıkarma için `-` çevresine boşluk koyun: adlarda da geçebilir";
         formula_ends_early(wanted: &str) = "formül bitiyor, ama şu gelmeli: {wanted}";
         expected_in_formula(wanted: &str, found: &str) = "beklenen: {wanted}, bulunan: `{found}`";
         operator_or_end = "`+`, `-`, `*`, `/`, `^` ya da formülün sonu";
@@ -18,7 +18,7 @@ catalogue! {
         closing_bracket = "`)`";
         exponent_must_be_number = "üs 0'dan farklı bir sayı olmalı";
         exponents_go_to(most: usize) =
-            "`^` -{most} ile {most} arasındaki sayıları alır: ötekiler için exp() ve ln() kullan";
+            "`^` -{most} ile {most} arasındaki sayıları alır: ötekiler için exp() ve ln() kullanın";
         of_plain_numbers_only(name: &str) =
             "`{name}` yalnız birimsiz sayılarla kullanılır ([parameters] içindeki gibi): türevi yoktur";
         no_function(name: &str) = "bilinmeyen fonksiyon `{name}`";
@@ -34,13 +34,13 @@ catalogue! {
         number_too_large(number: &str) = "{number} sayısı çok büyük";
         number_too_small(number: &str) = "{number} sayısı çok küçük";
         number_with_comma(head: &str, tail: &str) =
-            "virgül argümanları ayırır: sayıyı noktayla yaz, `{head}.{tail}`";
+            "virgül argümanları ayırır: sayıyı noktayla yazın, `{head}.{tail}`";
 
         at_character(at: usize, why: &str) = "{at}. karakter: {why}";
 
         // Units.
         blank_before_unit(number: &str, unit: &str) =
-            "sayı ile birimi arasına boşluk koy: `{number} {unit}`";
+            "sayı ile birimi arasına boşluk koyun: `{number} {unit}`";
         measured_in(what: &str, unit: &str) = {
             match unit {
                 "1" => format!("`{what}` birimsiz bir sayı"),
@@ -48,16 +48,16 @@ catalogue! {
             }
         };
         do_not_go_together(one: &str, other: &str) = "{one}; {other}: birimler uyuşmuyor";
-        numbers_need_units = "sayıdan sonra birim yaz: `90 deg`, `10 mm/s`";
+        numbers_need_units = "sayıdan sonra birim yazın: `90 deg`, `10 mm/s`";
         takes_an_angle(function: &str, unit: &str) = {
             match unit {
                 "1" => format!("{function}() açı alır, bu ise birimsiz bir sayı"),
                 unit => format!("{function}() açı alır, bunun birimi ise {unit}"),
             }
         };
-        angles_have_units = "açıya birim ver: `30 deg`, `0.5 rad`";
+        angles_have_units = "açıya birim verin: `30 deg`, `0.5 rad`";
         takes_a_number(function: &str, unit: &str) =
-            "{function}() birimsiz bir sayı alır, bunun birimi ise {unit}: bu birimden bir değere böl";
+            "{function}() birimsiz bir sayı alır, bunun birimi ise {unit}: bu birimden bir değere bölün";
         no_root_of(unit: &str) = "{unit} biriminin karekökü bir birim değil";
         unit_beyond_use = "bu birimin üssü çok büyük";
         formula_has_too_many_steps = "formül, kullandıklarıyla birlikte çok uzun";
@@ -70,33 +70,33 @@ catalogue! {
         parameters_are(names: &str) = "parametreler: {names}";
         scene_has_no_parameters = "adlı sayıları `[parameters]` içinde tanımla: `a = 100`";
         units_stand_alone =
-            "yalnız aynı birimdeki değerleri topla; birimi yalnız birimsiz sayılarla çarp";
+            "yalnız aynı birimdeki değerleri toplayın; birimi yalnız birimsiz sayılarla çarpın";
         units_multiplied(formula: &str) = "`{formula}` bir birimi bir birimle çarpıyor";
         units_divided(formula: &str) = "`{formula}` bir birimi başka bir birime ya da bir sayıyı bir birime bölüyor";
         units_divide_their_like =
-            "birimi yalnız birimsiz bir sayıya ya da aynı birimden bir değere böl: `10 cm / (2 mm)`";
+            "birimi yalnız birimsiz bir sayıya ya da aynı birimden bir değere bölün: `10 cm / (2 mm)`";
         parameter_called(name: &str) = "{name} parametresi";
         parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendine bağlı: {circle}";
         follows_from_itself = "kendine bağlı";
-        give_one_a_number = "birine bir sayı ver";
+        give_one_a_number = "birine bir sayı verin";
         parameter_reads_as_number(name: &str) = "{name} adı bir sayı gibi okunuyor";
-        begin_it_with_a_letter = "bir harfle başlat";
+        begin_it_with_a_letter = "bir harfle başlatın";
         formulas_read_a_unit(name: &str) =
-            "formüllerde `{name}` bir birimdir: başka bir ad seç, örneğin `{name}1`";
+            "formüllerde `{name}` bir birimdir: başka bir ad seçin, örneğin `{name}1`";
         formulas_read_a_function(name: &str) =
-            "formüllerde `{name}` bir fonksiyondur: başka bir ad seç, örneğin `{name}1`";
+            "formüllerde `{name}` bir fonksiyondur: başka bir ad seçin, örneğin `{name}1`";
         parameters_measured_in(named: &[(String, String)], wanted: &str) = {
             let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` birimi {unit}")).collect();
             let wanted = match wanted {
                 "1" => String::new(),
                 wanted => format!("{wanted} ile ya da "),
             };
-            format!("{}: {wanted}birimsiz bir sayı olarak yaz", named.join(", "))
+            format!("{}: {wanted}birimsiz bir sayı olarak yazın", named.join(", "))
         };
         rate_of_units(key: &str, of: &str, formula: &str, found: &str) =
             "`{key}` ({of}): birimden önce birimsiz bir sayı gerekir, ama `{formula}` {found} biriminde";
         rate_brings_its_unit(formula: &str, unit: &str) =
-            "`{unit}` bütün değerin birimidir: `{formula}` içindeki parametreleri birimsiz ver";
+            "`{unit}` bütün değerin birimidir: `{formula}` içindeki parametreleri birimsiz verin";
         value_measures_other(value: &str, found: &str, wanted: &str) =
             "{value}: birimi {wanted} olmalı, bunun birimi ise {found}";
         no_value_named(name: &str, meant: Option<&str>) = {
@@ -106,15 +106,15 @@ catalogue! {
         follows_from_formula(value: &str, formula: &str) =
             "{value}, {formula} ile veriliyor: yazmak için Enter";
         follows_from_parameters(value: &str, formula: &str, names: &str) =
-            "{value}, {formula} ile veriliyor: {names} değiştir ya da Enter ile yaz";
+            "{value}, {formula} ile veriliyor: {names} değiştirin ya da Enter ile yazın";
 
         // Named quantities.
         formula_uses_itself(name: &str) = "{name} kendine bağlı";
         no_rate_of(of: &str) = "{of}: bunun türevi bilinmiyor";
-        name_of_figure_missing = "formülden önce bir ad ve `=` yaz: `swing = r4.angle - r3.angle`";
+        name_of_figure_missing = "formülden önce bir ad ve `=` yazın: `swing = r4.angle - r3.angle`";
         name_of_figure_bad(name: &str) =
-            "`{name}` geçerli bir ad değil: ASCII harf, rakam, `_`, `-` ve `'` kullan, en çok 64";
-        name_of_figure_taken(name: &str) = "`{name}` zaten kullanılıyor: başka bir ad seç";
+            "`{name}` geçerli bir ad değil: ASCII harf, rakam, `_`, `-` ve `'` kullanın, en çok 64";
+        name_of_figure_taken(name: &str) = "`{name}` zaten kullanılıyor: başka bir ad seçin";
         in_formula_of(name: &str) = "{name} formülü";
     }
 }

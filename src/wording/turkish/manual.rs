@@ -6,7 +6,7 @@ use crate::wording::english::ManualWords;
 catalogue! {
     impl ManualWords for Turkish {
         topic_told(about: &str, turkish: &str) = "{about} ({turkish})";
-        about_tutorial = "boş dosyadan altı uzuvlu mekanizmaya";
+        about_tutorial = "boş dosyadan altı çubuk mekanizmasına";
         about_how = "nasıl ...? komutu ya da tuşuyla otuz soru";
         about_scene = "sahne dosyası: bir örnek ve bütün anahtarlar";
         about_views = "tezgâhın gösterdikleri, görünüm görünüm";

@@ -41,7 +41,7 @@ catalogue! {
         of_time_is = "hızları ve ivmeleriyle bir konumun süresi: ortanca ve çeyrekler; RK4 için bir adımın süresi";
         errors_of_three = "kon hız ivm";
         errors_are =
-            "iki kat hassasiyetli hesaba göre en büyük hatalar: noktalarda en uzun boya, hız ve ivmelerde döngünün \
+            "double-double hesaba göre en büyük hatalar: noktalarda en uzun boya, hız ve ivmelerde döngünün \
              en büyük hız ve ivmesine oranla";
         failures_are = "çözüm bulunamayan ya da başka bir montaj biçiminin bulunduğu konumlar; hatalara katılmaz";
         best_are =
@@ -64,11 +64,11 @@ catalogue! {
         newton_from_anchors_is =
             "saklanan birçok durumun en yakınından Newton yöntemi: krank'ın bağlaşık gruplardaki yöntemi";
         polished = "düzeltilmiş";
-        polished_is = "kapalı form ve iki kat hassasiyetli artıklarla bir düzeltme";
+        polished_is = "kapalı form ve double-double artıklarla bir düzeltme";
         single = "tek";
         single_precision_is = "tek hassasiyetle kapalı form";
         newton_at_tolerance = "Newton";
-        newton_is = "doğrusallaştırılmış döngü denklemlerini tam adımlarla art arda çözer";
+        newton_is = "doğrusallaştırılmış vektörel konum denklemlerini tam adımlarla art arda çözer";
         bisection_is = "her grupta bir kök içeren yarım turu, uçları arasında sayı kalmayana dek ikiye böler";
 
         // A method by hand.
@@ -76,13 +76,13 @@ catalogue! {
         guess = "tahmin";
         type_where_it_begins = "ilk tahmin";
         guesses_are_typed = "r3=20, r4=280; ikiye bölme: r3=0..90; boş: taslak";
-        no_method_watched(key: &str) = "Seçili yöntem yok; ilki için {key} tuşuna bas";
+        no_method_watched(key: &str) = "Seçili yöntem yok; ilki için {key} tuşuna basın";
         begins_at_no_guess = "Bu yöntem tahmin kullanmaz";
         newton_raphson = "Newton-Raphson";
         bisection_title = "İkiye bölme";
         by_drawing = "Pergel ve cetvelle";
         newton_how =
-            "Bir x tahmininden sonraki x + dx'tir, J dx = -f. f döngü denklemlerinin artığı, J bunların \
+            "Bir x tahmininden sonraki x + dx'tir, J dx = -f. f vektörel konum denklemlerinin artığı, J bunların \
              bilinmeyenlere göre türevleridir. Bir adım 1e-12 altına inene dek tam adımlar atılır. Hatalar \
              krank'ın çözümünden farklardır: açılar rad, boylar en uzun boyun kesri olarak.";
         bisection_how =
@@ -153,19 +153,19 @@ catalogue! {
         // By compass and ruler.
         no_assembly_to_draw = "Montaj biçimi yok, çemberler kesişmez: çizilecek bir şey yok.";
         scale_of_sheet(scale: &str) =
-            "Bütün noktalar {scale} ölçekle bir A4 kâğıda sığar. Bir nokta kâğıtta 0.2 mm duyarlıkla çizilir ve \
+            "Bütün noktalar {scale} ölçekle bir A4 kâğıda sığar. Bir nokta kâğıtta 0.2 mm doğrulukla çizilir ve \
              okunur.";
         points_to_begin_with = "Şasenin noktaları ve tahrikin yerleştirdiği noktalar:";
         on_paper(axis: &str) = "kâğıtta {axis} [mm]";
         which_it_is = "hangisi";
         also_on_paper(length: &str, unit: &str, paper: &str) = "{length} {unit} (kâğıtta {paper} mm)";
         draw_a_circle(centre: &str, arm: &str, radius: &str) =
-            "Merkezi {centre} olan bir çember çiz: {arm} = {radius}.";
+            "Merkezi {centre} olan bir çember çizin: {arm} = {radius}.";
         draw_a_line(through: &str, theta: &str, direction: &str) =
-            "{through} noktasından bir doğru çiz: {theta} = {direction} deg.";
-        draw_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğruyu çiz.";
+            "{through} noktasından bir doğru çizin: {theta} = {direction} deg.";
+        draw_through(one: &str, other: &str) = "{one} ve {other} noktalarından geçen doğruyu çizin.";
         draw_a_tangent(centre: &str, from: &str, radius: &str) =
-            "Merkezi {centre}, yarıçapı {radius} olan bir çember çiz, ona {from} noktasından bir teğet çek.";
+            "Merkezi {centre}, yarıçapı {radius} olan bir çember çizin, ona {from} noktasından bir teğet çekin.";
         leave_out_beyond(name: &str, length: &str) =
             "Boyunca ölçülen uzaklık {name} ve {length} değerlerinden oluşur; ikincisi uzva aittir.";
         they_meet_in_two = "İki noktada kesişirler:";
@@ -185,16 +185,16 @@ catalogue! {
 
         // Guesses.
         guess_is_written =
-            "NAME=VALUE yaz, belirsizse ardından deg, rad ya da bir boy birimi; ikiye bölme için NAME=FROM..TO";
+            "NAME=VALUE yazın, belirsizse ardından deg, rad ya da bir boy birimi; ikiye bölme için NAME=FROM..TO";
         guess_of_nothing(name: &str, mend: &str) = "`{name}` adında bir vektör yok; {mend}";
         sought_are(names: &str) = "bilinmeyenler {names}";
         not_sought(name: &str, names: &str) = "`{name}` verilmiş ya da tahrikle belirli; bilinmeyenler {names}";
-        other_unit(name: &str, unit: &str) = "`{name}` tahminini {unit} olarak yaz";
+        other_unit(name: &str, unit: &str) = "`{name}` tahminini {unit} olarak yazın";
         unit_missing(name: &str, unit: &str) =
-            "`{name}` için hem boy hem açı bilinmiyor; {name}=VALUE{unit} ya da {name}=VALUEdeg yaz";
-        guessed_twice(name: &str) = "`{name}` aynı bilinmeyeni ikinci kez tahmin ediyor; bir tahmini sil";
+            "`{name}` için hem boy hem açı bilinmiyor; {name}=VALUE{unit} ya da {name}=VALUEdeg yazın";
+        guessed_twice(name: &str) = "`{name}` aynı bilinmeyeni ikinci kez tahmin ediyor; bir tahmini silin";
         guess_is_one_value(name: &str) =
             "Newton-Raphson tek bir değerden başlar; {name}=FROM..TO ikiye bölme içindir";
-        needs_no_guess(name: &str) = "`{name}`: bu yöntem tahmin kullanmaz; Newton-Raphson ya da ikiye bölme seç";
+        needs_no_guess(name: &str) = "`{name}`: bu yöntem tahmin kullanmaz; Newton-Raphson ya da ikiye bölme seçin";
     }
 }

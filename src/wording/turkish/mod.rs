@@ -2,6 +2,8 @@
 //!
 //! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`; what is typed
 //! (options, keys, names of columns and of actions) stays as it is. No ending is put behind a name that comes in.
+//! Sentences use the polite imperative (`yazın`); labels of one to three words use the plain form (`kaydet`). A loop
+//! and a cycle are both a `döngü`, a dyad is an `ikili grup`, a coupled group a `bağlaşık grup`.
 
 mod acting;
 mod actions;

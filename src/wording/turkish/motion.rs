@@ -86,7 +86,7 @@ catalogue! {
         // Lists, search and selection.
         nothing_at_the_side = "burada başka sütun yok";
         begins_a_frame(point: &str, link: &str) =
-            "{point}, {link} uzvunun başlangıç noktası: boyunu listede değiştir";
+            "{point}, {link} uzvunun başlangıç noktası: boyunu listede değiştirin";
         no_further_part = "başka bölüm yok";
         nothing_to_search = "burada aranacak bir şey yok";
         never_moves(name: &str) = "{name} hiç hareket etmez: izlenecek bir şey yok";

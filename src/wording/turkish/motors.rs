@@ -31,10 +31,10 @@ catalogue! {
         dead_points_run_into(places: &str) =
             "ölü konumlar {places}: onlara doğru ivmeler sınırsız büyür, sabit hızlı bir tahrik oraya varamaz. \
              Ortalamalar ve enerjiler yalnız yükleri ve yerçekimini içerir; bütün değerler için hareketin bir \
-             bölümünü seç";
+             bölümünü seçin";
         dead_points_passed(places: &str) =
             "ölü konumlar {places}: onlara doğru tahrikin torku ya da kuvveti sınırsız büyüyebilir. İşi ve \
-             ortalaması var, tepe değeri ve RMS yok; bütün değerler için hareketin bir bölümünü seç";
+             ortalaması var, tepe değeri ve RMS yok; bütün değerler için hareketin bir bölümünü seçin";
         change_points_passed(places: &str) =
             "değişim konumları {places}: tork orada süreklidir, mafsal kuvvetleri olmayabilir";
         not_converged(error: &str, effort: &str) =
@@ -94,7 +94,7 @@ catalogue! {
         takes_a_flywheel(fluctuation: &str, inertia: &str) =
             "{fluctuation} için {inertia} kg m^2 volan gerekir";
         impossible(what: &str) =
-            "{what}: olanaksız, 2 değerinde tahrik her döngüde bir kez durur; daha büyük bir volan kullan";
+            "{what}: olanaksız, 2 değerinde tahrik her döngüde bir kez durur; daha büyük bir volan kullanın";
         roughly(what: &str) = "{what}, kaba bir değer: enerji dalgalanmayla yalnız küçükken orantılıdır";
 
         // Forces on the frame.
@@ -109,7 +109,7 @@ catalogue! {
             "{moment} N m, {place}, başlangıç noktasına göre; {rms} N m RMS";
 
         // The ram.
-        several_rams(names: &str) = "birkaç kızak koç olabilir, birini seç: {names}";
+        several_rams(names: &str) = "birkaç kızak koç olabilir, birini seçin: {names}";
         ram_named(name: &str) = "koç {name}";
         ram_works = "çalışır";
         works_at(end: &str) = "{end} ucunda";

@@ -7,12 +7,12 @@ use std::fmt::Display;
 catalogue! {
     impl OfferingWords for Turkish {
         edits_kept_nowhere =
-            "değişiklikler kurtarma için saklanmıyor: HOME ya da XDG_STATE_HOME değişkenine mutlak bir yol ver";
+            "değişiklikler kurtarma için saklanmıyor: HOME ya da XDG_STATE_HOME değişkenine mutlak bir yol verin";
         edits_not_kept(folder: &dyn Display, why: &dyn Display) = {
             let why = parser::of_system(why);
             format!("değişiklikler kurtarma için saklanmıyor: {folder}: {why}")
         };
-        others_have_edits = "bu sahneyi başka oturumlar değiştirdi: görmek için yeniden aç";
+        others_have_edits = "bu sahneyi başka oturumlar değiştirdi: görmek için yeniden açın";
         edits_by_others = "bu sahnenin başka oturumlardaki değişiklikleri";
         older_edits_are_back(key: &str) = "geri yüklendi; dosya o zamandan beri değişmiş; {key} geri alır";
         edits_are_back(key: &str) = "kaydedilmemiş değişiklikler geri yüklendi; {key} geri alır";

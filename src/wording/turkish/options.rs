@@ -14,26 +14,26 @@ catalogue! {
             "Bir dosya, hazır bir sahnenin adı ya da standart girdi için - [yoksa: {usual}]";
 
         // Commands.
-        does_list = "Hazır sahneleri listele";
-        does_check = "Sahneyi denetle ve tanıt: parçalar, serbestlik, gruplar, aralık";
-        does_table = "Bir açıdaki konum, hız ve ivme tablolarını, yük varsa kuvvetleri yaz";
-        does_explain = "Bir açıdaki çözümü göster: döngüler, denklemler ve her ara değer";
-        does_draw = "Mekanizmayı bir açıda çiz: karakterlerle, SVG ya da CAD için DXF olarak";
-        does_sweep = "Değerleri tahrik açısı boyunca yaz, her konum bir satır";
-        does_plot = "Değerlerin hareket boyunca grafiğini çiz: karakterlerle ya da SVG olarak";
-        does_cycle = "Bütün hareketi özetle: strok, salınım, zaman oranı, bekleme, hız";
-        does_export = "Konumları kendi başına hesaplayan bir Python ya da MATLAB betiği yaz";
-        does_study = "Birçok tasarımı hesapla: sayıların ızgarası ya da örneği, her biri bir satır";
-        does_motor = "Motorun bir döngüdeki torkunu ya da kuvvetini ve koçun hareketini hesapla";
+        does_list = "Hazır sahneleri listeleyin";
+        does_check = "Sahneyi denetleyin ve tanıtın: parçalar, serbestlik, gruplar, aralık";
+        does_table = "Bir açıdaki konum, hız ve ivme tablolarını, yük varsa kuvvetleri yazın";
+        does_explain = "Bir açıdaki çözümü gösterin: döngüler, denklemler ve her ara değer";
+        does_draw = "Mekanizmayı bir açıda çizin: karakterlerle, SVG ya da CAD için DXF olarak";
+        does_sweep = "Değerleri tahrik açısı boyunca yazın, her konum bir satır";
+        does_plot = "Değerlerin hareket boyunca grafiğini çizin: karakterlerle ya da SVG olarak";
+        does_cycle = "Bütün hareketi özetleyin: strok, salınım, zaman oranı, bekleme, hız";
+        does_export = "Konumları kendi başına hesaplayan bir Python ya da MATLAB betiği yazın";
+        does_study = "Birçok tasarımı hesaplayın: sayıların ızgarası ya da örneği, her biri bir satır";
+        does_motor = "Motorun bir döngüdeki torkunu ya da kuvvetini ve koçun hareketini hesaplayın";
         does_tolerance =
-            "Toleransların ve boşlukların etkisini hesapla: en kötü durum, karelerin toplamının karekökü, \
+            "Toleransların ve boşlukların etkisini hesaplayın: en kötü durum, karelerin toplamının karekökü, \
              örnekler, paylar";
-        does_start = "Sahneyi başka bir montaj biçiminin [start] bölümüyle yaz";
-        does_accuracy = "Bir sahnede her yöntemin süresini ve hatasını ölç, tablo ve grafikle";
-        does_config = "Başlangıç için bir ayar dosyası yaz: her anahtar, varsayılan değeriyle";
-        does_help = "El kitabından bir konuyu ya da bir komutun yardımını göster, ya da bir sözcük ara";
-        does_completions = "Bir kabuk için tamamlama betiği yaz";
-        does_man = "man sayfasını yaz";
+        does_start = "Sahneyi başka bir montaj biçiminin [start] bölümüyle yazın";
+        does_accuracy = "Bir sahnede her yöntemin süresini ve hatasını ölçün, tablo ve grafikle";
+        does_config = "Başlangıç için bir ayar dosyası yazın: her anahtar, varsayılan değeriyle";
+        does_help = "El kitabından bir konuyu ya da bir komutun yardımını gösterin, ya da bir sözcük arayın";
+        does_completions = "Bir kabuk için tamamlama betiği yazın";
+        does_man = "man sayfasını yazın";
 
         // Options and their values.
         language_to_speak = "Dil: ekranlar, tablolar, iletiler ve yardım";
@@ -43,7 +43,7 @@ catalogue! {
         decimal_of_csv = "CSV sayılarının ondalık işareti [yoksa: point]";
         decimal_point = "15.5";
         decimal_comma = "15,5; Türkçe hesap tablolarındaki gibi";
-        separator_of_csv = "CSV hücrelerinin ayracı [yoksa: comma; --decimal comma ile semicolon]";
+        separator_of_csv = "CSV hücrelerinin ayırıcısı [yoksa: comma; --decimal comma ile semicolon]";
         separator_comma = "Virgül";
         separator_semicolon = "Noktalı virgül";
         separator_tab = "Sekme";
@@ -70,7 +70,7 @@ catalogue! {
         columns_of_cycle =
             "İzlenecek sütunlar, adla ya da `ad = formül` ile, virgülle ayrılır; * joker karakterdir [yoksa: \
              sahnenin kendi büyüklükleri, kızaklar, şasedeki uzuvlar]";
-        bounds_of_cycle = "Her strokun ve her dönüm noktasındaki değerin hata sınırını ekle";
+        bounds_of_cycle = "Her strokun ve her dönüm noktasındaki değerin hata sınırını ekleyin";
         dwell_of_cycle = "Değerin bekliyor sayıldığı aralık, kendi biriminde [yoksa: strokun yüzde biri]";
         how_to_write_cycle = "Çıktı biçimi; CSV her değer ve özellik için bir satır verir";
         values_of_study =
@@ -78,10 +78,10 @@ catalogue! {
         columns_of_study =
             "Bütün hareketin değerleri, virgülle ayrılır: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler \
              sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
-        designs_of_hypercube = "Izgara yerine N tasarımlık bir Latin hiperküpü kullan";
+        designs_of_hypercube = "Izgara yerine N tasarımlık bir Latin hiperküpü kullanın";
         seed_of_hypercube = "Hiperküpün tohumu; aynı tohum aynı tasarımları verir";
         part_of_study = "Tasarımların n parçasından yalnız k. parça: 3/64";
-        resume_study = "-o dosyasını kaldığı yerden sürdür";
+        resume_study = "-o dosyasını kaldığı yerden sürdürün";
         threads_of_study = "İş parçacığı sayısı; satırlar buna bağlı değildir [yoksa: bütün çekirdekler]";
         how_to_write_study = "Çıktı biçimi; chart ve svg bir değeri eğrilerle, iki değeri haritayla çizer";
         format_chart = "Karakterlerle çizim";
@@ -89,9 +89,9 @@ catalogue! {
         how_to_write_motor = "Çıktı biçimi; CSV döngüyü adım adım verir";
         digits_of_tables = "Metin tablolarında anlamlı hane sayısı; CSV ve JSON her zaman bütün haneleri içerir";
         digits = "Anlamlı hane sayısı";
-        leave_units_out = "Birimleri yazma";
-        add_bounds = "Her değere hata sınırını ekle; kanıtlanamayan sınır eklenmez";
-        add_sensitivity = "Her değerin verilen boylara duyarlığını ekle: boyun bir birimi başına değişimi";
+        leave_units_out = "Birimleri yazmayın";
+        add_bounds = "Her değere hata sınırını ekleyin; kanıtlanamayan sınır eklenmez";
+        add_sensitivity = "Her değerin verilen boylara duyarlığını ekleyin: boyun bir birimi başına değişimi";
         first_row = "İlk satır [yoksa: hareket aralığının başı]";
         last_row = "Son satır, bir adım ona denk gelirse [yoksa: hareket aralığının sonu]";
         row_to_row = "Satırlar arasındaki adım, aşağı için negatif [yoksa: 1 deg; kızakta 100 ile 250 satır]";
@@ -112,18 +112,18 @@ catalogue! {
         spread_of_lengths = "Boyların toleransları içindeki dağılımı";
         spread_choice_normal = "Normal; tolerans üç standart sapmadır";
         spread_choice_even = "Tolerans içinde düzgün dağılım";
-        band_of_tolerances = "Her eğrinin tolerans bandını çiz";
+        band_of_tolerances = "Her eğrinin tolerans bandını çizin";
         band_worst = "krank tolerance komutundaki gibi en kötü durum";
         band_root_sum_square = "Karelerin toplamının karekökü";
         columns_to_plot = "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır";
         positions_to_compare = "360 deg ya da aralık boyunca konum sayısı, 360'ın katına yuvarlanır";
         topic_or_command = "Bir konu, bir komut ya da aranacak sözcükler [yoksa: konuları ve komutları listeler]";
-        write_at_once = "Sayfalayıcı kullanmadan hepsini yaz";
+        write_at_once = "Sayfalayıcı kullanmadan hepsini yazın";
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
-        write_to_a_file = "Standart çıktı yerine dosyaya yaz, ya tam ya hiç";
-        add_to_version = "--version ile: bu derlemenin özelliklerini, hedefini, profilini ve lisansını da yaz";
+        write_to_a_file = "Standart çıktı yerine dosyaya yazın, ya tam ya hiç";
+        add_to_version = "--version ile: bu derlemenin özelliklerini, hedefini, profilini ve lisansını da yazın";
         the_shell = "Kabuk";
         command_of_page = "Sayfanın komutu [yoksa: krank'ın kendisi]";
         rated_effort = "Motorun anma torku, N m, ya da kuvveti, N";
@@ -135,7 +135,7 @@ catalogue! {
         height_of_ram = "Koçun alt noktasının üstünde bir yükseklik, sahnenin biriminde";
         effort_for_ram = "Koç kuvveti için tork, N m, ya da kuvvet, N [yoksa: anma değeri]";
         tolerance_of_rest = "Koçun alt noktadan ne kadar uzakta duruyor sayıldığı, sahnenin biriminde";
-        there_and_back_from = "Tahrikin bu koordinatından gidip dön [yoksa: bütün hareket]";
+        there_and_back_from = "Tahrikin bu koordinatından gidip dönün [yoksa: bütün hareket]";
         there_and_back_to = "Bu koordinata; dönen tahrikte küçük değer bir tur ötededir";
         glyphs_as_allowed = "Yerel ayara ve terminale göre";
         glyphs_of_seven_bits = "7 bitlik karakterler";
@@ -144,24 +144,24 @@ catalogue! {
         glyphs_of_quadrants = "Çeyrek bloklar, çoğu yazı tipinde";
         glyphs_of_sextants = "Altılı bloklar, kimi yazı tipinde";
         glyphs_of_octants = "Sekizli bloklar, az yazı tipinde";
-        trace_points = "Noktaların bütün hareketteki izlerini çiz";
-        draw_velocities = "Hız oklarını çiz";
-        draw_accelerations = "İvme oklarını çiz";
-        draw_forces = "Yükleri, mafsal ve kılavuz kuvvetlerini büyüklükleriyle çiz";
-        draw_ghosts = "Mekanizmayı hareketinin bu kadar konumunda göster";
+        trace_points = "Noktaların bütün hareketteki izlerini çizin";
+        draw_velocities = "Hız oklarını çizin";
+        draw_accelerations = "İvme oklarını çizin";
+        draw_forces = "Yükleri, mafsal ve kılavuz kuvvetlerini büyüklükleriyle çizin";
+        draw_ghosts = "Mekanizmayı hareketinin bu kadar konumunda gösterin";
         names_to_write = "Hangi adların yazılacağı";
-        mark_centres = "Ağırlık merkezlerini işaretle";
-        leave_guides_out = "Kılavuz ve mesnetleri çizme";
+        mark_centres = "Ağırlık merkezlerini işaretleyin";
+        leave_guides_out = "Kılavuz ve mesnetleri çizmeyin";
         characters_to_draw_with = "Çizimde kullanılacak karakterler";
-        size_of_drawing = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100 geniş]";
-        size_of_plot = "Boyu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyu ya da 80x24; SVG 100x40]";
+        size_of_drawing = "Boyutu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyutu ya da 80x24; SVG 100 geniş]";
+        size_of_plot = "Boyutu; SVG'de bir karakter 8 x 16 birimdir [yoksa: terminalin boyutu ya da 80x24; SVG 100x40]";
         names_none = "Hiçbiri";
         names_of_points_alone = "Noktalar";
         names_all = "Noktalar ve uzuvlar";
         plot_against = "x ekseni: driver, time ya da bir sütunun adı";
         driver_begins = "Tahrikin ilk koordinatı [yoksa: hareket aralığının başı]";
         driver_ends = "Tahrikin son koordinatı [yoksa: hareket aralığının sonu]";
-        leave_extrema_out = "En büyük ve en küçük değerleri işaretleme";
+        leave_extrema_out = "En büyük ve en küçük değerleri işaretlemeyin";
         where_to_open = "Nerede açılacağı: tahrik uzvunun açısı deg ya da tahrik kızağının konumu";
         colours_to_draw_with = "Çizimde kullanılacak renkler";
         theme_to_draw_with = "Paletin renkleri [yoksa: auto]";
@@ -172,9 +172,9 @@ catalogue! {
         pictures_of_sixels = "sixel";
         pictures_never = "Resim yok";
         view_to_open_with = "Açılışta gösterilecek görünüm";
-        print_and_leave = "Açılış ekranını metin olarak yaz ve çık; terminal gerekmez";
-        size_of_print = "Yazılan ekranın boyu [yoksa: 80x24]";
-        tell_of_terminal = "Terminalde ne algılandığını ve nedenini yaz";
+        print_and_leave = "Açılış ekranını metin olarak yazın ve çıkın; terminal gerekmez";
+        size_of_print = "Yazılan ekranın boyutu [yoksa: 80x24]";
+        tell_of_terminal = "Terminalde ne algılandığını ve nedenini yazın";
         configuration_file = "Ayar dosyası [yoksa: ~/.config/krank/config.toml]";
         colours_as_allowed = "Terminale ve NO_COLOR değişkenine göre";
         colours_none = "Renksiz; kalın ve ters yazı kalır";
@@ -189,7 +189,7 @@ catalogue! {
         // Methods.
         method_of_positions = "Konumları bulan yöntem";
         method_closed = "Kapalı form, sonra hızlar, ivmeler ve kuvvetler";
-        method_newton = "Döngü denklemlerinde Newton-Raphson, yineleme yineleme";
+        method_newton = "Vektörel konum denklemlerinde Newton-Raphson, yineleme yineleme";
         method_bisection = "Tek bilinmeyenin ikiye bölme yöntemiyle bulunması";
         method_graphical = "Pergel ve cetvel, adım adım";
         against_figures =
@@ -197,14 +197,14 @@ catalogue! {
              driver.angle boyunca sütunlar olan CSV";
         measured_figures =
             "Karşılaştırılacak ölçümler: driver.angle ya da driver.position boyunca her değere bir sütunu olan \
-             CSV; adından sonra köşeli ayraçta birimi";
+             CSV; adından sonra köşeli parantezde birimi";
         no_measurements(file: &str) =
-            "`{file}` bu sütunların ölçümünü içermiyor: ilk satırda tahrikin koordinatını ve sütunları adlandır, \
-             her satıra sayılarını yaz";
-        measured_over_driver = "ölçümler için x ekseni tahrik olmalı: `--against` seçeneğini kaldır";
+            "`{file}` bu sütunların ölçümünü içermiyor: ilk satırda tahrikin koordinatını ve sütunları adlandırın, \
+             her satıra sayılarını yazın";
+        measured_over_driver = "ölçümler için x ekseni tahrik olmalı: `--against` seçeneğini kaldırın";
         holds_no_figures(file: &str) =
             "`{file}` içinde değer yok: `figure,unit,value` satırları ya da tahrikin sütunu olan bir başlık ve her \
-             sütuna bir sayı yaz";
+             sütuna bir sayı yazın";
         too_many_figures(file: &str) = "`{file}` karşılaştırılamayacak kadar büyük";
         guess_of_vectors =
             "İlk tahmin: r3=20,r4=280, deg ya da sahnenin birimiyle; ikiye bölme için r3=0..90 [yoksa: açılış \

@@ -80,14 +80,14 @@ const OF_PARSER: [(&str, &str); 49] = [
     ("[subcommands: ", "[komutlar: "),
     (
         "Print help (see a summary with '-h')",
-        "Yardımı yaz (özeti: '-h')",
+        "Yardımı yazın (özeti: '-h')",
     ),
     (
         "Print help (see more with '--help')",
-        "Yardımı yaz (ayrıntısı: '--help')",
+        "Yardımı yazın (ayrıntısı: '--help')",
     ),
-    ("Print help", "Yardımı yaz"),
-    ("Print version", "Sürümü yaz"),
+    ("Print help", "Yardımı yazın"),
+    ("Print version", "Sürümü yazın"),
     ("error: ", "hata: "),
     ("  tip: ", "  ipucu: "),
     (
@@ -145,7 +145,7 @@ const OF_PARSER: [(&str, &str); 49] = [
     ("some similar values exist: ", "benzer değerler var: "),
     (
         "' exists; to use it, remove the '--' before it",
-        "' var; önündeki '--' olmadan yaz",
+        "' var; önündeki '--' olmadan yazın",
     ),
     (" is not in ", " şu aralıkta değil: "),
     (": invalid digit found in string", ": tam sayı değil"),
@@ -208,7 +208,7 @@ mod tests {
             said("x\n\n  tip: ş is not in 1"),
             "x\n\n  ipucu: ş şu aralıkta değil: 1"
         );
-        assert_eq!(said("Print help\n"), "Yardımı yaz\n");
+        assert_eq!(said("Print help\n"), "Yardımı yazın\n");
         assert_eq!(
             said("Usage: x\n\nOptions:\n  -h"),
             "Kullanım: x\n\nSeçenekler:\n  -h"

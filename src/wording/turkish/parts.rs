@@ -35,7 +35,7 @@ catalogue! {
             }
         };
         told_of_scene(text: &str) = { presets::said(text).to_owned() };
-        add_for_example(text: &str) = "örneğin şunu ekle:\n{text}";
+        add_for_example(text: &str) = "örneğin şunu ekleyin:\n{text}";
 
         // The scene.
         no_unit_of_length(name: &str) = "{name} bir boy birimi değil";
@@ -64,13 +64,13 @@ catalogue! {
         too_small_to_compute = "hesaplamak için çok küçük";
         positive = "pozitif";
         no_direction = "boyu olmayan bir uzvun yönü yoktur";
-        give_joints_one_name = "aynı yerdeki iki mafsal arasına uzuv gerekmez: onlara tek ad ver";
+        give_joints_one_name = "aynı yerdeki iki mafsal arasına uzuv gerekmez: onlara tek ad verin";
         is_not_positive = "pozitif değil";
         length_is_distance =
             "boy bir uzaklıktır; uzvun yönü `from` noktasından `to` noktasınadır";
         no_place_of_its_own = "uzaklığı 0 olan bir nokta, ölçüldüğü noktayla çakışır";
-        leave_point_out = "onu çıkar, ölçüldüğü noktayı kullan; uzvun başlangıcındaysa [0, 0] yaz";
-        turn_angle_by_half = "boy bir uzaklıktır: işaretsiz yaz, açıyı 180 döndür";
+        leave_point_out = "onu çıkarın, ölçüldüğü noktayı kullanın; uzvun başlangıcındaysa [0, 0] yazın";
+        turn_angle_by_half = "boy bir uzaklıktır: işaretsiz yazın, açıyı 180 döndürün";
         pinned_to_itself(link: &str, point: &str) =
             "{link} uzvu kendine bağlı: iki ucu da {point}";
         joins_two_points = "bir uzuv iki ayrı noktayı birleştirir";
@@ -82,22 +82,22 @@ catalogue! {
             "{link} uzvu oransız: boyu {length:e}, oysa sahnenin en uzun boyu {longest:e}";
         less_than_part = "en uzunun 1e-75 katından kısa";
         look_for_mistyped =
-            "ikisinin çarpımı bir double değerine sığmıyor; yanlış yazılmış bir koordinat, `com` ya da boy ara";
+            "ikisinin çarpımı bir double değerine sığmıyor; yanlış yazılmış bir koordinat, `com` ya da boy arayın";
         mass_without_centre(link: &str) = "{link} uzvunun kütlesi var, ağırlık merkezi yok";
         inertia_without_centre(link: &str) = "{link} uzvunun ataleti var, ağırlık merkezi yok";
         about_which_point = "hangi noktaya göre?";
         give_centre_at_middle(x: f64) =
-            "merkezi uzvun kendi eksen takımında ver; boyun ortası: com = [{x}, 0]";
-        give_centre = "merkezi uzvun kendi eksen takımında ver: örneğin com = [20, 10]";
+            "merkezi uzvun kendi eksen takımında verin; boyun ortası: com = [{x}, 0]";
+        give_centre = "merkezi uzvun kendi eksen takımında verin: örneğin com = [20, 10]";
 
         // Places by length and angle.
         or_by_length_and_angle(example: &str) = "ya da boy ve açı ile: {example}";
         seen_from_itself(what: &str) = "{what} kendisinden ölçülmüş";
         seen_in_a_circle = "kendisine geri döner";
         begin_with_an_end =
-            "uzvun bir ucundan ya da koordinatları olan bir noktadan başla: from = \"A\"";
+            "uzvun bir ucundan ya da koordinatları olan bir noktadan başlayın: from = \"A\"";
         name_another_point_of(body: &str) =
-            "başka bir nokta ver ({body}) ya da `from` yazma: uzvun kendi eksen başlangıcı";
+            "başka bir nokta verin ({body}) ya da `from` yazmayın: uzvun kendi eksen başlangıcı";
 
         // Slides.
         of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
@@ -107,7 +107,7 @@ catalogue! {
         pin_has_no_turn(of: &str) = "{of}: yarıktaki pimin `turn` değeri olmaz";
         for_slide_of_link = "yalnız kayan uzuv için";
         slide_the_link =
-            "pim yarığında dönebilir; bir uzvun dönmemesi için uzvu kaydır: link = \"...\"";
+            "pim yarığında dönebilir; bir uzvun dönmemesi için uzvu kaydırın: link = \"...\"";
         has_point_and_link(of: &str) = "{of}: hem `point` hem `link` var";
         one_of_them_slides = "kayan bunlardan biridir";
         has_no_point_nor_link(of: &str) = "{of}: ne `point` ne `link` var";
@@ -117,7 +117,7 @@ catalogue! {
             "{what}: {body} üzerinde bir nokta olmalı, {name} değil";
         no_point_of(body: &str) = "{body} üzerinde bir nokta değil";
         name_point_of(body: &str) =
-            "{body} üzerinde bir nokta adlandır ya da onun eksen takımında koordinat ver: through = [0, 0]";
+            "{body} üzerinde bir nokta adlandırın ya da onun eksen takımında koordinat verin: through = [0, 0]";
         cannot_slide_on_itself(body: &str) = "{body} kendi üzerinde kayamaz";
         origin_is_fixed(link: &str, body: &str) =
             "uzuv {link}, {body} üzerinde kayamaz: başlangıç noktası orada sabit";
@@ -138,15 +138,15 @@ catalogue! {
         turns_about_one_point = "tahrik edilen uzuv, çoğu zaman krank, şasenin tek noktası çevresinde döner";
         slide_has_its_guide(of: &str) = "{of}: kızak kendi kılavuzu boyunca sürülür, `from` geçerli değil";
         not_of_a_slide = "yalnız tahrik edilen bir uzuv için";
-        seat_is_for_links = "bunu sil ya da kızağın yerine bir uzuv yaz: `from`, motoru taşıyan uzuvdur";
+        seat_is_for_links = "bunu silin ya da kızağın yerine bir uzuv yazın: `from`, motoru taşıyan uzuvdur";
         turns_from_itself(name: &str) = "{name} kendisine göre tahrik edilemez";
         seat_is_another_link =
             "`from`, motoru taşıyan başka bir uzvun adıdır; yazılmazsa uzuv şaseye göre tahrik edilir";
         no_pivot(name: &str) = "tahrik edilen {name} uzvunun çevresinde döneceği sabit noktası yok";
         not_joined_to_ground = "şaseye bağlı değil";
         none_in_ground = "hiçbir noktası [ground] içinde değil";
-        put_into_ground = "noktalarından birini [ground] bölümüne koy: A = [0, 0]";
-        or_name_its_seat(link: &str) = "ya da motorunu taşıyan uzvu yaz: from = \"{link}\"";
+        put_into_ground = "noktalarından birini [ground] bölümüne koyun: A = [0, 0]";
+        or_name_its_seat(link: &str) = "ya da motorunu taşıyan uzvu yazın: from = \"{link}\"";
         links_with_ground_point(names: &str) = "sabit noktası olan uzuvlar: {names}";
 
         input_called(name: &str) = "giriş {name}";
@@ -154,7 +154,7 @@ catalogue! {
         driven_again = "yine tahrik ediliyor";
         the_driver_itself = "tahrik";
         inputs_follow_the_driver =
-            "tahrik edilen öteki uzuvları ve kızakları [inputs] bölümüne yaz; her biri tahriki izler";
+            "tahrik edilen öteki uzuvları ve kızakları [inputs] bölümüne yazın; her biri tahriki izler";
 
         // Stops.
         limit_called(name: &str) = "sınır {name}";
@@ -164,7 +164,7 @@ catalogue! {
             "{what}: önce alt uç yazılmalı, {literal} değil";
         lower_end_first = "[low, high]";
         nothing_moves_between = "eşit iki uç arasında hiçbir şey hareket edemez";
-        ends_the_other_way(ends: &str) = "şöyle yaz: {ends}";
+        ends_the_other_way(ends: &str) = "şöyle yazın: {ends}";
         or_angle_of_link(example: &str) = "bir uzvun başka bir uzva göre açısı: {example}";
         limit_of_nothing(name: &str) = "sınır {name}: bu adda ne bir uzuv ne bir kızak var";
         neither_link_nor_slide = "ne uzuv ne kızak";
@@ -173,25 +173,25 @@ catalogue! {
         limit_of_a_turn(what: &str) = "{what}: bir açının uçları arasında 360 deg değerinden az olmalı";
         is_too_wide = "çok geniş";
         driver_has_range =
-            "daha çok dönebilenin sınırını kaldır; tahrikin birkaç turluk bir `range` değeri olabilir";
+            "daha çok dönebilenin sınırını kaldırın; tahrikin birkaç turluk bir `range` değeri olabilir";
         range_of_too_many_turns(what: &str, most: f64) = "{what} {most} deg değerinden dar olmalı";
-        leave_range_out = "`range` değerini sil: serbestçe dönen bir tahrike gerekmez";
+        leave_range_out = "`range` değerini silin: serbestçe dönen bir tahrike gerekmez";
 
         // Points and vectors.
         start_of_ground_point(name: &str) = "[start]: {name} şasenin bir noktası";
         does_not_move = "hareket etmez";
         fixed_here = "burada sabit";
-        start_is_for_moving = "[start] hareketli noktalar içindir: satırı çıkar";
+        start_is_for_moving = "[start] hareketli noktalar içindir: satırı çıkarın";
         runs_to_itself(what: &str, from: &str) = "{what}: {from} noktasından yine kendine gidiyor";
         head_is_tail = "kuyruğu ve ucu aynı";
-        name_tail_and_head = "iki ayrı nokta adlandır: [tail, head]";
+        name_tail_and_head = "iki ayrı nokta adlandırın: [tail, head]";
         a_pair_of_points = "nokta [tail, head]";
         has_no_centre(what: &str, link: &str) = "{what}: {link} uzvunun ağırlık merkezi yok";
         no_such_point = "böyle bir nokta yok";
         has_no_com = "`com` yok";
-        give_the_link_one = "uzva kendi eksen takımında bir tane ver: com = [50, 0]";
-        was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} mi demek istedin?";
-        take_out_or_use = "çıkar ya da bir uzvu orada başlat veya bitir";
+        give_the_link_one = "uzva kendi eksen takımında bir tane verin: com = [50, 0]";
+        was_moving_meant(near: &str, name: &str) = "`{near}` hareketli bir nokta; {name} mi demek istediniz?";
+        take_out_or_use = "çıkarın ya da bir uzvu orada başlatın veya bitirin";
         belongs_to_nothing(name: &str) = "sabit nokta {name} kullanılmıyor";
         nothing_names_it = "hiçbir uzuv, kızak ya da vektör onu kullanmıyor";
     }

@@ -17,7 +17,7 @@ catalogue! {
         no_value_anywhere(names: &str) = "bu hareketin hiçbir yerinde değeri yok: {names}";
         no_value_anywhere_because(names: &str, why: &str) =
             "bu hareketin hiçbir yerinde değeri yok: {names}; {why}";
-        put_something_else_along_x = "başka bir x ekseni seç";
+        put_something_else_along_x = "başka bir x ekseni seçin";
         plot_what = "ne çizilsin?";
         the_whole_cycle = "döngü";
         no_figure_has_that = "eşleşen sütun yok";

@@ -39,11 +39,11 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "a press of two loops as in a lecture's homework on position analysis; own dimensions",
-        "konum analizi ödevindeki gibi iki çevrimli bir pres; boyutlar kendimizden",
+        "konum analizi ödevindeki gibi iki döngülü bir pres; boyutlar kendimizden",
     ),
     (
         "One crank moves two loops in series: the bell-crank r4 is the rocker of the first four-bar (it swings 48 degrees) and the crank of the second.",
-        "Tek krank art arda iki çevrimi hareket ettirir: dirsekli kol r4 birinci dört çubuğun sarkacı (48 derece salınır), ikincinin krankıdır.",
+        "Tek krank art arda iki döngüyü hareket ettirir: dirsekli kol r4 birinci dört çubuğun sarkacı (48 derece salınır), ikincinin krankıdır.",
     ),
     (
         "Press with a ram",
@@ -167,7 +167,7 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "Stephenson's six-bar, driven across its loops",
-        "Stephenson'ın altı çubuğu, çevrimlerin karşısından tahrikli",
+        "Stephenson'ın altı çubuğu, döngülerin karşısından tahrikli",
     ),
     (
         "Stephenson's third six-bar chain, driven at the dyad's side; own dimensions",
@@ -291,7 +291,7 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "The galloping linkage, a deltoid: two pairs of equal neighbours; own dimensions",
-        "Dört nala giden mekanizma, bir deltoid: komşu kenarlar ikişer ikişer eşit; boyutlar kendimizden",
+        "Dört nala giden mekanizma, bir deltoit: komşu kenarlar ikişer ikişer eşit; boyutlar kendimizden",
     ),
     (
         "The motion repeats after two turns. Once a turn the crank's pin B meets the pivot D, where the links r3 and r4 lie on each other and could swing about it locked together: the motion passes there.",
@@ -355,7 +355,7 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "Each piston shakes the frame along its own cylinder; at 90 degrees both together are a force of even size that turns with the crank, and the counterweight takes all of it. What is left comes twice a turn, from the rods' obliquity.",
-        "Her piston gövdeyi kendi silindiri boyunca sarsar; 90 derecede ikisi birlikte krankla dönen, boyu değişmeyen bir kuvvettir ve karşı ağırlık bunun hepsini alır. Kalan, biyellerin eğikliğinden turda iki kez gelir.",
+        "Her piston şaseyi kendi silindiri boyunca sarsar; 90 derecede ikisi birlikte krankla dönen, boyu değişmeyen bir kuvvettir ve karşı ağırlık bunun hepsini alır. Kalan, biyellerin eğikliğinden turda iki kez gelir.",
     ),
     (
         "Radial engine",
@@ -415,7 +415,7 @@ const TEXTS: [(&str, &str); 105] = [
     ),
     (
         "The cylinder pushes a rocker on the dipper, and a link turns the bucket further than the rocker: a short cylinder empties it and curls it in.",
-        "Silindir bom kolundaki bir sarkacı iter, bir bağlantı kolu kepçeyi sarkaçtan daha çok döndürür: kısa bir silindir kepçeyi boşaltır ve içeri kıvırır.",
+        "Silindir bom kolundaki bir sarkacı iter, bir uzuv kepçeyi sarkaçtan daha çok döndürür: kısa bir silindir kepçeyi boşaltır ve içeri kıvırır.",
     ),
     (
         "Scissor lift table",

@@ -91,7 +91,7 @@ catalogue! {
             "x ve y {point} noktasından, momentler ona göre. {point} noktasının ivmesi \u{e000}m/s^2 olarak \
              hareket denklemleri:";
         guide_of(slide: &str) = "{slide} kılavuzu";
-        slider_of(slide: &str) = "{slide} sürgüsü";
+        slider_of(slide: &str) = "{slide} kayan parçası";
         pin_by(link: &str, point: &str, by: &str) = "{link}, {point}: {by} tarafından";
         pin_by_ground(link: &str, point: &str) = "{link}, {point}: şase tarafından";
 

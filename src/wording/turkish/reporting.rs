@@ -45,7 +45,7 @@ catalogue! {
         facts_part = "Mekanizma";
 
         // On the command line.
-        does_report = "Teslim edilecek bir rapor yaz: bir açının çizimi, poligonları, tabloları, çözümü ve grafikleri";
+        does_report = "Teslim edilecek bir rapor yazın: bir açının çizimi, poligonları, tabloları, çözümü ve grafikleri";
         format_of_report = "Çıktı biçimi [yoksa: dosya uzantısına göre ya da html]";
         format_html = "Resimleri içinde tek bir HTML dosyası, tarayıcı ve kâğıt için";
         format_latex = "Sade bir TeX Live için LaTeX, resimleri TikZ ile";
@@ -63,14 +63,14 @@ varsa kuvvetler; bütün hareket boyunca grafikler; `krank check` bilgileri. .ht
 .tex, .md ya da .txt uzantısı biçimi seçer; başkası için --format gerekir.";
 
         no_report_has_ending(ending: &str) =
-            "bilinmeyen rapor uzantısı .{ending}: .html, .tex, .md ya da .txt kullan ya da --format ver";
+            "bilinmeyen rapor uzantısı .{ending}: .html, .tex, .md ya da .txt kullanın ya da --format verin";
         notation_of_working = "Birim vektörlerin adları";
         notation_lecture = "Ders notlarındaki gibi mu ve nu";
         notation_krank = "u ve n";
 
         // In the workbench.
         report = "rapor";
-        too_many_links_to_report = "burada rapor için uzuv çok fazla: krank report kullan";
+        too_many_links_to_report = "burada rapor için uzuv çok fazla: krank report kullanın";
         write_a_report = "bir rapor yaz";
         the_report = "rapor";
 

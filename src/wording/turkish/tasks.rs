@@ -7,12 +7,12 @@ catalogue! {
     impl TasksWords for Turkish {
         the_task_itself = "görevin kendisi";
         task_for_a_scene = "bu bir görev, sahne değil";
-        synthesize_does_tasks = "görev için mekanizmaları `krank synthesize` ile bul: her biri bir sahne olur";
+        synthesize_does_tasks = "görev için mekanizmaları `krank synthesize` ile bulun: her biri bir sahne olur";
         scene_for_a_task = "bu bir sahne, görev değil";
         synthesize_reads_tasks =
             "görev istenen hareketi tanımlar (krank help synthesis); sahneleri `krank check` ve `krank DOSYA` açar";
         task_without_kind = "görevin `kind` anahtarı yok";
-        these_are_known(words: &str) = "şunlardan birini kullan: `{words}`";
+        these_are_known(words: &str) = "şunlardan birini kullanın: `{words}`";
         not_known_here = "bilinmiyor";
         no_kind_of_task(kind: &str) = "{kind} bir görev türü değil";
         key_of_another_kind(key: &str, kind: &str) = "`{key}` `{kind}` türünden bir göreve ait değil";
@@ -25,58 +25,58 @@ catalogue! {
         told_twice(first: usize, again: usize) = "{again}. öge {first}. ögeyi yineliyor";
         the_same_again = "burada yinelendi";
         first_told_here = "ilk burada verildi";
-        take_out_one_pose = "birini çıkar: yinelenen bir konum yeni bir konum değildir";
-        take_out_one_point = "birini çıkar; yol ilk noktasına dönüyorsa `closed = true` yaz";
+        take_out_one_pose = "birini çıkarın: yinelenen bir konum yeni bir konum değildir";
+        take_out_one_point = "birini çıkarın; yol ilk noktasına dönüyorsa `closed = true` yazın";
         count_of_poses(count: usize) = "konum görevinde 3 ile 5 arası konum olur, {count} değil";
         poses_that_methods_take =
             "üç konum çok serbestlik bırakır, dört konum çözüm eğrileri, beş konum birkaç mekanizma bırakır";
         too_much_given(poses: usize, given: usize) = "{poses} konumla {given} mesnet ya da pim verilemez";
         one_too_many = "bir fazla";
-        what_poses_leave_free = "üç konumla en çok iki mesnet ve pim ver, daha çok konumla hiç verme";
-        take_out_last_point = "sonuncuyu çıkar: `closed = true` ile yol ilk noktasına döner";
+        what_poses_leave_free = "üç konumla en çok iki mesnet ve pim verin, daha çok konumla hiç vermeyin";
+        take_out_last_point = "sonuncuyu çıkarın: `closed = true` ile yol ilk noktasına döner";
         slider_crank_has_one_pivot = "bir krank-biyelin şasede tek mesnedi vardır, krankın mesnedi";
         slider_cranks_alone = "yalnızca krank-biyel aranıyor";
-        take_out_one_pivot = "tek mesnet ver ya da `linkages` listesine \"four-bar\" ekle";
+        take_out_one_pivot = "tek mesnet verin ya da `linkages` listesine \"four-bar\" ekleyin";
         count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
         more_than_two_pivots = "bir dört çubuk mekanizmasının iki mesnedi vardır";
         weights_are_positive = "her ağırlık 0 değerinden büyük olmalı";
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
         turns_begin_at_nought = "`turns` ilk noktadan sayılır: ilki 0 olmalı";
         turns_go_one_way = "`turns` noktadan noktaya hep artmalı ya da hep azalmalı";
-        links_have_their_own_ends = "ucu aynı olan iki uzuv tek uzuvdur: iki ayrı nokta ver";
+        links_have_their_own_ends = "ucu aynı olan iki uzuv tek uzuvdur: iki ayrı nokta verin";
         turns_end_within_one =
             "kapalı bir yolda bütün `turns` bir turun içinde olmalı: son noktadan sonra ilk nokta gelir";
-        direction_wants_order = "`order = false` ile `direction` çelişir: ikisinden birini çıkar";
-        one_output = "bir fonksiyonun tek çıkışı vardır: `linkages` içinde birini yaz";
+        direction_wants_order = "`order = false` ile `direction` çelişir: ikisinden birini çıkarın";
+        one_output = "bir fonksiyonun tek çıkışı vardır: `linkages` içinde birini yazın";
         angle_below_90 = "0 ile 90 arasında (90 hariç)";
         at_least_1 = "en az 1";
         inside_is_a_box = "`inside` bir kutunun karşılıklı iki köşesi olmalı";
         no_turning_direction(name: &str) = "{name} bir dönme yönü değil";
         given_pivot_outside = "verilen bir mesnet, mesnetler için verilen kutunun dışında";
         outside_the_box = "`inside` dışında";
-        widen_the_box = "`inside` kutusunu genişlet ya da ikisinden birini çıkar";
-        turns_against_direction = "`turns` ile `direction` ters yönlü: `turns` işaretini ya da tercihi değiştir";
+        widen_the_box = "`inside` kutusunu genişletin ya da ikisinden birini çıkarın";
+        turns_against_direction = "`turns` ile `direction` ters yönlü: `turns` işaretini ya da tercihi değiştirin";
         crank_against_direction =
             "krankın `swing` ya da `scale` değeri (verilmezse saat yönünün tersi) ile `direction` ters yönlü: \
-             işareti ya da tercihi değiştir";
+             işareti ya da tercihi değiştirin";
         pivot_of_function_outside(place: &str) =
             "fonksiyonun {place} noktasındaki mesnedi, mesnetler için verilen kutunun dışında";
         widen_for_function =
             "krankın mesnedi [0, 0] noktasında, dört çubukta öteki mesnet [size, 0] noktasındadır: `inside` \
-             kutusunu genişlet ya da çıkar";
-        pairs_and_function = "çiftler hem `pairs` hem `function` ile verilmiş: birini çıkar";
+             kutusunu genişletin ya da çıkarın";
+        pairs_and_function = "çiftler hem `pairs` hem `function` ile verilmiş: birini çıkarın";
         positive_number = "pozitif bir sayı";
         count_of_pairs(count: usize, most: usize) = "bir fonksiyonda 3 ile {most} arası çift olur, {count} değil";
         pairs_not_in_order(number: usize) = "{number}. çiftin x değeri öncekininkinden büyük değil";
         not_further_on = "x artmıyor";
-        pairs_by_growing_x = "çiftleri artan x sırasıyla yaz, her x bir kez";
+        pairs_by_growing_x = "çiftleri artan x sırasıyla yazın, her x bir kez";
         range_of_function(most: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {most} arası noktayla gitmeli";
-        swing_and_scale = "`swing` ile `scale` aynı anlama gelir: birini ver";
-        start_wants_scale = "`start` en küçük x değerine aittir: onunla bir `scale` ya da `swing` ver";
+        swing_and_scale = "`swing` ile `scale` aynı anlama gelir: birini verin";
+        start_wants_scale = "`start` en küçük x değerine aittir: onunla bir `scale` ya da `swing` verin";
         scale_is_nought = "`scale` 0 olamaz";
         output_stands_still(y: &str) = "y her x değerinde {y}: çıkış hareket etmezdi";
         let_y_change =
-            "y değerinin değiştiği bir fonksiyon ya da çiftler yaz; bekleme fonksiyonun ancak bir parçası olabilir";
+            "y değerinin değiştiği bir fonksiyon ya da çiftler yazın; bekleme fonksiyonun ancak bir parçası olabilir";
 
         // What came of a task.
         wanted_motion = "istenen";
@@ -103,7 +103,7 @@ catalogue! {
             };
             format!("görev için {good} mekanizma{most}{others}{proof}")
         };
-        poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yaz";
+        poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yazın";
         poses_turn_about(x: &str, y: &str) =
             "bütün konumlar tek bir noktanın, ({x}, {y}), çevresindeki dönmelerdir: cismi oradaki bir mesnet \
              yönlendirir, bir mekanizma değil";
@@ -183,12 +183,12 @@ catalogue! {
 
         // The command.
         search_was_stopped = "durduruldu: o ana kadarki sonuçlar aşağıda; bir Ctrl-C daha çıkar";
-        does_synthesize = "Bir görev için mekanizmalar bul: konumlar, bir fonksiyon ya da bir yol";
+        does_synthesize = "Bir görev için mekanizmalar bulun: konumlar, bir fonksiyon ya da bir yol";
         task_to_do = "Bir görev dosyası, standart girdi için `-` ya da bir örnek: wiper, hatch, logarithm, straight-line, stirrer (krank help synthesis)";
         candidates_to_tell = "Listelenecek mekanizma sayısı, en iyisinden başlayarak";
         tolerance_of_candidates = "Her boyun toleransı, sahnelere yazılır";
         candidates_in_workbench =
-            "Mekanizmaları tezgâhta görev boyunca hareket ederken göster, birini sahne olarak al";
+            "Mekanizmaları tezgâhta görev boyunca hareket ederken gösterin, birini sahne olarak alın";
         folder_of_candidates = "Listelenen her mekanizmanın sahnesi için bir klasör";
         tolerance_is_no_length = "--tolerance en az 0 olan bir boy olmalı";
         nothing_does_the_task(reason: &str) = {
@@ -202,7 +202,7 @@ catalogue! {
         example_is_a_task(name: &str) = "bu bir görev: krank synthesize {name}";
         preset_is_no_task(name: &str) = "`{name}` hazır bir sahne, görev değil: krank {name} onu açar (krank help synthesis)";
         scene_would_be_lost(file: &str) =
-            "`{file}` içinde başka bir şey var, kaybolurdu; başka bir klasöre yaz ya da onu başka yere taşı";
+            "`{file}` içinde başka bir şey var, kaybolurdu; başka bir klasöre yazın ya da onu başka yere taşıyın";
         candidates_written(count: usize, folder: &str) = "{folder} içinde {count} sahne";
         examples_of_synthesize = "\
 Örnekler:

@@ -48,8 +48,8 @@ catalogue! {
         pictures_asked_for = "istendi";
         pictures_unwanted = "resimler kapalı: picture = \"none\"";
         no_pictures_there(term: &str) = "TERM={term} resim desteklemiyor";
-        pictures_behind_multiplexer = "çoklayıcılar en çok sixel destekler: --picture sixel kullan";
-        pictures_unknown(term: &str) = "TERM={term} ile bilinmiyor: --picture kitty, iterm ya da sixel kullan";
+        pictures_behind_multiplexer = "çoklayıcılar en çok sixel destekler: --picture sixel kullanın";
+        pictures_unknown(term: &str) = "TERM={term} ile bilinmiyor: --picture kitty, iterm ya da sixel kullanın";
         row_pictures = "resimler";
         promises_no_more(what: &str) = "{what} daha fazlasını garanti etmiyor";
     }

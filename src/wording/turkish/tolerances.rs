@@ -5,10 +5,10 @@ use crate::wording::english::TolerancesWords;
 
 catalogue! {
     impl TolerancesWords for Turkish {
-        no_tolerances = "sahnedeki her boy tam: boylar için `tolerance`, pimler için `clearance` ver";
+        no_tolerances = "sahnedeki her boy tam: boylar için `tolerance`, pimler için `clearance` verin";
         or_say_tolerance = "ya da burada: --tolerance 0.1";
-        redundant_jams = "mekanizma aşırı kısıtlı: bir boyun sapması onu sıkıştırır, hiçbir değer hesaplanamaz";
-        no_tolerances_of_forces = "toleranslar hareketin değerlerine uygulanır, kuvvetlere değil: bunları çıkar";
+        redundant_jams = "mekanizma fazla kısıtlı: bir boyun sapması onu sıkıştırır, hiçbir değer hesaplanamaz";
+        no_tolerances_of_forces = "toleranslar hareketin değerlerine uygulanır, kuvvetlere değil: bunları çıkarın";
 
         // Effects.
         within_tolerances = "toleranslar içinde";
@@ -52,12 +52,12 @@ catalogue! {
         samples_keep_class = "hepsi ilk döngünün sınıfını koruyor";
         part_of_samples_changed(part: &str) = "{part} kadarında ilk döngünün sınıfı değişiyor";
         rows_estimated(some: u64, rows: u64) =
-            "{rows} satırdan {some} tanesinde en kötü durum tahmin, kanıtlanmadı: worst.by sütununa bak";
+            "{rows} satırdan {some} tanesinde en kötü durum tahmin, kanıtlanmadı: worst.by sütununa bakın";
         rows_that_may_not_close(some: u64, rows: u64) =
             "{rows} satırdan {some} tanesinde toleransı içindeki her makine kapanmıyor; en kötü \
              durum kapananlarınki";
 
-        no_figure_in_line = "bu satırda değer yok: / ile bul";
+        no_figure_in_line = "bu satırda değer yok: / ile bulun";
 
         // Tolerances in a scene.
         tolerance_of_point(name: &str) = "{name} noktasının toleransı";
@@ -70,13 +70,13 @@ catalogue! {
         frame_has_no_tolerance(name: &str) =
             "{name} uzvu şasenin kendisi, ona ayrı tolerans verilmez";
         is_of_the_frame = "şasenin";
-        give_ground_points_tolerances = "sabit noktalarının toleranslarını [tolerances] içinde ver";
+        give_ground_points_tolerances = "sabit noktalarının toleranslarını [tolerances] içinde verin";
         guide_has_no_tolerance(of: &str) = "{of} adı verilen bir noktadan geçiyor: sapabilecek koordinatı yok";
         nothing_to_be_off = "sapacak bir şey yok";
-        give_point_of_guide_tolerance = "o noktanın toleransını [tolerances] içinde ver";
+        give_point_of_guide_tolerance = "o noktanın toleransını [tolerances] içinde verin";
         point_has_no_coordinates(what: &str) =
             "{what}: nokta yalnız uzuvların ucu, kendi koordinatı yok";
-        give_link_a_tolerance = "boyu orada biten uzva `tolerance` ver";
+        give_link_a_tolerance = "boyu orada biten uzva `tolerance` verin";
         tolerance_beyond_length(what: &str, length: f64, literal: &str) =
             "tolerans ({what}) boydan, {length} değerinden, küçük olmalı, oysa {literal}";
         no_deviation_of_size(class: &str, what: &str, size: f64, sizes: &str) =
@@ -85,17 +85,17 @@ catalogue! {
         sizes_over_to(low: f64, high: f64) = "{low} mm üstünde, {high} mm dahil ona kadar";
         of_this_length = "bu boy için";
         by_this_class = "bu sınıfla";
-        give_it_its_own_tolerance = "ona kendi toleransını ver";
+        give_it_its_own_tolerance = "ona kendi toleransını verin";
         clearance_beyond_length(what: &str, of: &str, length: f64, literal: &str) =
             "{what} yanındaki boydan ({of}), {length} değerinden, küçük olmalı, oysa {literal}";
-        give_it_its_own_clearance = "pime [clearances] içinde kendi boşluğunu ver";
+        give_it_its_own_clearance = "pime [clearances] içinde kendi boşluğunu verin";
         is_no_pin(what: &str) = "{what}: nokta hiçbir şeyi birleştirmiyor";
         joins_nothing = "pim değil";
         pins_join = "bir pim iki uzvu, ya da bir uzvu şaseyle veya bir yarıkla birleştirir";
         over_the_whole_motion = "bütün hareket boyunca";
         whole_has_no_place =
-            "bütün hareketin değerlerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkar";
+            "bütün hareketin değerlerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
         beside_whole_say_where(name: &str) =
-            "{name} bütün hareketin değerleriyle birlikte: yerini --at ile ver ya da {name}@60 yaz";
+            "{name} bütün hareketin değerleriyle birlikte: yerini --at ile verin ya da {name}@60 yazın";
     }
 }

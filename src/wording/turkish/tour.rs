@@ -17,9 +17,9 @@ catalogue! {
             let [step, step_back, play, smaller, larger, slower, faster, reverse, go_to, opening] =
                 keys;
             format!(
-                "{step} ve {step_back} adım atar: şimdi dene. {play} tur bitince oynatır.\n\
+                "{step} ve {step_back} adım atar: şimdi deneyin. {play} tur bitince oynatır.\n\
                  {smaller} ve {larger} adımı, {slower} ve {faster} hızı, {reverse} yönü değiştirir. \
-                 {go_to} yazdığın yere, {opening} açılışa gider."
+                 {go_to} yazdığınız yere, {opening} açılışa gider."
             )
         };
         tour_of_figures = "Tablolar, grafikler, güven";

@@ -63,7 +63,7 @@ catalogue! {
         gravity_without_mass =
             "Bu mekanizmaya kuvvet etki etmiyor: sahnede yerçekimi var, ama hiçbir uzvun kütlesi yok.";
         how_forces_come =
-            "Bir uzva mass ve com ver ya da dosyaya [[loads]] veya [[springs]] ekle. Bu görünüm o zaman tahrikin \
+            "Bir uzva mass ve com verin ya da dosyaya [[loads]] veya [[springs]] ekleyin. Bu görünüm o zaman tahrikin \
              torkunu ya da kuvvetini ve her mafsalın kuvvetini gösterir.";
         table_of_guides = "kılavuz";
         least_norm = "en küçük norm";
@@ -75,8 +75,8 @@ catalogue! {
         off_by = "fark";
 
         // Limits.
-        too_many_lengths = "çok fazla boy: krank table --sensitivity kullan";
-        too_many_links = "burada gösterilecek uzuv çok fazla: krank explain kullan";
+        too_many_lengths = "çok fazla boy: krank table --sensitivity kullanın";
+        too_many_links = "burada gösterilecek uzuv çok fazla: krank explain kullanın";
         the_curve = "eğri";
     }
 }

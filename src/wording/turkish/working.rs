@@ -13,7 +13,7 @@ catalogue! {
             "Durum: {state}. Tahrik {driver} kayar: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
         inputs_are_given = "Öteki girişler tahriki izler: koordinatları, onunki gibi verilmiştir.";
         inputs_have_tables(names: &str) = "Sahnedeki tablosunun kübik spline'ından {names} burada:";
-        forces_of_inputs_in_tables = "Birden çok girişle kuvvetler burada türetilmez: kuvvet tablosuna bak.";
+        forces_of_inputs_in_tables = "Birden çok girişle kuvvetler burada türetilmez: kuvvet tablosuna bakın.";
         dead_point_explained =
             "Ölü konum: hareket burada biter. Konumlar vardır; hızlar ve ivmeler yoktur, çünkü denklemleri 0 olan \
              bir sinüse bölünür.";
@@ -116,7 +116,7 @@ catalogue! {
         // Rates.
         velocities_part = "Hızlar";
         accelerations_part = "İvmeler";
-        differentiated = "Konum denklemlerinin zamana göre türevi, hız denklemleri:";
+        differentiated = "Vektörel konum denklemlerinin zamana göre türevi, hız denklemleri:";
         differentiated_again = "Bir kez daha türev, ivme denklemleri:";
         rates_are_limits =
             "Denklemler burada tekildir; değerler hareket boyunca limitlerdir.";
@@ -165,7 +165,7 @@ catalogue! {
         centre_of_guided(link: &str, direction: &str) =
             "{link} dönmez: merkezi sonsuzdadır, hızına dik, {direction} deg ve ters yönünde.";
         centre_far(link: &str, direction: &str) =
-            "Hanelerin duyarlığına göre {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına dik, {direction} deg \
+            "Hanelerin hassasiyetine göre {link} bu anda dönmüyor: merkezi sonsuzdadır, hızına dik, {direction} deg \
              ve ters yönünde.";
         link_is_at_rest(link: &str) = "{link} bu anda hareketsiz: her noktası merkezdir.";
         centre_is_blurred(link: &str, digits: usize) =
@@ -178,7 +178,7 @@ catalogue! {
         figures_do_not_differ = "Yukarıdaki değerlerle çözücününkiler arasında fark yok.";
         figures_differ(part: &str, symbol: &str) =
             "Yukarıdaki değerlerle çözücününkiler arasındaki fark, büyüklüklerinin en çok {part} katı ({symbol}).";
-        left_of_loops = "Bütün sayılar yerine konunca konum denklemlerinin artıkları:";
+        left_of_loops = "Bütün sayılar yerine konunca vektörel konum denklemlerinin artıkları:";
         loop_component(number: usize, axis: &dyn Display) = "döngü {number} {axis}";
     }
 }

@@ -195,7 +195,7 @@ impl Plots {
         let told = match &next {
             Along::Driver => words().over(&Catalogue::new(scene).driver().name),
             Along::Time => words().over_time().into(),
-            Along::Figure(name) => words().against(name),
+            Along::Figure(name) => words().over(name),
         };
         self.along = Some(next);
         self.sampled = None;
