@@ -62,10 +62,7 @@ fn a_sheet_is_text_and_the_same_for_the_same_seed() {
         "{turkish}"
     );
     // The title of a preset is that of the language.
-    assert!(
-        turkish.contains("Krank-biyel, eksende: odev"),
-        "{turkish}"
-    );
+    assert!(turkish.contains("Krank-biyel, eksende: odev"), "{turkish}");
 }
 
 #[test]

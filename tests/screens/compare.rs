@@ -76,7 +76,11 @@ fn a_ghost_stands_beside_the_linkage() {
         }
         let title = screen.lines().nth(1).unwrap();
         let has_title = cols > 40;
-        assert_eq!(title.contains(" compared with short"), has_title, "{screen}");
+        assert_eq!(
+            title.contains(" compared with short"),
+            has_title,
+            "{screen}"
+        );
         assert_told(&screen, &["this - shorter.toml", "r3 80.0000 0.211*"]);
         let drawn = drawing(&session.body());
         if glyphs == Glyphs::Ascii {

@@ -1,8 +1,9 @@
 //! Several doubles side by side, one for each of several states that are solved at once.
 //!
-//! There are no vector types and no instructions named here: loops of a fixed length over plain
-//! arrays are what compilers make vector instructions of best, for whatever machine the code around
-//! is compiled. Everything is inlined for that reason, also where a call would do.
+//! There are no vector types and no instructions named here: compilers make vector instructions of
+//! plain arrays, for whatever machine the code around is compiled. Everything is inlined for that
+//! reason, also where a call would do. The lanes are written out: unrolling thousands of loops in one
+//! function took the compiler longer than all else of the solver.
 
 use super::angle;
 use crate::{Constant, Number, Vec2};
@@ -21,26 +22,30 @@ pub struct Lanes(pub [f64; LANES]);
 impl Lanes {
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Lanes {
-        let mut lanes = self.0;
-        for lane in &mut lanes {
-            *lane = f(*lane);
-        }
-        Lanes(lanes)
+        let [a, b, c, d, e, g, h, i] = self.0;
+        Lanes([f(a), f(b), f(c), f(d), f(e), f(g), f(h), f(i)])
     }
 
     #[inline(always)]
     fn with(self, other: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
-        let mut lanes = self.0;
-        for (lane, other) in lanes.iter_mut().zip(other.0) {
-            *lane = f(*lane, other);
-        }
-        Lanes(lanes)
+        let (a, b) = (self.0, other.0);
+        Lanes([
+            f(a[0], b[0]),
+            f(a[1], b[1]),
+            f(a[2], b[2]),
+            f(a[3], b[3]),
+            f(a[4], b[4]),
+            f(a[5], b[5]),
+            f(a[6], b[6]),
+            f(a[7], b[7]),
+        ])
     }
 
     /// Whether something holds in every lane.
     #[inline(always)]
     fn all(self, holds: impl Fn(f64) -> bool) -> bool {
-        self.0.iter().fold(true, |all, &lane| all & holds(lane))
+        let [a, b, c, d, e, g, h, i] = self.0;
+        (holds(a) & holds(b) & holds(c) & holds(d)) & (holds(e) & holds(g) & holds(h) & holds(i))
     }
 }
 
@@ -137,8 +142,10 @@ impl Number for Lanes {
     /// In every lane.
     #[inline(always)]
     fn exceeds(self, other: Lanes) -> bool {
-        let lanes = self.0.into_iter().zip(other.0);
-        lanes.fold(true, |all, (a, b)| all & (a > b))
+        let (a, b) = (self.0, other.0);
+        let low = (a[0] > b[0]) & (a[1] > b[1]) & (a[2] > b[2]) & (a[3] > b[3]);
+        let high = (a[4] > b[4]) & (a[5] > b[5]) & (a[6] > b[6]) & (a[7] > b[7]);
+        low & high
     }
 
     #[inline(always)]
