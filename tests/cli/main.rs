@@ -15,6 +15,7 @@ mod forces;
 mod handover;
 mod help;
 mod language;
+mod manual;
 mod marks;
 mod methods;
 mod motor;

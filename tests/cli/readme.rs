@@ -91,7 +91,7 @@ fn the_pictures_of_the_readme_are_what_is_drawn() {
 }
 
 /// Commands that end by themselves and within a moment. The others open the workbench or measure times.
-const QUICK: [&str; 21] = [
+pub(super) const QUICK: [&str; 21] = [
     "list",
     "check",
     "table",
