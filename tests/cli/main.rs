@@ -35,6 +35,7 @@ mod table;
 mod tolerance;
 mod turns;
 mod tutorial;
+mod web;
 
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};

@@ -65,6 +65,9 @@ catalogue! {
         word_occurs(word: &str) = "`{word}` adında konu ya da komut yok; geçtiği yerler:";
         word_occurs_but_near(word: &str, near: &str) =
             "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? geçtiği yerler:";
+        html_needs_folder = "`--format html` bir web sitesi yazar: `-o DIR` ekle";
+        html_has_all_topics(word: &str) = "`--format html` bütün konuları yazar: `{word}` sözcüğünü sil";
+        folder_needs_html = "`-o DIR` için `--format html` gerekir";
         check_names_points = "noktaları `krank check SCENE` ile listele";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: sahnede `{name}` adında bir nokta yok; {mend}";

@@ -119,6 +119,8 @@ catalogue! {
         positions_to_compare = "360 deg ya da aralık boyunca konum sayısı, 360'ın katına yuvarlanır";
         topic_or_command = "Bir konu, bir komut ya da aranacak sözcükler [yoksa: konuları ve komutları listeler]";
         write_at_once = "Sayfalayıcı kullanmadan hepsini yaz";
+        format_web = "El kitabı, web sitesi olarak: her konuya bir sayfa";
+        folder_of_manual = "Web sitesinin klasörü; aynı adlı dosyaların yerine yenileri yazılır";
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
