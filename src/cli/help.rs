@@ -1,6 +1,6 @@
 //! `krank help`: the topics of the manual, and the help of the commands.
 
-use super::args::{Cli, HelpArgs};
+use super::args::{Cli, HelpArgs, HelpFormat};
 use super::failure::Failure;
 use super::lookup;
 use super::output::write_text;
@@ -12,12 +12,33 @@ use crate::nearest::nearest;
 use crate::tui::key_rows;
 use crate::wording::words;
 use clap::{Command, CommandFactory};
+use std::path::Path;
 
 /// Columns where nobody tells how many there are.
 const USUAL_WIDTH: usize = 80;
 
-/// Shows a topic or the help of a command; without a word what there is.
+/// Shows a topic or the help of a command, or lists both; or writes the manual as a web site.
 pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
+    match (args.format, &args.output, &args.topic) {
+        (HelpFormat::Text, None, _) => show(args),
+        (HelpFormat::Text, Some(_), _) => Err(Failure::Usage(words().folder_needs_html().into())),
+        (HelpFormat::Html, _, Some(word)) => Err(Failure::Usage(words().html_has_all_topics(word))),
+        (HelpFormat::Html, None, None) => Err(Failure::Usage(words().html_needs_folder().into())),
+        (HelpFormat::Html, Some(folder), None) => write_site(folder),
+    }
+}
+
+/// Writes the files of the web site, and creates their folder if it is missing.
+fn write_site(folder: &Path) -> Result<(), Failure> {
+    let unwritable = |e| Failure::Output(Some(folder.to_owned()), e);
+    std::fs::create_dir_all(folder).map_err(unwritable)?;
+    for (name, text) in manual::site(key_rows) {
+        write_text(Some(&folder.join(name)), &text)?;
+    }
+    Ok(())
+}
+
+fn show(args: &HelpArgs) -> Result<(), Failure> {
     let screen = TextScreen::of_results();
     let text = match args.topic.as_deref() {
         None => laid_out(&contents(), screen),

@@ -32,7 +32,7 @@ const NARROWEST: usize = 30;
 /// Blanks before what is shown as it stands, where there is room for them.
 const CODE: usize = 4;
 /// Code of more characters than this may be broken between its words.
-const TOGETHER: usize = 22;
+pub(super) const TOGETHER: usize = 22;
 /// Stands for a blank at which no line is broken.
 const TIED: char = '\u{1}';
 
@@ -51,7 +51,7 @@ pub(crate) fn lines(text: &str, width: usize) -> Vec<ManualLine> {
 fn laid_out(block: &MarkdownBlock<'_>, width: usize) -> Vec<ManualLine> {
     let room = width - block.indent;
     let inner = match &block.content {
-        MarkdownContent::Heading(text) => passage(LineKind::Title, broken(&plain(text), room)),
+        MarkdownContent::Heading(_, text) => passage(LineKind::Title, broken(&plain(text), room)),
         MarkdownContent::Paragraph(text) => passage(LineKind::Words, broken(&plain(text), room)),
         MarkdownContent::Item(text) => passage(LineKind::Words, item(text, room)),
         MarkdownContent::Code(code) => as_it_stands(code, room),

@@ -13,7 +13,8 @@ pub(super) struct MarkdownBlock<'t> {
 
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum MarkdownContent<'t> {
-    Heading(&'t str),
+    /// A level, from 1 on, and a text.
+    Heading(usize, &'t str),
     Paragraph(String),
     /// A paragraph behind a mark.
     Item(String),
@@ -102,9 +103,9 @@ impl<'t> MarkdownReader<'t> {
                 _ => self.begin(MarkdownContent::Code(vec![code])),
             }
         } else if line.starts_with('#') {
-            self.begin(MarkdownContent::Heading(
-                line.trim_start_matches('#').trim(),
-            ));
+            let text = line.trim_start_matches('#');
+            let level = line.len() - text.len();
+            self.begin(MarkdownContent::Heading(level, text.trim()));
         } else if let Some(item) = line.strip_prefix("- ") {
             self.begin(MarkdownContent::Item(item.to_owned()));
         } else if line.starts_with('|') {
@@ -166,12 +167,12 @@ mod tests {
 
     #[test]
     fn every_kind_of_block_is_known() {
-        let text = "# One\n\nTwo\nwords.\n- an item\n  goes on\n\n  ```toml\n  a = 1\n\n    b\n  ```\n\n  and on\n\n    krank\n";
+        let text = "## One\n\nTwo\nwords.\n- an item\n  goes on\n\n  ```toml\n  a = 1\n\n    b\n  ```\n\n  and on\n\n    krank\n";
         let paragraph = |text: &str| MarkdownContent::Paragraph(text.into());
         assert_eq!(
             contents(text),
             [
-                (0, false, MarkdownContent::Heading("One")),
+                (0, false, MarkdownContent::Heading(2, "One")),
                 (0, true, paragraph("Two words.")),
                 (0, false, MarkdownContent::Item("an item goes on".into())),
                 (2, true, MarkdownContent::Code(vec!["a = 1", "", "  b"])),

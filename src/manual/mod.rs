@@ -1,4 +1,4 @@
-//! The manual: its topics, and a topic as lines of a terminal.
+//! The manual: its topics, a topic as lines of a terminal, and all topics as a web site.
 //!
 //! A topic is a text in Markdown that is compiled in. `krank help TOPIC` and the workbench show the same; what
 //! stands elsewhere too, as the keys of a scene and the notation, is included from there.
@@ -9,6 +9,7 @@ mod layout;
 mod markdown;
 mod search;
 mod table;
+mod web;
 
 use crate::document::with_ascii_letters;
 use crate::wording::{Language, Wording, Words, words};
@@ -18,6 +19,7 @@ pub(crate) use layout::{LineKind, lines};
 #[cfg(feature = "tui")]
 pub(crate) use layout::{ManualLine, plain};
 pub(crate) use search::SearchWords;
+pub(crate) use web::site;
 
 /// Something to read.
 #[derive(Debug)]
@@ -83,7 +85,6 @@ impl Topic {
     }
 
     /// Its name in the language that is spoken.
-    #[cfg(feature = "tui")]
     pub(crate) fn called(&self) -> &'static str {
         match Language::spoken() {
             Language::English => self.name,

@@ -65,15 +65,22 @@ impl Page {
             rules.push_str(&sheet.scoped(&class(number), false));
             when_dark.push_str(&sheet.scoped(&class(number), true));
         }
-        format!(
-            "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-             <title>{}</title>\n<style>\n{rules}@media screen and (prefers-color-scheme:dark){{\n\
-             {when_dark}}}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
-            words().language_tag(),
-            marked_up(&title),
-        )
+        let head = format!(
+            "<style>\n{rules}@media screen and (prefers-color-scheme:dark){{\n{when_dark}}}\n</style>\n"
+        );
+        html_document(&title, &head, &body)
     }
+}
+
+/// Returns an HTML file in the current language. `title` is a text; `head` and `body` are HTML.
+pub(crate) fn html_document(title: &str, head: &str, body: &str) -> String {
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+         <title>{}</title>\n{head}</head>\n<body>\n{body}</body>\n</html>\n",
+        words().language_tag(),
+        marked_up(title),
+    )
 }
 
 /// The class of pictures with the sheet of this number.

@@ -33,11 +33,13 @@ pub use artwork::Artwork;
 pub(crate) use artwork::TextAnchor;
 #[cfg(feature = "tui")]
 pub(crate) use columns::ColumnLayout;
+pub(crate) use html::html_document;
 pub use line::{Line, Span, TextRole};
 pub(crate) use math::UNIT;
 pub use spelled::TextStyle;
 pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
+pub(crate) use svg::marked_up;
 pub(crate) use table::with_unit;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
 #[cfg(feature = "tui")]

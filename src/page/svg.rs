@@ -141,7 +141,7 @@ pub(super) fn number(value: f64) -> String {
 }
 
 /// A text that no reader of SVG or HTML takes for markup.
-pub(super) fn marked_up(text: &str) -> String {
+pub(crate) fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in sanitized(text, false).chars() {
         match c {

@@ -15,6 +15,7 @@ mod forces;
 mod handover;
 mod help;
 mod language;
+mod manual;
 mod marks;
 mod methods;
 mod motor;
@@ -34,6 +35,7 @@ mod table;
 mod tolerance;
 mod turns;
 mod tutorial;
+mod web;
 
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};

@@ -251,7 +251,7 @@ fn commands(text: &str) -> Vec<String> {
 }
 
 /// The arguments of a line, as a shell takes them apart.
-fn arguments(line: &str) -> Vec<&str> {
+pub(super) fn arguments(line: &str) -> Vec<&str> {
     let parts = line.split('\'').enumerate();
     let parts = parts.flat_map(|(k, part)| match k % 2 {
         0 => part.split_whitespace().collect(),

@@ -37,7 +37,7 @@ pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 use crate::assembly::Wish;
 use crate::report::WrittenDecimal;
 use crate::wording::words;
-use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum};
+use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
 /// What stands below the help: the keys that one cannot do without, where there is a workbench, and examples.
@@ -154,6 +154,20 @@ pub(super) struct HelpArgs {
     #[arg(help = words().write_at_once())]
     #[arg(long)]
     pub(super) no_pager: bool,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = HelpFormat::Text)]
+    pub(super) format: HelpFormat,
+    #[arg(help = words().folder_of_manual())]
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum HelpFormat {
+    #[value(help = words().format_for_person())]
+    Text,
+    #[value(help = words().format_web())]
+    Html,
 }
 
 #[derive(Debug, Args)]

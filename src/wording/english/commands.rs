@@ -60,6 +60,9 @@ catalogue! {
         word_occurs(word: &str) = "no topic or command is named `{word}`; it occurs in:";
         word_occurs_but_near(word: &str, near: &str) =
             "no topic or command is named `{word}`; did you mean `{near}`? it occurs in:";
+        html_needs_folder = "`--format html` writes a web site: add `-o DIR`";
+        html_has_all_topics(word: &str) = "`--format html` writes all topics: remove `{word}`";
+        folder_needs_html = "`-o DIR` needs `--format html`";
         check_names_points = "list the points with `krank check SCENE`";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: the scene has no point `{name}`; {mend}";

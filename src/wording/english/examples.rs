@@ -214,6 +214,7 @@ Examples:
   krank help scene               every key of a scene file
   krank help sweep               the same as krank sweep --help
   krank help 'time ratio'        where these words occur: topics, keys, columns, commands
+  krank help --format html -o manual   the manual as a web site
 
 On a terminal the text is shown with $PAGER, or with less or more.";
         examples_of_completions = "\

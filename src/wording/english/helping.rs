@@ -15,6 +15,9 @@ catalogue! {
         no_command_is_that = "no such command";
         manual_of(topic: &str, about: &str) = "manual, {topic}: {about}";
         manual_tells_of_it(topics: &str) = "see the manual: {topics}";
+        manual_title = "krank manual";
+        topics_of_manual = "Topics";
+        search_manual = "Search";
         nowhere = "no hits";
         marks_of_figures(found: char) = "{found} found, rest given";
         marks_of_figures_and_digits(found: char, unsure: char) =

@@ -146,6 +146,8 @@ catalogue! {
         positions_to_compare = "Number of positions in 360 deg or the range, rounded up to a multiple of 360";
         topic_or_command = "A topic, a command, or words to search for [default: list topics and commands]";
         write_at_once = "Print everything, without a pager";
+        format_web = "The manual as a web site: a page for each topic";
+        folder_of_manual = "The folder of the web site; files of the same names are replaced";
         place_of_driver =
             "The driver's angle in deg, or the position of a driven slide [default: where the scene opens]";
         assembly_of_group = "The assembly of a group where the scene opens, as check lists them; separated by commas";

@@ -210,6 +210,7 @@ tuşlar.";
   krank help scene               sahne dosyasının her anahtarı; krank help sahne de olur
   krank help sweep               krank sweep --help gibi
   krank help 'zaman oranı'       bu sözcüklerin geçtiği konular, tuşlar, sütunlar, komutlar
+  krank help --format html -o manual   el kitabı, web sitesi olarak
 
 Terminalde $PAGER ile, yoksa less ya da more ile gösterilir.";
         examples_of_completions = "\

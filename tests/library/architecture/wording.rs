@@ -23,7 +23,7 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 13] = [
+const OTHERS: [&[&str]; 14] = [
     // What a shell is told.
     &["cli", "pager"],
     // What a derived type is told, and nobody else.
@@ -31,6 +31,7 @@ const OTHERS: [&[&str]; 13] = [
     &["scene", "limits"],
     &["scene", "sighted"],
     // Markup, and what it looks like.
+    &["manual", "web"],
     &["page", "html"],
     &["page", "latex"],
     &["page", "style"],

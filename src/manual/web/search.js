@@ -1,0 +1,69 @@
+// Searches the manual. An entry of INDEX has a file, a topic, a heading, an anchor and the lines below the heading.
+const MAX_HITS = 40;
+const form = document.querySelector('form');
+const input = form.querySelector('input');
+const hits = document.querySelector('.hits');
+const main = document.querySelector('main');
+
+// Case does not matter, and Turkish letters match the ASCII letters that they look like. No text changes its length.
+const spelled = text => text.replace(/[ıİI]/g, 'i').toLowerCase().normalize('NFD').replace(/\p{M}/gu, '');
+const sections = INDEX.map(([file, topic, heading, anchor, text]) => {
+  const title = topic === heading ? heading : `${topic}: ${heading}`;
+  const lines = text.split('\n');
+  return { link: `${file}#${anchor}`, title, spelledTitle: spelled(title), lines, spelledLines: lines.map(spelled) };
+});
+
+// Returns where a word of the text starts with these letters, or -1.
+function find(text, start) {
+  let at = text.indexOf(start);
+  while (at > 0 && /[\p{L}\p{N}]/u.test(text[at - 1])) {
+    at = text.indexOf(start, at + 1);
+  }
+  return at;
+}
+
+// Returns a section as a hit, with the part of a line around a word.
+function hit(section, line, word) {
+  const link = document.createElement('a');
+  link.href = section.link;
+  link.textContent = section.title;
+  const text = section.lines[line];
+  const from = Math.max(0, text.lastIndexOf(' ', find(section.spelledLines[line], word) - 60));
+  const part = text.slice(from, from + 200).trim();
+  const about = document.createElement('p');
+  about.textContent = (from > 0 ? '... ' : '') + part + (from + 200 < text.length ? ' ...' : '');
+  const item = document.createElement('li');
+  item.append(link, about);
+  return item;
+}
+
+function search() {
+  const words = spelled(input.value).split(/\s+/).filter(Boolean);
+  const areIn = text => words.every(word => find(text, word) >= 0);
+  const inTitle = [];
+  const inText = [];
+  for (const section of words.length > 0 ? sections : []) {
+    const line = section.spelledLines.findIndex(text => areIn(`${section.spelledTitle} ${text}`));
+    if (line >= 0) {
+      (areIn(section.spelledTitle) ? inTitle : inText).push(hit(section, line, words[0]));
+    }
+  }
+  const found = [...inTitle, ...inText].slice(0, MAX_HITS);
+  hits.replaceChildren(...(found.length > 0 ? found : [hits.dataset.none]));
+  main.hidden = words.length > 0;
+  hits.hidden = !main.hidden;
+}
+
+form.hidden = false;
+input.addEventListener('input', search);
+form.addEventListener('submit', event => {
+  event.preventDefault();
+  hits.querySelector('a')?.click();
+});
+// A link to a heading of the same page loads no page.
+hits.addEventListener('click', event => {
+  if (event.target.closest('a')) {
+    input.value = '';
+    search();
+  }
+});

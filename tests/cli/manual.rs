@@ -1,0 +1,311 @@
+//! Every command of the manual runs, and every scene in it opens, in both languages.
+
+use super::language::spoken;
+use super::readme::QUICK;
+use super::synthesize::arguments;
+use super::{command, done, folder, run};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Chapters whose indented commands have tests of their own: they need the files of the chapter.
+const TESTED: [&str; 2] = ["synthesis.md", "tutorial.md"];
+
+/// Takes a minute in a debug build; `tolerances.md` has shorter ones.
+const SLOW: &str = "tolerance SCENE --tolerance 0.1";
+
+/// Stand-ins for the words of the manual that are no arguments.
+const REPLACED: [(&str, &str); 8] = [
+    ("SCENE", "four-bar-load"),
+    ("TASK", "hatch"),
+    ("FILE", "measured.csv"),
+    ("--seed N", "--seed 3"),
+    ("--count 100", "--count 8"),
+    ("--count 30", "--count 3"),
+    (" | head -n 1", ""),
+    ("answered/*.csv", "answered/four-bar-7.csv"),
+];
+
+/// The name and the text of each chapter in a language.
+pub(super) fn chapters(language: &str) -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let files = fs::read_dir(root.join("src/manual").join(language)).unwrap();
+    let mut chapters: Vec<(String, String)> = files
+        .map(|file| {
+            let file = file.unwrap();
+            let name = file.file_name().into_string().unwrap();
+            (name, fs::read_to_string(file.path()).unwrap())
+        })
+        .collect();
+    chapters.sort();
+    assert!(chapters.len() > 15, "{}", chapters.len());
+    chapters
+}
+
+/// The commands of a chapter that stand by themselves, and those in a sentence that name a scene or a task.
+fn commands(name: &str, text: &str) -> Vec<String> {
+    let lines = text.lines();
+    let indented = lines.filter_map(|line| line.strip_prefix("    krank "));
+    let indented = indented.filter(|_| !TESTED.contains(&name));
+    let one_line = text.replace('\n', " ");
+    let spans = one_line.split('`').skip(1).step_by(2);
+    let spans = spans.filter_map(|span| span.strip_prefix("krank "));
+    let in_sentences = spans.filter(|span| span.contains("SCENE") || span.contains("TASK"));
+    let all = indented.chain(in_sentences);
+    let all = all.filter(|line| {
+        QUICK
+            .iter()
+            .any(|quick| line.split(' ').next() == Some(quick))
+    });
+    let in_pixels = |line: &str| line.contains("--format png") || line.contains("--format gif");
+    let all = all.filter(|line| cfg!(feature = "pictures") || !in_pixels(line));
+    all.filter(|line| *line != SLOW)
+        .map(str::to_owned)
+        .collect()
+}
+
+/// A new folder with the files that commands of the manual read.
+fn prepared(name: &str) -> PathBuf {
+    let here = folder(&format!("manual-{name}"));
+    fs::remove_dir_all(&here).unwrap();
+    fs::create_dir_all(here.join("answered")).unwrap();
+    let press = include_str!("../../presets/press.toml");
+    fs::write(here.join("press.toml"), format!("tolerance = 0.1\n{press}")).unwrap();
+    let values = done(&["sweep", "four-bar-load", "--columns", "C.x", "--step", "30"]);
+    fs::write(here.join("measured.csv"), values).unwrap();
+    let class = ["exercise", "four-bar", "--seed", "7", "-o", "class"];
+    assert_eq!(run(command(&class).current_dir(&here)).code, 0);
+    for answers in ["answers.csv", "answered/four-bar-7.csv"] {
+        fs::copy(here.join("class/four-bar-7.csv"), here.join(answers)).unwrap();
+    }
+    here
+}
+
+/// The Turkish chapters have the same code: a test of the manual compares them.
+#[test]
+fn every_command_of_the_manual_runs() {
+    let mut ran = 0;
+    for (name, text) in chapters("english") {
+        let commands = commands(&name, &text);
+        if commands.is_empty() {
+            continue;
+        }
+        let here = prepared(&name);
+        for shown in commands {
+            let replaced = REPLACED.iter();
+            let line = replaced.fold(shown.clone(), |line, (word, with)| line.replace(word, with));
+            let heard = run(command(&arguments(&line)).current_dir(&here));
+            assert_eq!(heard.code, 0, "{name}: krank {shown}: {}", heard.err);
+            let is_note = |line: &str| line.starts_with("note: ");
+            assert!(
+                heard.err.lines().all(is_note),
+                "{name}: krank {shown}: {}",
+                heard.err
+            );
+            ran += 1;
+        }
+    }
+    let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
+    assert_eq!(ran, 53 + in_pixels);
+}
+
+const GROUND: (&str, &str) = ("[ground]", "A = [0, 0]\nD = [400, 0]");
+const DRIVER: (&str, &str) = ("[driver]", "link = 'r2'\nangle = 60\nspeed = '15 rad/s'");
+const R2: (&str, &str) = ("[links]", "r2 = { from = 'A', to = 'B', length = 100 }");
+const R3: (&str, &str) = (
+    "[links]",
+    "r3 = { from = 'B', to = 'C', length = 300, com = [150, 0] }",
+);
+const R4: (&str, &str) = ("[links]", "r4 = { from = 'D', to = 'C', length = 250 }");
+const START: (&str, &str) = ("[start]", "C = [310, 230]");
+
+/// The parts of scenes that the manual shows: the chapter, a piece that only this part has, and the lines that
+/// complete it, below their headings.
+const PARTS: [(&str, &str, &[(&str, &str)]); 9] = [
+    (
+        "scene.md",
+        "link = \"ram\"",
+        &[
+            ("[ground]", "A = [0, 0]"),
+            DRIVER,
+            R2,
+            R3,
+            ("[links]", "rod = { from = 'C', to = 'E', length = 400 }"),
+            ("[links]", "ram = { points = { E = [0, 0] } }"),
+            ("[start]", "C = [350, 0]\nE = [560, 340]"),
+        ],
+    ),
+    (
+        "scene.md",
+        "ratio = -1",
+        &[
+            (
+                "[ground]",
+                "A = [0, 0]\nG = [400, 0]\nH = [0, 600]\nJ = [300, 600]",
+            ),
+            DRIVER,
+            ("[driver]", "range = [0, 360]"),
+            R2,
+            R3,
+            ("[links]", "r5 = { from = 'F', to = 'C', length = 350 }"),
+            ("[links]", "r7 = { from = 'G', to = 'F', length = 60 }"),
+            ("[links]", "barrel = { points = { H = [0, 0] } }"),
+            ("[links]", "boom = { from = 'J', to = 'P', length = 300 }"),
+            (
+                "[slides]",
+                "rod = { point = 'P', on = 'barrel', through = 'H', angle = 0 }",
+            ),
+            ("[start]", "C = [200, 280]\nP = [150, 800]"),
+        ],
+    ),
+    (
+        "scene.md",
+        "bucket = { over",
+        &[
+            (
+                "[ground]",
+                "O = [0, -0.5]\nQ = [0, 0]\nH = [1, 3]\nA = [3, 0]\nR = [1.9, 3]",
+            ),
+            (
+                "[driver]",
+                "slide = 'rod'\nposition = 1.1\nrange = [1.0, 1.3]",
+            ),
+            ("[links]", "barrel = { points = { O = [0, 0] } }"),
+            ("[links]", "boom = { from = 'Q', to = 'P', length = 1 }"),
+            ("[links]", "cylinder = { points = { H = [0, 0] } }"),
+            ("[links]", "scoop = { from = 'R', to = 'S', length = 1 }"),
+            ("[links]", "r7 = { from = 'A', to = 'B', length = 1 }"),
+            (
+                "[slides]",
+                "rod = { point = 'P', on = 'barrel', through = 'O', angle = 0 }",
+            ),
+            (
+                "[slides]",
+                "bucket = { point = 'S', on = 'cylinder', through = 'H', angle = 0 }",
+            ),
+            ("[start]", "P = [0.9, 0.3]\nS = [1.1, 3.2]"),
+        ],
+    ),
+    ("scene.md", "motion = [", &[GROUND, R2, R3, R4, START]),
+    (
+        "scene.md",
+        "[limits]",
+        &[
+            GROUND,
+            ("[ground]", "O = [-100, 0]"),
+            DRIVER,
+            R2,
+            R3,
+            R4,
+            ("[links]", "barrel = { points = { O = [0, 0] } }"),
+            (
+                "[slides]",
+                "rod = { point = 'B', on = 'barrel', through = 'O', angle = 0 }",
+            ),
+            START,
+        ],
+    ),
+    (
+        "scene.md",
+        "[[springs]]",
+        &[
+            GROUND,
+            DRIVER,
+            R2,
+            R3,
+            R4,
+            ("[links]", "r5 = { from = 'C', to = 'E', length = 400 }"),
+            (
+                "[slides]",
+                "r6 = { point = 'E', on = 'ground', through = [560, 0], angle = 90 }",
+            ),
+            START,
+            ("[start]", "E = [560, 540]"),
+        ],
+    ),
+    (
+        "scene.md",
+        "[parameters]",
+        &[
+            ("[ground]", "A = [0, 0]\nD = [300, 0]"),
+            ("[start]", "C = [200, 200]"),
+        ],
+    ),
+    (
+        "columns.md",
+        "[figures]",
+        &[
+            GROUND,
+            ("[driver]", "link = 'armR'\nangle = 60"),
+            ("[links]", "armR = { from = 'A', to = 'B', length = 100 }"),
+            R3,
+            ("[links]", "armL = { from = 'C', to = 'D', length = 250 }"),
+            START,
+        ],
+    ),
+    (
+        "tolerances.md",
+        "[clearances]",
+        &[GROUND, DRIVER, R2, R4, START],
+    ),
+];
+
+/// The blocks of TOML in a chapter, those within items of lists too.
+fn blocks(text: &str) -> Vec<String> {
+    let mut blocks = Vec::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        if line.trim_start() == "```toml" {
+            let indent = line.len() - line.trim_start().len();
+            let block = lines.by_ref().map(|line| line.get(indent..).unwrap_or(""));
+            let block = block.take_while(|line| *line != "```");
+            blocks.push(block.fold(String::new(), |text, line| text + line + "\n"));
+        }
+    }
+    blocks
+}
+
+/// A part of a scene with each of these lines below its heading.
+fn completed(part: &str, lines: &[(&str, &str)]) -> String {
+    let mut scene = format!("\n{part}");
+    for (heading, line) in lines {
+        let begins = scene.find(&format!("\n{heading}"));
+        let end = begins.and_then(|at| Some(at + 1 + scene[at + 1..].find('\n')?));
+        match end {
+            Some(end) => scene.insert_str(end, &format!("\n{line}")),
+            None => scene += &format!("\n{heading}\n{line}\n"),
+        }
+    }
+    scene
+}
+
+#[test]
+fn every_scene_of_the_manual_opens() {
+    let here = folder("manual-scenes");
+    let opens = |language: &str, name: &str, scene: &str| {
+        fs::write(here.join("my.toml"), scene).unwrap();
+        let arguments = match scene.contains("\nposes = ") {
+            true => &["synthesize", "my.toml", "--top", "1"][..],
+            false => &["check", "my.toml"],
+        };
+        let heard = spoken(language, &here, arguments);
+        assert_eq!(heard.code, 0, "{name}: {scene}\n{}", heard.err);
+    };
+    for (folder, language) in [("english", "en"), ("turkish", "tr")] {
+        let mut opened = 0;
+        for (name, text) in chapters(folder) {
+            // Their own tests read the steps of the tutorial, and the configuration.
+            if ["tutorial.md", "keys.md"].contains(&name.as_str()) {
+                continue;
+            }
+            for block in blocks(&text) {
+                let part = PARTS
+                    .iter()
+                    .find(|(chapter, piece, _)| *chapter == name && block.contains(piece));
+                let lines = part.map_or(&[][..], |(_, _, lines)| lines);
+                opens(language, &name, &completed(&block, lines));
+                opened += 1;
+            }
+        }
+        assert_eq!(opened, PARTS.len() + 2, "{folder}");
+    }
+}
