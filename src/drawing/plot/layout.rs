@@ -266,8 +266,11 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
         a.count.cmp(&b.count).then(shorter)
     };
     if let Some(best) = found.iter().filter(near).max_by(order) {
-        let (low, high) = (best.low.min(y.low), best.high.max(y.high));
         let ticks = Ticks::multiples(best.step, best.first, best.count);
+        // Rounding may put a tick in the lowest or the highest row outside of the axis.
+        let values = || ticks.values.iter().copied();
+        let low = values().fold(best.low.min(y.low), f64::min);
+        let high = values().fold(best.high.max(y.high), f64::max);
         return (CellScale::upwards(low, high, top, height, INSET), ticks);
     }
     let usual = Ticks::between(y.low, y.high, y.is_angle, labels(height));

@@ -64,16 +64,11 @@ catalogue! {
             "`{word}` adında konu ya da komut yok; `{near}` mi demek istediniz? konular: {topics}";
         word_occurs(word: &str) = "`{word}` adında konu ya da komut yok; geçtiği yerler:";
         word_occurs_but_near(word: &str, near: &str) =
-<<<<<<< HEAD
             "`{word}` adında konu ya da komut yok; `{near}` mi demek istediniz? geçtiği yerler:";
-        check_names_points = "noktaları `krank check SCENE` ile listeleyin";
-=======
-            "`{word}` adında konu ya da komut yok; `{near}` mi demek istedin? geçtiği yerler:";
-        html_needs_folder = "`--format html` bir web sitesi yazar: `-o DIR` ekle";
-        html_has_all_topics(word: &str) = "`--format html` bütün konuları yazar: `{word}` sözcüğünü sil";
+        html_needs_folder = "`--format html` bir web sitesi yazar: `-o DIR` ekleyin";
+        html_has_all_topics(word: &str) = "`--format html` bütün konuları yazar: `{word}` sözcüğünü silin";
         folder_needs_html = "`-o DIR` için `--format html` gerekir";
-        check_names_points = "noktaları `krank check SCENE` ile listele";
->>>>>>> w-web
+        check_names_points = "noktaları `krank check SCENE` ile listeleyin";
         no_point(option: &str, name: &str, mend: &str) =
             "{option}: sahnede `{name}` adında bir nokta yok; {mend}";
         there_are(names: &str) = "olanlar: {names}";

@@ -14,14 +14,10 @@ catalogue! {
         shows_more(key: &dyn Display) = "{key} devamı";
         no_command_is_that = "böyle bir komut yok";
         manual_of(topic: &str, about: &str) = "el kitabı, {topic}: {about}";
-<<<<<<< HEAD
         manual_tells_of_it(topics: &str) = "el kitabına bakın: {topics}";
-=======
-        manual_tells_of_it(topics: &str) = "el kitabına bak: {topics}";
         manual_title = "krank el kitabı";
         topics_of_manual = "Konular";
         search_manual = "Ara";
->>>>>>> w-web
         nowhere = "bulunamadı";
         marks_of_figures(found: char) = "{found} bulunan, gerisi verilen";
         marks_of_figures_and_digits(found: char, unsure: char) =

@@ -118,13 +118,9 @@ catalogue! {
         columns_to_plot = "Sütun adları, * joker, ya da NAME = FORMULA; virgülle ayrılır";
         positions_to_compare = "360 deg ya da aralık boyunca konum sayısı, 360'ın katına yuvarlanır";
         topic_or_command = "Bir konu, bir komut ya da aranacak sözcükler [yoksa: konuları ve komutları listeler]";
-<<<<<<< HEAD
         write_at_once = "Sayfalayıcı kullanmadan hepsini yazın";
-=======
-        write_at_once = "Sayfalayıcı kullanmadan hepsini yaz";
         format_web = "El kitabı, web sitesi olarak: her konuya bir sayfa";
         folder_of_manual = "Web sitesinin klasörü; aynı adlı dosyaların yerine yenileri yazılır";
->>>>>>> w-web
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
