@@ -252,12 +252,12 @@ fn a_site_needs_a_folder_and_has_all_topics() {
         (
             &["help", "--format", "html"][..],
             "error: `--format html` writes a web site: add `-o DIR`\n",
-            "hata: `--format html` bir web sitesi yazar: `-o DIR` ekle\n",
+            "hata: `--format html` bir web sitesi yazar: `-o DIR` ekleyin\n",
         ),
         (
             &["help", "scene", "--format", "html", "-o", "x"],
             "error: `--format html` writes all topics: remove `scene`\n",
-            "hata: `--format html` bütün konuları yazar: `scene` sözcüğünü sil\n",
+            "hata: `--format html` bütün konuları yazar: `scene` sözcüğünü silin\n",
         ),
         (
             &["help", "scene", "-o", "x"],

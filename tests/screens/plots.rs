@@ -234,37 +234,44 @@ fn curves_are_written_as_csv_and_as_svg() {
     assert!(session.look().contains("there is no plot to write"));
 }
 
-/// Every preset shows each of its figures, at every size and in every kind of glyphs.
-#[test]
-fn every_figure_of_every_preset_is_plotted_at_every_size() {
+/// Plots each value of every preset.
+fn plot_every_value(glyphs: Glyphs, cols: u16, rows: u16) {
     for entry in presets::all() {
         let scene = Scene::parse(entry.text, entry.name).unwrap();
         let figures = Catalogue::new(&scene).figures();
-        for (glyphs, cols, rows) in [
-            (Glyphs::Ascii, 80, 24),
-            (Glyphs::Line, 40, 12),
-            (Glyphs::Braille, 120, 40),
-        ] {
-            let mut bench =
-                Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, cols, rows);
-            bench.press("3");
-            for (k, figure) in figures.iter().enumerate() {
-                // One alone, and then one beside it, against what comes next.
-                bench.press(if k % 2 == 0 { "x c /" } else { "x /" });
-                figure.name.chars().for_each(|c| {
-                    bench.press(&c.to_string());
-                });
-                bench.press("Enter Enter Esc Esc");
-                if k % 7 == 0 {
-                    bench.press("X");
-                }
-                let frame = String::from_utf8(bench.paint().to_vec()).unwrap();
-                let bad = frame.contains("NaN") || frame.contains("inf");
-                assert!(!bad, "{}: {}", entry.name, figure.name);
-                assert!(k > 0 || frame.contains(&figure.name), "{frame}");
+        let mut bench = Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, cols, rows);
+        bench.press("3");
+        for (k, figure) in figures.iter().enumerate() {
+            // One alone, and then one beside it, against what comes next.
+            bench.press(if k % 2 == 0 { "x c /" } else { "x /" });
+            figure.name.chars().for_each(|c| {
+                bench.press(&c.to_string());
+            });
+            bench.press("Enter Enter Esc Esc");
+            if k % 7 == 0 {
+                bench.press("X");
             }
+            let frame = String::from_utf8(bench.paint().to_vec()).unwrap();
+            let bad = frame.contains("NaN") || frame.contains("inf");
+            assert!(!bad, "{}: {}", entry.name, figure.name);
+            assert!(k > 0 || frame.contains(&figure.name), "{frame}");
         }
     }
+}
+
+#[test]
+fn every_value_of_every_preset_is_plotted_in_7_bits() {
+    plot_every_value(Glyphs::Ascii, 80, 24);
+}
+
+#[test]
+fn every_value_of_every_preset_is_plotted_in_a_small_window() {
+    plot_every_value(Glyphs::Line, 40, 12);
+}
+
+#[test]
+fn every_value_of_every_preset_is_plotted_in_a_large_window() {
+    plot_every_value(Glyphs::Braille, 120, 40);
 }
 
 proptest! {
