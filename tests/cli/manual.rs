@@ -118,9 +118,16 @@ const R3: (&str, &str) = (
 const R4: (&str, &str) = ("[links]", "r4 = { from = 'D', to = 'C', length = 250 }");
 const START: (&str, &str) = ("[start]", "C = [310, 230]");
 
+/// A topic, a line of its part, and what the part needs beside it.
+type Part = (
+    &'static str,
+    &'static str,
+    &'static [(&'static str, &'static str)],
+);
+
 /// The parts of scenes that the manual shows: the chapter, a piece that only this part has, and the lines that
 /// complete it, below their headings.
-const PARTS: [(&str, &str, &[(&str, &str)]); 9] = [
+const PARTS: [Part; 9] = [
     (
         "scene.md",
         "link = \"ram\"",
