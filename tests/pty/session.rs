@@ -307,8 +307,7 @@ impl Session {
         self.seen.lock().unwrap().terminal = emulator(80, 24);
     }
 
-    /// Closes every descriptor of the other end.
-    /// Closes the terminal's end of the line.
+    /// Closes every descriptor of the terminal's end.
     pub(crate) fn hang_up(&mut self) {
         self.switches.cut.store(true, Ordering::SeqCst);
         self.wake_reader();

@@ -2,8 +2,8 @@
 //!
 //! There are no vector types and no instructions named here: compilers make vector instructions of
 //! plain arrays, for whatever machine the code around is compiled. Everything is inlined for that
-//! reason, also where a call would do. The lanes are written out: unrolling thousands of loops in one
-//! function took the compiler longer than all else of the solver.
+//! reason, also where a call would do. The operations on lanes are written without loops: unrolling thousands
+//! of loops in one function took the compiler as long as the rest of this crate.
 
 use super::angle;
 use crate::{Constant, Number, Vec2};

@@ -87,7 +87,7 @@ pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
 
 /// Runs it with the instructions that every machine of the kind has, without fused multiplication and addition.
 ///
-/// The library's fallback moves places by loops: 380 s of the kernel's 640 s in the compiler went into it.
+/// The vector library's fallback reorders elements in loops. Compiling them took 250 s of this crate's 560 s.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 pub(crate) fn plainly<F: Fusing>(f: F) -> F::Output {
