@@ -13,7 +13,7 @@ use crate::nearest::nearest;
 use crate::parallel;
 use crate::report::SynthesisReport;
 use crate::scene::{LARGEST_FILE, presets};
-use crate::synthesis::{Synthesis, SynthesisOrder};
+use crate::synthesis::{Synthesis, SynthesisOrder, scene_text};
 use crate::task_file::{ExampleTask, TaskFile};
 #[cfg(feature = "tui")]
 use crate::tui::TaskOrder;
@@ -130,7 +130,7 @@ fn save(
     let mut files: Vec<(PathBuf, String)> = Vec::new();
     for (number, candidate) in (1..).zip(report.told()) {
         let titles = report.titles(number, candidate, args.tolerance);
-        let Some(text) = candidate.scene(&report.file.task, &titles) else {
+        let Some(text) = scene_text(&candidate.proposal, &report.file.task, &titles) else {
             continue;
         };
         files.push((folder.join(format!("candidate-{number}.toml")), text));

@@ -59,6 +59,7 @@ mod tolerance_rows;
 mod verdict;
 mod working;
 
+pub use self::synthesis::SynthesisReport;
 pub use accuracy::{
     Accuracy, StudyMeasure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text,
     unfit_text,
@@ -96,7 +97,6 @@ pub use slide_facts::{SlideFacts, SliderKind};
 pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use stop_facts::{StopFacts, UnmetLimit, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
-pub use synthesis::SynthesisReport;
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use text_encoding::TextEncoding;
@@ -111,6 +111,6 @@ pub use working::{
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
-    candidate_row::CandidateRow, cycle_page::brief_cycle, forces::effort_word, forces_page::missed,
-    number::shortest, number::upwards, synthesis::wanted,
+    self::synthesis::wanted, candidate_row::CandidateRow, cycle_page::brief_cycle,
+    forces::effort_word, forces_page::missed, number::shortest, number::upwards,
 };

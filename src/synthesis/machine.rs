@@ -1,4 +1,4 @@
-//! A proposal as a scene: what is judged is what is handed over.
+//! Writes a proposal as a scene file.
 
 use super::{Partner, Pose, Proposal, Task, TaskKind};
 use crate::Vec2;

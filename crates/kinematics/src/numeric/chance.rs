@@ -32,6 +32,11 @@ impl SeededChance {
         2.0 * part - 1.0
     }
 
+    /// Returns a random number from `low` to `high`.
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + 0.5 * (1.0 + self.even()) * (high - low)
+    }
+
     /// Two numbers of the standard normal distribution, by Marsaglia's polar method: no sine of the machine's own.
     pub fn normal(&mut self) -> [f64; 2] {
         let ([x, y], square) = self.in_disc();

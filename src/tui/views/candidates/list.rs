@@ -3,7 +3,9 @@
 use super::shown::ShownCandidate;
 use super::walk::CurveWalk;
 use crate::report::{CandidateRow, SynthesisReport};
-use crate::synthesis::{Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder};
+use crate::synthesis::{
+    Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder, scene_text,
+};
 use crate::tui::TaskOrder;
 use crate::tui::document::search_progress::SearchProgress;
 use crate::{Vec2, angle, parallel};
@@ -254,7 +256,7 @@ impl CandidateList {
         let report = found.report(&self.order);
         let number = self.cursor + 1;
         let titles = report.titles(number, candidate, self.order.tolerance);
-        let text = candidate.scene(&self.order.file.task, &titles)?;
+        let text = scene_text(&candidate.proposal, &self.order.file.task, &titles)?;
         Some((text, format!("{}-{number}", self.order.name)))
     }
 
@@ -313,7 +315,7 @@ impl CandidateList {
                 unit: self.order.file.unit.symbol().to_owned(),
                 ..SceneTitles::default()
             };
-            let text = candidate.scene(&self.order.file.task, &titles);
+            let text = scene_text(&candidate.proposal, &self.order.file.task, &titles);
             let shown = text.and_then(|text| ShownCandidate::of(&text, &candidate.at));
             self.shown = shown;
         }

@@ -1,0 +1,425 @@
+//! A proposal that was driven through its task.
+
+use super::defects::{GivenWay, TaskDefect, crank_way};
+use super::functions::FunctionRun;
+use super::machine::Machine;
+use super::output_misses::OutputMisses;
+use super::{Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
+use kinematics::Vec2;
+use kinematics::angle::{TURN, beside, degrees, unit};
+use kinematics::solver::{Condition, Order, Range};
+
+/// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage, and a body beside a pose that
+/// is to be met: an angle in radians.
+const SAME: f64 = 1e-7;
+/// What the led point of a path may miss of a point, in parts of the path's size: beyond that it is another path.
+const FAR: f64 = 0.05;
+/// Linkages that differ by less than this part of their size are one.
+const ONE: f64 = 1e-6;
+
+/// A linkage, and what it makes of its task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The linkage, with the driven crank on A.
+    pub proposal: Proposal,
+    /// The crank's angle at every point, in degrees, counted on in the order of the task.
+    pub at: Vec<f64>,
+    /// Why it does not do its task; none where it does.
+    pub defects: Vec<TaskDefect>,
+    /// Which wishes it does not keep.
+    pub missed: Vec<MissedWish>,
+    /// What else is to be said of it.
+    pub figures: CandidateFigures,
+}
+
+/// Figures of a candidate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CandidateFigures {
+    /// Whether the crank turns fully.
+    pub full_turn: bool,
+    /// The least transmission angle on the way, in degrees: from the first point to the last, over the whole range of a
+    /// formula, over a whole turn of a closed path.
+    pub transmission: f64,
+    /// The least transmission angle of the whole motion, over a whole turn or from stop to stop, in degrees: 0 where the
+    /// crank only swings, from dead point to dead point.
+    pub transmission_throughout: f64,
+    /// The longest length over the shortest, the ground's among them.
+    pub ratio: f64,
+    /// By how much the led point, or the output, misses at worst of the points that it comes to; of a formula anywhere in
+    /// its range.
+    pub miss: f64,
+    /// The same by root mean square, with the weights of the points.
+    pub rms: f64,
+    /// By how much the body's angle misses at worst, in degrees; of poses only.
+    pub angle_miss: f64,
+}
+
+/// A wish that is not kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MissedWish {
+    /// The crank does not turn fully.
+    FullTurn,
+    /// The transmission angle is less.
+    Transmission,
+    /// A pivot lies outside.
+    Inside,
+    /// Lengths are too unlike.
+    Ratio,
+    /// The crank turns the other way.
+    Sense,
+}
+
+impl Candidate {
+    /// Drives a proposal through the task: as it is, and at its other pivot; the better one, whichever was proposed.
+    #[must_use]
+    pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
+        let own = Candidate::driven(task, proposal.clone());
+        // Where its angles are given, the crank is given.
+        let is_given = match &task.kind {
+            TaskKind::Function(_) => true,
+            TaskKind::Path(path) => path.turns.is_some(),
+            TaskKind::Poses(_) => false,
+        };
+        match proposal.swapped() {
+            Some(swapped) if !is_given => {
+                let other = Candidate::driven(task, swapped);
+                match other.standing() < own.standing() {
+                    true => other,
+                    false => own,
+                }
+            }
+            _ => own,
+        }
+    }
+
+    fn driven(task: &Task, proposal: Proposal) -> Candidate {
+        let opened = match proposal.places.len() == task.points() {
+            true => Machine::open(task, &proposal),
+            false => None,
+        };
+        let Some(machine) = opened else {
+            return Candidate {
+                at: Vec::new(),
+                defects: vec![TaskDefect::Unopened],
+                missed: Vec::new(),
+                figures: CandidateFigures::default(),
+                proposal,
+            };
+        };
+        let range = machine.solver.motion().range;
+        let run = match &task.kind {
+            TaskKind::Function(function) => FunctionRun::of(function, &proposal),
+            TaskKind::Poses(_) | TaskKind::Path(_) => None,
+        };
+        let way = given_way(task, &proposal, run.as_ref());
+        let (at, mut defects) = crank_way(&proposal, range, &task.wishes, &way);
+        let mut figures = CandidateFigures {
+            full_turn: matches!(range, Range::Full { .. }),
+            transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
+            transmission_throughout: least_transmission(
+                &proposal,
+                match range {
+                    Range::Full { .. } => (0.0, TURN),
+                    Range::Limited { low, high } => (low, high),
+                },
+            ),
+            ratio: proposal.ratio(),
+            ..CandidateFigures::default()
+        };
+        // What lies in another assembly was named.
+        let reach = defects.iter().filter_map(TaskDefect::place).min();
+        let points = reach.unwrap_or(at.len());
+        let drive = TaskDrive {
+            task,
+            proposal: &proposal,
+            machine: &machine,
+        };
+        match drive.measure(&at[..points], &mut figures) {
+            Err(point) => defects.push(TaskDefect::Missed { point }),
+            Ok(Some(point)) if defects.is_empty() => defects.push(TaskDefect::Far { point }),
+            Ok(_) => {}
+        }
+        if let TaskKind::Function(function) = &task.kind {
+            match run.and_then(|run| OutputMisses::of(function, &run)) {
+                Some(misses) => {
+                    (figures.miss, figures.rms) = (misses.worst, misses.rms);
+                    // On another branch it misses for that reason.
+                    if defects.is_empty() && !misses.follows() {
+                        defects.push(TaskDefect::StructuralError);
+                    }
+                }
+                None if defects.is_empty() => defects.push(TaskDefect::Short),
+                None => {}
+            }
+        }
+        let missed = missed(&task.wishes, &proposal, &at, &figures);
+        Candidate {
+            proposal,
+            at,
+            defects,
+            missed,
+            figures,
+        }
+    }
+
+    /// Whether it does its task.
+    #[must_use]
+    pub fn does_it(&self) -> bool {
+        self.defects.is_empty()
+    }
+
+    /// How many defects, and wishes that are not kept; whether the crank only swings; and the less transmission the worse.
+    fn standing(&self) -> (usize, usize, bool, f64) {
+        let CandidateFigures {
+            full_turn,
+            transmission,
+            ..
+        } = self.figures;
+        (
+            self.defects.len(),
+            self.missed.len(),
+            !full_turn,
+            -transmission,
+        )
+    }
+
+    /// Whether two are one but for rounding.
+    #[must_use]
+    pub fn is_same(&self, other: &Candidate) -> bool {
+        let same = |a: &Proposal, b: &Proposal| {
+            let slack = ONE * a.longest().max(b.longest());
+            let near = |a: Vec2, b: Vec2| (a - b).norm() <= slack;
+            let held = match (a.partner, b.partner) {
+                (Partner::Rocker(a), Partner::Rocker(b)) => near(a, b),
+                (Partner::Slide(a), Partner::Slide(b)) => (unit(a).cross(unit(b))).abs() <= ONE,
+                (Partner::Rocker(_), Partner::Slide(_))
+                | (Partner::Slide(_), Partner::Rocker(_)) => false,
+            };
+            let first = a.places.first().zip(b.places.first());
+            held && near(a.pivot, b.pivot)
+                && first.is_some_and(|(a, b)| near(a[0], b[0]) && near(a[1], b[1]))
+        };
+        same(&self.proposal, &other.proposal)
+            || other
+                .proposal
+                .swapped()
+                .is_some_and(|other| same(&self.proposal, &other))
+    }
+}
+
+impl TaskDefect {
+    /// The first point that is not come to.
+    #[must_use]
+    pub fn place(&self) -> Option<usize> {
+        match self {
+            TaskDefect::Unopened => Some(0),
+            // Of a closed path it may lie behind the last.
+            TaskDefect::Branch { from, to } | TaskDefect::Circuit { from, to } => {
+                (from < to).then_some(*to)
+            }
+            TaskDefect::Missed { point } => Some(*point),
+            TaskDefect::Order { .. }
+            | TaskDefect::Short
+            | TaskDefect::StructuralError
+            | TaskDefect::Far { .. } => None,
+        }
+    }
+}
+
+/// A linkage on its way.
+struct TaskDrive<'a> {
+    task: &'a Task,
+    proposal: &'a Proposal,
+    machine: &'a Machine,
+}
+
+impl TaskDrive<'_> {
+    /// By how much it misses each point, by the solver's figures alone. The point of a path that is missed most, as far as
+    /// it counts, where that is another path.
+    ///
+    /// # Errors
+    /// The point at which the solver does not find the linkage where it was proposed, or the body in its pose.
+    fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<Option<usize>, usize> {
+        let Machine {
+            solver,
+            c,
+            tracer,
+            coupler,
+            ..
+        } = self.machine;
+        let mut state = solver.state();
+        let size = self.proposal.longest();
+        let mut turned_from = 0.0;
+        let mut squares = 0.0;
+        let mut weights = 0.0;
+        // A miss counts by the root of its weight, as in the mean square.
+        let mut farthest = (None, FAR * self.task.size());
+        for (point, &at) in at.iter().enumerate() {
+            if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+                return Err(point);
+            }
+            let c = state.position(*c).ok_or(point)?;
+            let led = || tracer.and_then(|id| state.position(id)).ok_or(point);
+            if !((c - self.proposal.places[point][1]).norm() <= SAME * size) {
+                return Err(point);
+            }
+            let angle = state.angle(*coupler).ok_or(point)?;
+            if point == 0 {
+                turned_from = angle;
+            }
+            let (miss, angle_miss, weight) = match &self.task.kind {
+                TaskKind::Poses(PoseTask { poses, .. }) => {
+                    let wanted = poses[point].angle - poses[0].angle;
+                    let off = beside(0.0, angle - turned_from - wanted).abs();
+                    let p = led()?;
+                    let miss = (p - poses[point].at).norm();
+                    let met = SAME * size.max(self.task.size());
+                    if !(miss <= met && off <= SAME.to_degrees()) {
+                        return Err(point);
+                    }
+                    (miss, off, 1.0)
+                }
+                TaskKind::Path(PathTask {
+                    points, weights, ..
+                }) => {
+                    let p = led()?;
+                    let weight = weights.get(point).copied().unwrap_or(1.0);
+                    let most = weights.iter().copied().fold(weight, f64::max);
+                    let counts = (weight / most).sqrt() * (p - points[point]).norm();
+                    if counts > farthest.1 {
+                        farthest = (Some(point), counts);
+                    }
+                    ((p - points[point]).norm(), 0.0, weight)
+                }
+                // Told of the whole range, below.
+                TaskKind::Function(_) => (0.0, 0.0, 1.0),
+            };
+            figures.miss = figures.miss.max(miss);
+            figures.angle_miss = figures.angle_miss.max(angle_miss);
+            squares += weight * miss * miss;
+            weights += weight;
+        }
+        figures.rms = if weights > 0.0 {
+            (squares / weights).sqrt()
+        } else {
+            0.0
+        };
+        Ok(farthest.0)
+    }
+}
+
+/// What the task says of the crank's way.
+fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenWay {
+    let first = proposal.places.first();
+    let begin = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
+    match &task.kind {
+        TaskKind::Poses(_) => GivenWay::default(),
+        TaskKind::Function(task) => GivenWay {
+            turned: run.map(|run| task.pairs.iter().map(|[x, _]| run.crank(*x)).collect()),
+            closed: false,
+        },
+        TaskKind::Path(task) => GivenWay {
+            turned: task
+                .turns
+                .as_ref()
+                .map(|turns| turns.iter().map(|turn| begin + turn).collect()),
+            closed: task.closed,
+        },
+    }
+}
+
+/// The crank's least and greatest angle on the way.
+fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) -> (f64, f64) {
+    let way: Vec<f64> = match (&task.kind, run, range) {
+        // By the run's own count alone: `at` may count from another turn.
+        (TaskKind::Function(task), Some(run), _) => {
+            let pairs = task.pairs.iter().chain(&task.between);
+            pairs.map(|[x, _]| run.crank(*x)).collect()
+        }
+        (TaskKind::Path(PathTask { closed: true, .. }), _, Range::Full { .. }) => {
+            let again = at.first().map(|first| first + TURN);
+            at.iter().copied().chain(again).collect()
+        }
+        _ => at.to_vec(),
+    };
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    way.into_iter()
+        .fold(ends, |(low, high), angle| (low.min(angle), high.max(angle)))
+}
+
+/// The least angle between coupler and rocker, or between coupler and the normal of the guide, over the crank's way: it
+/// turns at the ends, and where the crank lies on the line of the pivots or stands square to the guide.
+fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
+    let Some((crank, coupler, rocker)) = proposal.lengths() else {
+        return 0.0;
+    };
+    let line = match proposal.partner {
+        Partner::Rocker(d) => degrees(d - proposal.pivot),
+        Partner::Slide(angle) => angle + TURN / 4.0,
+    };
+    let turns = (0..2).flat_map(|half| {
+        let first = ((low - line) / TURN * 2.0).ceil();
+        let place = line + (first + f64::from(half)) * TURN / 2.0;
+        (place <= high).then_some(place)
+    });
+    let angle = |at: f64| {
+        let b = proposal.pivot + unit(at) * crank;
+        let cosine = match (proposal.partner, rocker) {
+            (Partner::Rocker(d), Some(rocker)) => {
+                let across = (d - b).norm2();
+                (coupler * coupler + rocker * rocker - across) / (2.0 * coupler * rocker)
+            }
+            (Partner::Slide(angle), _) => {
+                let c = proposal.places.first().map_or(b, |place| place[1]);
+                (c - b).cross(unit(angle)) / coupler
+            }
+            (Partner::Rocker(_), None) => 1.0,
+        };
+        cosine.abs().min(1.0).acos().to_degrees()
+    };
+    turns.chain([low, high]).map(angle).fold(90.0, f64::min)
+}
+
+fn missed(
+    wishes: &Wishes,
+    proposal: &Proposal,
+    at: &[f64],
+    figures: &CandidateFigures,
+) -> Vec<MissedWish> {
+    let mut missed = Vec::new();
+    let mut wish = |kept: bool, wish: MissedWish| {
+        if !kept {
+            missed.push(wish);
+        }
+    };
+    wish(!wishes.full_turn || figures.full_turn, MissedWish::FullTurn);
+    let least = wishes.transmission.unwrap_or(0.0);
+    wish(figures.transmission >= least, MissedWish::Transmission);
+    if let Some(corners) = wishes.inside {
+        let within = |p: Vec2| is_inside(corners, p);
+        let pivot = match proposal.partner {
+            Partner::Rocker(d) => within(d),
+            Partner::Slide(_) => true,
+        };
+        wish(within(proposal.pivot) && pivot, MissedWish::Inside);
+    }
+    let most = wishes.ratio.unwrap_or(f64::INFINITY);
+    wish(figures.ratio <= most, MissedWish::Ratio);
+    // Of points in any order the crank may come to each from either side.
+    let sense = wishes.sense.filter(|_| wishes.ordered);
+    if let (Some(sense), Some(first), Some(last)) = (sense, at.first(), at.last()) {
+        let turns = match sense {
+            Sense::CounterClockwise => last >= first,
+            Sense::Clockwise => last <= first,
+        };
+        wish(turns, MissedWish::Sense);
+    }
+    missed
+}
+
+/// Whether a place lies in the box of two opposite corners.
+#[must_use]
+pub fn is_inside([one, other]: [Vec2; 2], p: Vec2) -> bool {
+    let between = |v: f64, a: f64, b: f64| a.min(b) <= v && v <= a.max(b);
+    between(p.x, one.x, other.x) && between(p.y, one.y, other.y)
+}

@@ -1,0 +1,177 @@
+//! Linear equations with one condition of the third degree beside them.
+//!
+//! Both equations of this room are linear in products of the unknowns. Where there are two fewer equations than
+//! products, what solves them is a plane through the origin, v = t v1 + v2 up to a factor; that one product is the
+//! product of two others is a cubic in t: at most three solutions, and all of them.
+
+use kinematics::numeric::polynomial_roots;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Sweeps of a decomposition of so small a matrix end long before.
+const SWEEPS: usize = 200;
+/// Equations are fewer than they look where a singular value is this part of the largest.
+const SINGULAR: f64 = 1e-12;
+/// The condition holds everywhere where it is this part of what its vectors could make it.
+const EVERYWHERE: f64 = 1e-12;
+/// So many are taken of solutions without number.
+pub(super) const SAMPLES: usize = 24;
+
+/// Vectors that solve, up to a factor each, and whether there are no others.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SolvedLines {
+    pub(super) vectors: Vec<DVector<f64>>,
+    pub(super) is_complete: bool,
+}
+
+/// What solves rows of equations, in the least squares where they are many, on the `free` (1 or 2) directions that do
+/// so best; of two those on which `condition`, homogeneous of the third degree, is 0.
+pub(super) fn solved(
+    rows: &[Vec<f64>],
+    free: usize,
+    condition: impl Fn(&DVector<f64>) -> f64,
+) -> SolvedLines {
+    let Some((mut space, rank)) = directions(rows) else {
+        return SolvedLines::default();
+    };
+    let width = space.len();
+    let needed = width.saturating_sub(free);
+    if rank < needed {
+        return family(&space[rank..], condition);
+    }
+    let mut space = space.split_off(needed);
+    match (space.pop(), space.pop()) {
+        (Some(one), None) => SolvedLines {
+            vectors: vec![one],
+            is_complete: true,
+        },
+        (Some(one), Some(two)) => on_a_plane(&one, &two, &condition),
+        _ => SolvedLines::default(),
+    }
+}
+
+/// The directions of the unknowns from the one that rows hold most to the one that they hold least, and of how many they
+/// hold at all.
+fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
+    let width = rows.first()?.len();
+    // Each row is as large as any other, and rows of nought complete the square.
+    let height = rows.len().max(width);
+    let mut matrix = DMatrix::zeros(height, width);
+    for (i, row) in rows.iter().enumerate() {
+        let size = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        if !row.iter().all(|v| v.is_finite()) {
+            return None;
+        }
+        for (j, value) in row.iter().enumerate() {
+            matrix[(i, j)] = if size > 0.0 { value / size } else { 0.0 };
+        }
+    }
+    let decomposed = nalgebra::SVD::try_new(matrix, false, true, f64::EPSILON, SWEEPS)?;
+    let right = decomposed.v_t?;
+    let values = decomposed.singular_values;
+    let mut order: Vec<usize> = (0..width).collect();
+    order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    let largest = values.max();
+    let rank = values.iter().filter(|v| **v > SINGULAR * largest).count();
+    let space = order.iter().map(|&i| right.row(i).transpose()).collect();
+    Some((space, rank))
+}
+
+/// Solutions without number: those on the planes of neighbouring directions.
+fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> SolvedLines {
+    let mut vectors = Vec::new();
+    for (k, one) in space.iter().enumerate() {
+        for two in &space[k + 1..] {
+            // One more direction than the condition takes: it holds on both of the plane's lines.
+            let planes = (0..SAMPLES).map(|i| {
+                let (sin, cos) = (PI * i as f64 / SAMPLES as f64).sin_cos();
+                one * cos + two * sin
+            });
+            for vector in planes {
+                match space.iter().find(|v| *v != one && *v != two) {
+                    Some(third) => vectors.extend(on_a_plane(&vector, third, &condition).vectors),
+                    None => vectors.push(vector),
+                }
+            }
+        }
+    }
+    vectors.truncate(4 * SAMPLES);
+    SolvedLines {
+        vectors,
+        is_complete: false,
+    }
+}
+
+/// Where the condition is 0 on the plane of two directions.
+fn on_a_plane(
+    one: &DVector<f64>,
+    two: &DVector<f64>,
+    condition: &impl Fn(&DVector<f64>) -> f64,
+) -> SolvedLines {
+    let turned = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        (one * cos + two * sin, two * cos - one * sin)
+    };
+    let looks = (0..8).map(|k| turned(PI * f64::from(k) / 8.0));
+    // In the direction in which the condition is farthest from 0 no solution lies: t stays small.
+    let most = looks
+        .map(|(a, b)| (condition(&a).abs(), a, b))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((size, a, b)) = most else {
+        return SolvedLines::default();
+    };
+    if !(size > EVERYWHERE) {
+        return SolvedLines {
+            vectors: (0..SAMPLES)
+                .map(|k| turned(PI * k as f64 / SAMPLES as f64).0)
+                .collect(),
+            is_complete: false,
+        };
+    }
+    let (c0, c3) = (condition(&b), condition(&a));
+    let (sum, difference) = (condition(&(&a + &b)), condition(&(&a - &b)));
+    let terms = [
+        c0,
+        (sum + difference) / 2.0 - c3,
+        (sum - difference) / 2.0 - c0,
+        c3,
+    ];
+    SolvedLines {
+        vectors: polynomial_roots(&terms)
+            .into_iter()
+            .map(|t| &a * t + &b)
+            .collect(),
+        is_complete: true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_products_on_a_plane() {
+        // x = 1, y = 2 z + w with x y z = w^3 is a cubic in w / x... planted: (1, 5, 2, 1) solves the rows.
+        let rows = [vec![5.0, -1.0, 0.0, 0.0], vec![0.0, 1.0, -2.0, -1.0]];
+        let condition = |v: &DVector<f64>| v[0] * v[1] * v[2] - 10.0 * v[3].powi(3);
+        let solved = solved(&rows, 2, condition);
+        assert!(solved.is_complete);
+        let near = solved.vectors.iter().any(|v| {
+            let v = v / v[0];
+            (v - DVector::from_vec(vec![1.0, 5.0, 2.0, 1.0])).norm() < 1e-12
+        });
+        assert!(near, "{solved:?}");
+    }
+
+    #[test]
+    fn rows_that_repeat_leave_solutions_without_number() {
+        let rows = [vec![1.0, 2.0, 3.0], vec![2.0, 4.0, 6.0]];
+        let solved = solved(&rows, 1, |_| 0.0);
+        assert!(!solved.is_complete && solved.vectors.len() == SAMPLES);
+        for v in &solved.vectors {
+            assert!((v[0] + 2.0 * v[1] + 3.0 * v[2]).abs() < 1e-12);
+        }
+        let none = super::solved(&[vec![f64::NAN, 1.0]], 1, |_| 0.0);
+        assert!(none.vectors.is_empty() && !none.is_complete);
+    }
+}

@@ -1,0 +1,297 @@
+//! The least squares of the output's own error, by the method of Levenberg and Marquardt with exact derivatives.
+//!
+//! What is squared is what is read off the output: the angle, or the travel, that the linkage makes less what is
+//! wanted, and not the residual of Freudenstein's equation, which weighs a pair by the transmission angle there. Where
+//! the output's scale is free the miss is counted in y, since a scale of 0 would meet everything.
+
+use super::linkage::FunctionLinkage;
+use super::wanted::{FunctionLaw, WantedFunction, wrapped};
+use crate::Output;
+use nalgebra::{SMatrix, SVector};
+
+/// Three lengths and four numbers of the law.
+const NUMBERS: usize = 7;
+/// Damping to begin with, by what it grows and shrinks, and beyond which there is no way down.
+const DAMPING: f64 = 1e-3;
+const GROWTH: f64 = 6.0;
+const SHRINKING: f64 = 0.15;
+const MOST_DAMPING: f64 = 1e14;
+const LEAST_DAMPING: f64 = 1e-30;
+/// It has arrived where so many steps in turn gain less than this part.
+const GAIN: f64 = 1e-10;
+const STILL: usize = 4;
+
+type DesignNumbers = SVector<f64, NUMBERS>;
+
+/// A linkage, what it is to follow, and on which side of its crank's pin its output is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FunctionDesign {
+    pub(super) linkage: FunctionLinkage,
+    pub(super) law: FunctionLaw,
+    pub(super) side: f64,
+}
+
+/// The sum of squares at a place, and its derivatives J as a triangle: J = Q R, `goal` = Q'r. The numbers of a smooth
+/// function are nearly dependent, and J'J would square that.
+#[derive(Clone)]
+struct MissSlopes {
+    sum: f64,
+    triangle: SMatrix<f64, NUMBERS, NUMBERS>,
+    goal: DesignNumbers,
+}
+
+impl FunctionDesign {
+    fn numbers(&self) -> DesignNumbers {
+        let ([a, b], [c, d]) = (self.law.crank, self.law.output);
+        let lengths = &self.linkage;
+        DesignNumbers::from([lengths.crank, lengths.coupler, lengths.third, a, b, c, d])
+    }
+
+    fn with(&self, numbers: &DesignNumbers) -> FunctionDesign {
+        let n = numbers;
+        FunctionDesign {
+            linkage: FunctionLinkage {
+                crank: n[0],
+                coupler: n[1].abs(),
+                third: n[2],
+                ..self.linkage
+            },
+            law: FunctionLaw {
+                crank: [n[3], n[4]],
+                output: [n[5], n[6]],
+            },
+            side: self.side,
+        }
+    }
+
+    /// The output's miss at a pair as it is counted, and whether the linkage closes there.
+    pub(super) fn miss(&self, wanted: &WantedFunction, [x, y]: [f64; 2]) -> Option<f64> {
+        let [datum, scale] = self.law.output;
+        let angle = self.law.crank[0] + self.law.crank[1] * x;
+        let made = self.linkage.output(angle, self.side)?;
+        let miss = apart(wanted.output, made - datum - scale * y);
+        Some(miss / unit(wanted, scale))
+    }
+
+    /// The root of the mean square of the misses; `None` where the linkage does not close at every pair.
+    pub(super) fn rms(&self, wanted: &WantedFunction) -> Option<f64> {
+        let mut sum = 0.0;
+        for pair in &wanted.pairs {
+            sum += self.miss(wanted, *pair)?.powi(2);
+        }
+        let rms = (sum / wanted.pairs.len() as f64).sqrt();
+        rms.is_finite().then_some(rms)
+    }
+
+    /// The same on the side that misses less, and how much that is; misses count where it does not close, too.
+    pub(super) fn on_the_better_side(self, wanted: &WantedFunction) -> (FunctionDesign, f64) {
+        let sum = |side: f64| {
+            let there = FunctionDesign { side, ..self };
+            (there, there.slopes(wanted).sum)
+        };
+        let (one, other) = (sum(1.0), sum(-1.0));
+        if other.1 < one.1 { other } else { one }
+    }
+
+    /// The minimum into which it falls, or where it is after so many steps; `None` where that is no linkage, or does not
+    /// close at every pair.
+    pub(super) fn refined(self, wanted: &WantedFunction, steps: usize) -> Option<FunctionDesign> {
+        let (mut here, mut slopes) = (self, self.slopes(wanted));
+        let (mut damping, mut still) = (DAMPING, 0);
+        for _ in 0..steps {
+            if !(slopes.sum > 0.0) || still >= STILL {
+                break;
+            }
+            let Some((next, there)) = here.step(wanted, &slopes, &mut damping) else {
+                break;
+            };
+            let gain = 1.0 - there.sum / slopes.sum;
+            still = if gain < GAIN { still + 1 } else { 0 };
+            (here, slopes) = (next, there);
+        }
+        (here.linkage.is_sound() && here.rms(wanted).is_some()).then_some(here)
+    }
+
+    /// Whether all numbers are the same but for a part.
+    pub(super) fn is_near(&self, other: &FunctionDesign, part: f64) -> bool {
+        let (a, b) = (self.numbers(), other.numbers());
+        let mut pairs = a.iter().zip(b.iter());
+        self.side == other.side && pairs.all(|(a, b)| (a - b).abs() <= part * (1.0 + a.abs()))
+    }
+
+    /// One step downhill; `None` where no damping makes one.
+    fn step(
+        &self,
+        wanted: &WantedFunction,
+        slopes: &MissSlopes,
+        damping: &mut f64,
+    ) -> Option<(FunctionDesign, MissSlopes)> {
+        while *damping < MOST_DAMPING {
+            let next = self.with(&(self.numbers() - slopes.step(*damping)));
+            let there = next.slopes(wanted);
+            if there.sum < slopes.sum {
+                *damping = (*damping * SHRINKING).max(LEAST_DAMPING);
+                return Some((next, there));
+            }
+            *damping *= GROWTH;
+        }
+        None
+    }
+
+    fn slopes(&self, wanted: &WantedFunction) -> MissSlopes {
+        let [datum, scale] = self.law.output;
+        let unit = unit(wanted, scale);
+        let free = free(wanted);
+        let row =
+            |n: [f64; NUMBERS]| DesignNumbers::from_fn(|i, _| if free[i] { n[i] } else { 0.0 });
+        let mut slopes = MissSlopes {
+            sum: 0.0,
+            triangle: SMatrix::zeros(),
+            goal: DesignNumbers::zeros(),
+        };
+        for &[x, y] in &wanted.pairs {
+            let angle = self.law.crank[0] + self.law.crank[1] * x;
+            let reach = self.linkage.reach(angle, self.side);
+            let miss = apart(wanted.output, reach.output - datum - scale * y) / unit;
+            let by = |d: [f64; 4]| [d[0], d[1], d[2], d[3], d[3] * x];
+            let [a, b, c, d, e] = by(reach.by).map(|d| d / unit);
+            let by_scale = -y / unit - miss / scale;
+            slopes.add(miss, row([a, b, c, d, e, -1.0 / unit, by_scale]));
+            if reach.short > 0.0 {
+                let [a, b, c, d, e] = by(reach.short_by);
+                slopes.add(reach.short, row([a, b, c, d, e, 0.0, 0.0]));
+            }
+        }
+        if !slopes.sum.is_finite() {
+            slopes.sum = f64::INFINITY;
+        }
+        slopes
+    }
+}
+
+impl MissSlopes {
+    /// One more row of J, with its residual, turned into the triangle by Givens' rotations.
+    fn add(&mut self, miss: f64, by: DesignNumbers) {
+        self.sum += miss * miss;
+        self.turn_in(miss, by);
+    }
+
+    fn turn_in(&mut self, mut miss: f64, mut by: DesignNumbers) {
+        for i in 0..NUMBERS {
+            if by[i] == 0.0 {
+                continue;
+            }
+            let size = self.triangle[(i, i)].hypot(by[i]);
+            let (cos, sin) = (self.triangle[(i, i)] / size, by[i] / size);
+            for j in i..NUMBERS {
+                let (above, below) = (self.triangle[(i, j)], by[j]);
+                self.triangle[(i, j)] = cos * above + sin * below;
+                by[j] = cos * below - sin * above;
+            }
+            let above = self.goal[i];
+            self.goal[i] = cos * above + sin * miss;
+            miss = cos * miss - sin * above;
+        }
+    }
+
+    /// What is to be taken off the numbers, damped in each by the size of its own derivatives.
+    fn step(&self, damping: f64) -> DesignNumbers {
+        let mut damped = self.clone();
+        for i in 0..NUMBERS {
+            let mut row = DesignNumbers::zeros();
+            row[i] = damping.sqrt() * self.triangle.column(i).norm();
+            damped.turn_in(0.0, row);
+        }
+        let mut way = DesignNumbers::zeros();
+        for i in (0..NUMBERS).rev() {
+            let rest: f64 = (i + 1..NUMBERS)
+                .map(|j| damped.triangle[(i, j)] * way[j])
+                .sum();
+            let pivot = damped.triangle[(i, i)];
+            if pivot != 0.0 {
+                way[i] = (damped.goal[i] - rest) / pivot;
+            }
+        }
+        way
+    }
+}
+
+/// In what a miss is counted: in y where the output's scale is free.
+fn unit(wanted: &WantedFunction, scale: f64) -> f64 {
+    if wanted.given[3].is_none() {
+        scale * wanted.span(1)
+    } else {
+        1.0
+    }
+}
+
+fn apart(output: Output, difference: f64) -> f64 {
+    match output {
+        Output::Angle => wrapped(difference),
+        Output::Slide => difference,
+    }
+}
+
+fn free(wanted: &WantedFunction) -> [bool; NUMBERS] {
+    let law = wanted.given.map(|given| given.is_none());
+    let is_angle = wanted.output == Output::Angle;
+    [is_angle, true, true, law[0], law[1], law[2], law[3]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kinematics::numeric::SeededChance;
+
+    /// R'Q'r = J'r is half the slope of the sum of squares.
+    #[test]
+    fn slopes_are_those_of_the_sum() {
+        let mut chance = SeededChance::new(11);
+        for round in 0..200 {
+            let output = if round % 2 == 0 {
+                Output::Angle
+            } else {
+                Output::Slide
+            };
+            let mut number = || 1.0 + 0.4 * chance.even();
+            let wanted = WantedFunction {
+                output,
+                pairs: (0..5).map(|_| [number(), number()]).collect(),
+                given: [None, None, None, (round % 4 < 2).then_some(1.2)],
+            };
+            let mut numbers = DesignNumbers::from_fn(|_, _| number());
+            numbers[1] += 1.0;
+            numbers[6] = wanted.given[3].unwrap_or(numbers[6]);
+            let linkage = FunctionLinkage {
+                output,
+                crank: 1.0,
+                coupler: 1.0,
+                third: 1.0,
+            };
+            let law = FunctionLaw {
+                crank: [0.0; 2],
+                output: [0.0; 2],
+            };
+            let any = FunctionDesign {
+                linkage,
+                law,
+                side: 1.0,
+            };
+            let here = any.with(&numbers).slopes(&wanted);
+            let free = free(&wanted);
+            for i in (0..NUMBERS).filter(|&i| free[i]) {
+                let mut by = DesignNumbers::zeros();
+                by[i] = 1e-6;
+                let [above, below] =
+                    [numbers + by, numbers - by].map(|n| any.with(&n).slopes(&wanted).sum);
+                let slope = (above - below) / 4e-6;
+                let pull = here.triangle.column(i).dot(&here.goal);
+                let size = 1.0 + here.sum + here.triangle.column(i).norm_squared();
+                assert!(
+                    (slope - pull).abs() < 1e-4 * size,
+                    "{round} {i} {slope} {pull}"
+                );
+            }
+        }
+    }
+}

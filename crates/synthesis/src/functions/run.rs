@@ -1,0 +1,157 @@
+//! What a proposed linkage makes of every x: its structural error.
+
+use super::fit::{fitted, in_order};
+use super::linkage::FunctionLinkage;
+use super::wanted::{FunctionLaw, WantedFunction, wrapped};
+use crate::{FunctionTask, Output, Partner, Proposal};
+use kinematics::Vec2;
+use kinematics::numeric::lowest;
+use std::f64::consts::{PI, TAU};
+
+/// Looks over a range before the greatest error is closed in on.
+const LOOKS: usize = 361;
+
+/// A proposal of a function, over its whole range: on the side on which it is at the first pair.
+#[derive(Clone, Debug)]
+pub struct FunctionRun {
+    linkage: FunctionLinkage,
+    law: FunctionLaw,
+    side: f64,
+    size: f64,
+}
+
+/// Where the error is greatest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GreatestError {
+    /// The x.
+    pub x: f64,
+    /// The error there, with its sign, in degrees or in lengths of the task.
+    pub error: f64,
+}
+
+impl FunctionRun {
+    /// Of a proposal for a task. Datums and scales that were free are those with which the pins fit best: the crank's
+    /// exactly, where neighbouring pairs are less than half a turn apart. `None` where the proposal is none of a function.
+    #[must_use]
+    pub fn of(task: &FunctionTask, proposal: &Proposal) -> Option<FunctionRun> {
+        let wanted = WantedFunction::of(task)?;
+        let (crank, coupler, rocker) = proposal.lengths()?;
+        let place = |at: Vec2| Vec2::new(at.x / task.size, at.y / task.size);
+        let pins: Vec<[Vec2; 2]> = proposal
+            .places
+            .iter()
+            .map(|[b, c]| [place(*b - proposal.pivot), place(*c - proposal.pivot)])
+            .collect();
+        let [_, first] = *pins.first()?;
+        let third = match (proposal.partner, wanted.output) {
+            (Partner::Rocker(_), Output::Angle) => rocker? / task.size,
+            (Partner::Slide(_), Output::Slide) => first.y,
+            _ => return None,
+        };
+        let linkage = FunctionLinkage {
+            output: wanted.output,
+            crank: crank / task.size,
+            coupler: coupler / task.size,
+            third,
+        };
+        let outputs = |[_, c]: &[Vec2; 2]| match wanted.output {
+            Output::Angle => (*c - Vec2::new(1.0, 0.0)).angle(),
+            Output::Slide => c.x,
+        };
+        let cranks: Vec<f64> = pins.iter().map(|[b, _]| b.angle()).collect();
+        let outputs: Vec<f64> = pins.iter().map(outputs).collect();
+        let xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
+        let ys: Vec<f64> = wanted.pairs.iter().map(|pair| pair[1]).collect();
+        // The crank of a slider-crank is never opposite to its angle.
+        let [crank_period, output_period] = match wanted.output {
+            Output::Angle => [Some(PI), Some(PI)],
+            Output::Slide => [Some(TAU), None],
+        };
+        let order = in_order(&xs);
+        let law = FunctionLaw {
+            crank: fitted(
+                &order,
+                &xs,
+                &cranks,
+                [wanted.given[0], wanted.given[1]],
+                crank_period,
+            )?,
+            output: fitted(
+                &order,
+                &ys,
+                &outputs,
+                [wanted.given[2], wanted.given[3]],
+                output_period,
+            )?,
+        };
+        Some(FunctionRun {
+            side: linkage.side(*cranks.first()?, *outputs.first()?),
+            linkage,
+            law,
+            size: task.size,
+        })
+    }
+
+    /// The crank's angle at x, in degrees.
+    #[must_use]
+    pub fn crank(&self, x: f64) -> f64 {
+        (self.law.crank[0] + self.law.crank[1] * x).to_degrees()
+    }
+
+    /// The output at x, in radians or in parts of the size.
+    fn made(&self, x: f64) -> Option<f64> {
+        let angle = self.law.crank[0] + self.law.crank[1] * x;
+        self.linkage.output(angle, self.side)
+    }
+
+    /// The structural error: the output where the crank is at x, less what it were to be for this y, in degrees or in
+    /// lengths of the task. `None` where the linkage does not close.
+    #[must_use]
+    pub fn error(&self, x: f64, y: f64) -> Option<f64> {
+        let [datum, scale] = self.law.output;
+        let error = self.made(x)? - datum - scale * y;
+        Some(match self.linkage.output {
+            Output::Angle => wrapped(error).to_degrees(),
+            Output::Slide => error * self.size,
+        })
+    }
+
+    /// How far the output is to go over pairs, from its least to its greatest, as errors are told.
+    #[must_use]
+    pub fn swing<'p>(&self, pairs: impl IntoIterator<Item = &'p [f64; 2]>) -> f64 {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let ys = pairs.into_iter().map(|[_, y]| *y);
+        let (low, high) = ys.fold(ends, |(low, high), y| (low.min(y), high.max(y)));
+        let swing = self.law.output[1].abs() * (high - low);
+        match self.linkage.output {
+            Output::Angle => swing.to_degrees(),
+            Output::Slide => swing * self.size,
+        }
+    }
+
+    /// Where the error against a function is greatest between two ends; `None` where the linkage does not close all the
+    /// way, or the function has no value.
+    #[must_use]
+    pub fn greatest_error(
+        &self,
+        f: impl Fn(f64) -> Option<f64>,
+        [from, to]: [f64; 2],
+    ) -> Option<GreatestError> {
+        let error = |x: f64| self.error(x, f(x)?).filter(|error| error.is_finite());
+        let place = |k: usize| from + (to - from) * k as f64 / (LOOKS - 1) as f64;
+        let looks: Option<Vec<f64>> = (0..LOOKS).map(|k| error(place(k))).collect();
+        let looks = looks?;
+        let most = (0..LOOKS).max_by(|&a, &b| looks[a].abs().total_cmp(&looks[b].abs()))?;
+        let (x, size) = (place(most), looks[most].abs());
+        let ends = [
+            place(most.saturating_sub(1)),
+            place((most + 1).min(LOOKS - 1)),
+        ];
+        let closer = lowest(|x| Some(-error(x)?.abs()), ends, (x, -size));
+        let (x, _) = closer.unwrap_or_else(|unsettled| unsettled.best());
+        Some(GreatestError {
+            x,
+            error: error(x)?,
+        })
+    }
+}

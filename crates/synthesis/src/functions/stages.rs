@@ -1,0 +1,62 @@
+//! One search after another on several cores, with one account of how far all of them are.
+
+use kinematics::parallel;
+
+/// Threads, and who is told of the part that is done.
+pub(super) struct Stages<'w> {
+    threads: usize,
+    watch: &'w mut dyn FnMut(f64) -> bool,
+    is_on: bool,
+}
+
+impl<'w> Stages<'w> {
+    pub(super) fn new(threads: usize, watch: &'w mut dyn FnMut(f64) -> bool) -> Stages<'w> {
+        Stages {
+            threads,
+            watch,
+            is_on: true,
+        }
+    }
+
+    /// Whether nobody stopped it.
+    pub(super) fn is_on(&self) -> bool {
+        self.is_on
+    }
+
+    /// Pieces of work that lead from one part of the whole to another, and what came of them in their order; once stopped
+    /// none begins.
+    pub(super) fn each<T: Send>(
+        &mut self,
+        [from, to]: [f64; 2],
+        count: usize,
+        work: impl Fn(usize) -> T + Sync,
+    ) -> Vec<T> {
+        if !self.is_on {
+            return Vec::new();
+        }
+        let work = |(): &mut (), i: usize| work(i);
+        parallel::each(count, self.threads, || (), work, &mut |part| {
+            // What runs to its end after a stop does not take it back.
+            self.is_on &= (self.watch)(from + (to - from) * part);
+            self.is_on
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stop_holds_for_all_that_follows() {
+        let mut parts = Vec::new();
+        let mut watch = |part| {
+            parts.push(part);
+            parts.len() != 2
+        };
+        let mut stages = Stages::new(1, &mut watch);
+        assert!(stages.each([0.0, 0.5], 4, |i| i).len() >= 2 && !stages.is_on());
+        assert!(stages.each([0.5, 1.0], 4, |i| i).is_empty());
+        assert_eq!(parts[..2], [0.125, 0.25]);
+    }
+}

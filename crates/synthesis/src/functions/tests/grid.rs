@@ -1,0 +1,184 @@
+//! How many of a grid of usual tasks have a function generator that can be used, as a figure.
+
+use super::super::{FunctionRun, chebyshev_pairs};
+use super::propose;
+use crate::{FunctionTask, Given, Output, Partner, Proposal};
+use kinematics::angle::unit;
+
+struct FunctionWish {
+    f: fn(f64) -> f64,
+    range: [f64; 2],
+}
+
+const WISHES: [FunctionWish; 10] = [
+    FunctionWish {
+        f: |x| x.powf(1.5),
+        range: [1.0, 2.0],
+    },
+    FunctionWish {
+        f: |x| x * x,
+        range: [0.0, 1.0],
+    },
+    FunctionWish {
+        f: |x| x.powi(3),
+        range: [0.0, 1.0],
+    },
+    FunctionWish {
+        f: f64::sqrt,
+        range: [1.0, 4.0],
+    },
+    FunctionWish {
+        f: |x| 1.0 / x,
+        range: [1.0, 2.0],
+    },
+    FunctionWish {
+        f: f64::log10,
+        range: [1.0, 2.0],
+    },
+    FunctionWish {
+        f: f64::ln,
+        range: [1.0, 5.0],
+    },
+    FunctionWish {
+        f: f64::exp,
+        range: [0.0, 1.0],
+    },
+    FunctionWish {
+        f: f64::sin,
+        range: [0.0, 1.5],
+    },
+    FunctionWish {
+        f: f64::tan,
+        range: [0.0, 0.8],
+    },
+];
+/// Degrees over which crank and output swing, and where they begin.
+const SWINGS: [[f64; 2]; 3] = [[60.0, 60.0], [90.0, 60.0], [120.0, 90.0]];
+const BEGINS: [[f64; 2]; 4] = [[30.0, 60.0], [45.0, 200.0], [90.0, 90.0], [120.0, 240.0]];
+
+/// A task of the grid with so many pairs at Chebyshev's zeros.
+fn task(
+    wish: &FunctionWish,
+    swing: [f64; 2],
+    begin: [f64; 2],
+    count: usize,
+    is_free: bool,
+) -> FunctionTask {
+    let [from, to] = wish.range;
+    let (low, high) = ((wish.f)(from), (wish.f)(to));
+    let (crank_scale, output_scale) = (swing[0] / (to - from), swing[1] / (high - low));
+    let datum = |begin: f64, scale: f64, at: f64| {
+        if is_free {
+            Given::Free
+        } else {
+            Given::Value(begin - scale * at)
+        }
+    };
+    FunctionTask {
+        pairs: chebyshev_pairs(|x| Some((wish.f)(x)), wish.range, count).unwrap(),
+        between: Vec::new(),
+        output: Output::Angle,
+        crank_datum: datum(begin[0], crank_scale, from),
+        crank_scale: Given::Value(crank_scale),
+        output_datum: datum(begin[1], output_scale, low),
+        output_scale: Given::Value(output_scale),
+        size: 1.0,
+    }
+}
+
+/// One assembly through all pairs and all the way between the ends, with no length twenty times another.
+fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal) -> bool {
+    let (a, b, c) = proposal.lengths().unwrap();
+    let lengths = [a, b, c.unwrap(), task.size];
+    let longest = lengths.iter().fold(0.0_f64, |most, l| most.max(*l));
+    let shortest = lengths.iter().fold(f64::INFINITY, |least, l| least.min(*l));
+    let Some(run) = FunctionRun::of(task, proposal) else {
+        return false;
+    };
+    let mut errors = task.pairs.iter().map(|[x, y]| run.error(*x, *y));
+    errors.all(|e| e.is_some_and(|e| e.abs() < 1e-6))
+        && run
+            .greatest_error(|x| Some((wish.f)(x)), wish.range)
+            .is_some()
+        && longest < 20.0 * shortest
+}
+
+/// Whether both links stand at their own angles, not opposite: what asks for positive ratios finds only these.
+fn is_positive(task: &FunctionTask, proposal: &Proposal) -> bool {
+    let value = |given| match given {
+        Given::Value(value) => value,
+        Given::Free => f64::NAN,
+    };
+    let [x, y] = task.pairs[0];
+    let crank = unit(value(task.crank_datum) + value(task.crank_scale) * x);
+    let output = unit(value(task.output_datum) + value(task.output_scale) * y);
+    let [b, c] = proposal.places[0];
+    let Partner::Rocker(d) = proposal.partner else {
+        return false;
+    };
+    b.dot(crank) > 0.0 && (c - d).dot(output) > 0.0
+}
+
+fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
+    for wish in &WISHES {
+        for swing in SWINGS {
+            for begin in BEGINS {
+                look(wish, swing, begin);
+            }
+        }
+    }
+}
+
+/// Three pairs and given datums have one four-bar. Measured: of 120 tasks so many are serviceable, and so many of them
+/// have positive ratios. What a program that refuses negative ones can find at all is little more than a third.
+#[test]
+fn negative_ratios_are_linkages_too() {
+    let (mut serviceable, mut positive) = (0, 0);
+    over_the_grid(|wish, swing, begin| {
+        let task = task(wish, swing, begin, 3, false);
+        let proposals = propose(&task);
+        assert!(proposals.is_complete && proposals.found.len() <= 1);
+        for proposal in &proposals.found {
+            let is_good = is_serviceable(wish, &task, proposal);
+            serviceable += u32::from(is_good);
+            positive += u32::from(is_good && is_positive(&task, proposal));
+        }
+    });
+    assert!(serviceable >= 71, "{serviceable}");
+    assert_eq!(positive, 27);
+}
+
+/// With both datums free, five pairs: of 30 tasks so many have a serviceable four-bar.
+#[test]
+fn free_datums_serve_most_tasks() {
+    let (mut serviceable, mut errors) = (0, Vec::new());
+    over_the_grid(|wish, swing, begin| {
+        if begin != BEGINS[0] {
+            return;
+        }
+        let task = task(wish, swing, begin, 5, true);
+        let proposals = propose(&task);
+        assert!(proposals.is_complete && proposals.found.len() <= 3);
+        let good = proposals
+            .found
+            .iter()
+            .filter(|p| is_serviceable(wish, &task, p));
+        let error = good.map(|p| {
+            let run = FunctionRun::of(&task, p).unwrap();
+            run.greatest_error(|x| Some((wish.f)(x)), wish.range)
+                .unwrap()
+                .error
+                .abs()
+        });
+        let best = error.fold(f64::INFINITY, f64::min);
+        if best.is_finite() {
+            serviceable += 1;
+            errors.push(best);
+        }
+    });
+    errors.sort_by(f64::total_cmp);
+    assert!(serviceable >= 28, "{serviceable}");
+    // Degrees: the median of what is best for each task, and the worst.
+    let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
+    assert!(median < 0.08 && worst < 0.66, "{median} {worst}");
+}

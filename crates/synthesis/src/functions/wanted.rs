@@ -1,0 +1,112 @@
+//! A task of this room in its own units: radians, and lengths as parts of the task's size.
+
+use crate::{FunctionTask, Given, Output};
+use kinematics::angle::radians;
+use std::f64::consts::{PI, TAU};
+
+/// The crank at `crank[0] + crank[1] x`, the output at `output[0] + output[1] y`: in radians, of a slide in cranks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FunctionLaw {
+    pub(super) crank: [f64; 2],
+    pub(super) output: [f64; 2],
+}
+
+impl FunctionLaw {
+    /// Whether pairs tell where the crank turned: within a turn, and from each to the next by less than half of one. A
+    /// scale that is given is as it is.
+    pub(super) fn is_told_by(&self, wanted: &WantedFunction) -> bool {
+        let mut xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
+        xs.sort_by(f64::total_cmp);
+        let scale = self.crank[1].abs();
+        let mut steps = xs.windows(2).map(|two| scale * (two[1] - two[0]));
+        wanted.given[1].is_some() || (scale * wanted.span(0) <= TAU && steps.all(|step| step < PI))
+    }
+}
+
+/// What is wanted: pairs, and which of the four numbers of the [`FunctionLaw`] are given.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct WantedFunction {
+    pub(super) output: Output,
+    pub(super) pairs: Vec<[f64; 2]>,
+    /// Crank datum, crank scale, output datum, output scale.
+    pub(super) given: [Option<f64>; 4],
+}
+
+impl WantedFunction {
+    /// `None` where a number of the task is none, where the size is not positive, or a scale is 0.
+    pub(super) fn of(task: &FunctionTask) -> Option<WantedFunction> {
+        let of = |given: Given, unit: f64| match given {
+            Given::Value(value) => Some(value * unit),
+            Given::Free => None,
+        };
+        let turn = radians(1.0);
+        let unit = match task.output {
+            Output::Angle => turn,
+            Output::Slide => 1.0 / task.size,
+        };
+        let given = [
+            of(task.crank_datum, turn),
+            of(task.crank_scale, turn),
+            of(task.output_datum, unit),
+            of(task.output_scale, unit),
+        ];
+        let numbers = task.pairs.iter().flatten().chain(given.iter().flatten());
+        let is_sound = numbers.copied().all(f64::is_finite)
+            && (task.size > 0.0 && task.size.is_finite())
+            && given[1] != Some(0.0)
+            && given[3] != Some(0.0);
+        is_sound.then(|| WantedFunction {
+            output: task.output,
+            pairs: task.pairs.clone(),
+            given,
+        })
+    }
+
+    /// How many numbers are free: as many pairs can be met.
+    pub(super) fn unknowns(&self) -> usize {
+        let lengths = match self.output {
+            Output::Angle => 3,
+            Output::Slide => 2,
+        };
+        lengths + self.given.iter().filter(|given| given.is_none()).count()
+    }
+
+    /// The same with one of the four numbers given.
+    pub(super) fn with(&self, index: usize, value: f64) -> WantedFunction {
+        let mut with = self.clone();
+        with.given[index] = Some(value);
+        with
+    }
+
+    /// The same of fewer pairs.
+    pub(super) fn at(&self, indices: &[usize]) -> WantedFunction {
+        WantedFunction {
+            pairs: indices.iter().map(|&i| self.pairs[i]).collect(),
+            ..*self
+        }
+    }
+
+    /// The same of at most so many pairs, spread evenly over their indices.
+    pub(super) fn thinned(&self, most: usize) -> WantedFunction {
+        let last = self.pairs.len().saturating_sub(1);
+        if last < most {
+            return self.clone();
+        }
+        let parts = most.saturating_sub(1).max(1);
+        let indices: Vec<usize> = (0..most).map(|k| k * last / parts).collect();
+        self.at(&indices)
+    }
+
+    /// How far x (0) or y (1) ranges over the pairs; 1 where it does not.
+    pub(super) fn span(&self, column: usize) -> f64 {
+        let values = self.pairs.iter().map(|pair| pair[column]);
+        let high = values.clone().fold(f64::NEG_INFINITY, f64::max);
+        let span = high - values.fold(f64::INFINITY, f64::min);
+        if span > 0.0 { span } else { 1.0 }
+    }
+}
+
+/// An angle in radians, from -pi to pi.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

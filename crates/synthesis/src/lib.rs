@@ -1,0 +1,46 @@
+#![doc = include_str!("../README.md")]
+//!
+//! # Modules
+//!
+//! ```text
+//! task       what the linkage is to do, in numbers
+//! proposal   a linkage and its moving pins at every point of the task
+//! poses      dyads through three, four and five poses
+//! functions  Freudenstein's equation with signed ratios
+//! paths      points on a coupler curve, with given crank angles or without; cognates
+//! machine    a proposal as a mechanism
+//! candidate  a proposal driven through its task: defects, values, unmet wishes
+//! ```
+//!
+//! Lengths are in the task's unit. Angles are in degrees, counter-clockwise.
+#![cfg_attr(test, allow(clippy::unwrap_used, reason = "a test fails by panicking"))]
+
+mod candidate;
+mod cognates;
+mod defects;
+#[cfg(test)]
+mod driven_functions;
+pub mod functions;
+mod machine;
+mod output_misses;
+mod paths;
+#[cfg(test)]
+mod planted;
+mod poses;
+mod proposal;
+#[cfg(test)]
+mod round_trips;
+mod run;
+mod task;
+#[cfg(test)]
+mod tests;
+mod way;
+
+pub use candidate::{Candidate, CandidateFigures, MissedWish, is_inside};
+pub use defects::TaskDefect;
+pub use paths::PathSearch;
+pub use proposal::{OpenReason, Partner, PosedDyad, Proposal, Proposals};
+pub use run::{Synthesis, SynthesisOrder};
+pub use task::{
+    FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,
+};

@@ -1,0 +1,70 @@
+//! Builds the mechanism of a proposal.
+
+use crate::{Partner, Proposal, Task, TaskKind};
+use kinematics::angle::degrees;
+use kinematics::solver::Solver;
+use kinematics::{Body, Driver, Input, LinkId, Mechanism, PointId};
+
+/// A proposal as a mechanism, opened at the first point of its task, with the elements that are measured.
+#[derive(Debug)]
+pub(crate) struct Machine {
+    pub(crate) solver: Solver,
+    #[cfg(test)]
+    pub(crate) b: PointId,
+    pub(crate) c: PointId,
+    /// The led point; `None` for a function.
+    pub(crate) tracer: Option<PointId>,
+    pub(crate) coupler: LinkId,
+}
+
+impl Machine {
+    /// Builds the mechanism of a proposal and plans its solution. `None` if the proposal has no places, its lengths are
+    /// no lengths, or it cannot be assembled.
+    pub(crate) fn open(task: &Task, proposal: &Proposal) -> Option<Machine> {
+        let [at_b, at_c] = *proposal.places.first()?;
+        let (crank_length, coupler_length, rocker_length) = proposal.lengths()?;
+        let mut builder = Mechanism::builder();
+        // As in the scene file of the proposal, numbers are compared as the decimals that they are written as.
+        builder.decimals();
+        let a = builder.ground_point(proposal.pivot.x, proposal.pivot.y);
+        let [b, c] = [builder.moving_point(), builder.moving_point()];
+        let crank = builder.link(a, b, crank_length);
+        let coupler = builder.link(b, c, coupler_length);
+        let led = match task.kind {
+            TaskKind::Function(_) => None,
+            TaskKind::Poses(_) | TaskKind::Path(_) => proposal.tracer,
+        };
+        let tracer = led.map(|at| {
+            let along = (at_c - at_b) * (1.0 / coupler_length);
+            let tracer = builder.moving_point();
+            builder.carry(coupler, tracer, (at - at_b).turned(along.conj()));
+            tracer
+        });
+        match (proposal.partner, rocker_length) {
+            (Partner::Rocker(at), Some(length)) => {
+                let d = builder.ground_point(at.x, at.y);
+                builder.link(c, d, length);
+            }
+            (Partner::Slide(angle), _) => {
+                builder.pin_in_slot(c, Body::Ground, at_c, angle);
+            }
+            (Partner::Rocker(_), None) => return None,
+        }
+        builder.driver(Driver {
+            input: Input::Turn(crank),
+            start: degrees(at_b - proposal.pivot),
+            speed: 1.0,
+            acceleration: 0.0,
+        });
+        builder.start(c, at_c);
+        let solver = Solver::new(&builder.build().ok()?).ok()?;
+        Some(Machine {
+            solver,
+            #[cfg(test)]
+            b,
+            c,
+            tracer,
+            coupler,
+        })
+    }
+}

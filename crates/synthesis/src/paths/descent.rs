@@ -1,0 +1,459 @@
+//! Levenberg's and Marquardt's descent over all unknowns at once, with exact derivatives.
+//!
+//! Where times are free, the crank's angle at every point is an unknown of its own, and the distance of a point is that
+//! from the curve. Each such angle stands in one point's rows alone and is eliminated there: with J the rows of a point for
+//! the common unknowns, k for its angle and r its miss,
+//!
+//! ```text
+//! sum (J'J - (J'k)(k'J) / (k'k (1 + lambda))) d = sum (J'r - (J'k) k'r / (k'k (1 + lambda)))
+//! angle: (k'r - k'J d) / (k'k (1 + lambda))
+//! ```
+//!
+//! so that a step costs as much for each point as there are pairs of common unknowns: at most ten. The last steps are
+//! made on the rows themselves, by their singular values: squares would cost half of the digits.
+
+use super::evolution::{Quarry, Raw};
+use super::linear::{LinkagePlace, Projection};
+use super::shape::{LinkageForm, LinkageShape};
+use super::wanted::{HeldPivots, WantedPath};
+use kinematics::{Vec2, angle};
+use nalgebra::{DMatrix, DVector};
+
+/// Common unknowns at the most: A, the scale and the arm by two each, three lengths and the first angle.
+const MOST: usize = 10;
+const RADIAN: f64 = 180.0 / std::f64::consts::PI;
+/// A miss of the path's size at which nothing is left to be done, squared.
+const EXACT: f64 = 1e-31;
+/// A descent whose damping has grown as far has come to its end.
+const STUCK: f64 = 1e10;
+/// A step that changes the mean square by less than this part is no step.
+const LEVEL: f64 = 1e-9;
+/// Singular values below this part of the largest are those of unknowns that the path does not tell.
+const UNTOLD: f64 = 1e-11;
+
+type MatrixOfUnknowns = [[f64; MOST]; MOST];
+
+/// A linkage in the frame of the path, with its crank's angle at every point.
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    pub(super) quarry: Quarry,
+    pub(super) shape: LinkageShape,
+    pub(super) place: LinkagePlace,
+    /// In degrees.
+    pub(super) angles: Vec<f64>,
+    /// The weighted mean square of the misses, in squares of the path's size.
+    pub(super) square: f64,
+}
+
+/// The sums of the rows of all points.
+#[derive(Clone, Debug)]
+struct NormalSums {
+    /// J'J and J'r.
+    all: MatrixOfUnknowns,
+    all_miss: [f64; MOST],
+    /// (J'k)(k'J) / k'k and (J'k) k'r / k'k.
+    own: MatrixOfUnknowns,
+    own_miss: [f64; MOST],
+    /// k'J, k'r and k'k of every point; empty where times are given.
+    points: Vec<([f64; MOST], f64, f64)>,
+    square: f64,
+}
+
+/// Which unknowns a task leaves, and where each stands.
+#[derive(Clone, Copy, Debug)]
+struct Layout {
+    held: HeldPivots,
+    form: LinkageForm,
+    timed: bool,
+    count: usize,
+}
+
+impl Layout {
+    fn of(wanted: &WantedPath, quarry: &Quarry) -> Layout {
+        let timed = wanted.turns.is_some();
+        let linear = match quarry.held {
+            HeldPivots::Free => 6,
+            HeldPivots::Crank(_) | HeldPivots::Rocker(_) => 4,
+            HeldPivots::Both(..) => 2,
+        };
+        let lengths = match quarry.form {
+            LinkageForm::FourBar => 3,
+            LinkageForm::SliderCrank => 2,
+        };
+        Layout {
+            held: quarry.held,
+            form: quarry.form,
+            timed,
+            count: linear + lengths + usize::from(timed),
+        }
+    }
+}
+
+/// A point's miss and its rows.
+struct PointRows {
+    miss: Vec2,
+    common: [Vec2; MOST],
+    own: Vec2,
+}
+
+impl Fit {
+    /// The start of a descent.
+    pub(super) fn of(wanted: &WantedPath, quarry: Quarry, raw: &Raw) -> Fit {
+        let turned = |j: usize| wanted.turns.as_ref().map(|turns| turns[j]);
+        let angles: Vec<f64> = (0..wanted.points.len())
+            .map(|j| raw.angle(&wanted.along[j], turned(j)))
+            .collect();
+        let found = Projection::of(wanted, quarry.held, &raw.shape, angles.iter().copied());
+        Fit {
+            quarry,
+            shape: raw.shape,
+            place: found.place,
+            angles,
+            square: f64::INFINITY,
+        }
+    }
+
+    /// Where B, C and the tracer are at an angle of the crank, in the frame of the path.
+    pub(super) fn places(&self, degrees: f64) -> [Vec2; 3] {
+        let e = angle::unit(degrees);
+        let u = self.shape.coupling(e).u;
+        let b = self.place.origin + (e * self.shape.crank).turned(self.place.scale);
+        [
+            b,
+            b + u.turned(self.place.scale),
+            b + u.turned(self.place.arm),
+        ]
+    }
+
+    /// D, in the frame of the path.
+    pub(super) fn far_pivot(&self) -> Vec2 {
+        self.place.origin + self.place.scale * self.shape.ground
+    }
+
+    /// The rows of a point; `None` where the links do not close, or at a dead point.
+    #[inline]
+    fn rows(&self, layout: Layout, point: Vec2, degrees: f64) -> Option<PointRows> {
+        let (shape, place) = (&self.shape, &self.place);
+        let e = angle::unit(degrees);
+        let at = shape.coupling(e);
+        if at.short > 0.0 || at.lever == 0.0 {
+            return None;
+        }
+        let rates = shape.rates(e, &at);
+        let crank = e * shape.crank;
+        // Of the tracer when the coupler alone turns.
+        let swing = at.u.turned(place.arm).perp();
+        let se = e.turned(place.scale);
+        let own = se.perp() * shape.crank + swing * rates.by_angle;
+        let tracer = place.origin + crank.turned(place.scale) + at.u.turned(place.arm);
+        let mut common = [Vec2::ZERO; MOST];
+        let mut n = 0;
+        let mut push = |row: Vec2| {
+            common[n] = row;
+            n += 1;
+        };
+        let mut by_ground = swing * rates.by_ground;
+        match layout.held {
+            HeldPivots::Free => {
+                push(Vec2::X);
+                push(Vec2::new(0.0, 1.0));
+                push(crank);
+                push(crank.perp());
+            }
+            HeldPivots::Crank(_) => {
+                push(crank);
+                push(crank.perp());
+            }
+            HeldPivots::Rocker(_) => {
+                let crank = crank - Vec2::new(shape.ground, 0.0);
+                push(crank);
+                push(crank.perp());
+                by_ground = by_ground - place.scale;
+            }
+            HeldPivots::Both(..) => {
+                by_ground = by_ground - crank.turned(place.scale) * (1.0 / shape.ground);
+            }
+        }
+        push(at.u);
+        push(at.u.perp());
+        push(se + swing * rates.by_crank);
+        push(swing * rates.by_far);
+        if layout.form == LinkageForm::FourBar {
+            push(by_ground);
+        }
+        if layout.timed {
+            push(own);
+        }
+        Some(PointRows {
+            miss: point - tracer,
+            common,
+            own,
+        })
+    }
+
+    /// The sums of all rows, and whether there are any.
+    fn sum(&self, wanted: &WantedPath, layout: Layout, normal: &mut NormalSums) -> bool {
+        normal.clear();
+        let n = layout.count;
+        for (j, &degrees) in self.angles.iter().enumerate() {
+            let Some(rows) = self.rows(layout, wanted.points[j], degrees) else {
+                return false;
+            };
+            let weight = wanted.weights[j];
+            normal.square += weight * rows.miss.norm2();
+            for i in 0..n {
+                let row = rows.common[i] * weight;
+                for l in 0..=i {
+                    normal.all[i][l] += row.dot(rows.common[l]);
+                }
+                normal.all_miss[i] += row.dot(rows.miss);
+            }
+            if layout.timed {
+                continue;
+            }
+            let square = rows.own.norm2().max(f64::MIN_POSITIVE);
+            let along = rows.own.dot(rows.miss);
+            let mut products = [0.0; MOST];
+            let part = weight / square;
+            for (product, row) in products.iter_mut().zip(&rows.common[..n]) {
+                *product = rows.own.dot(*row);
+            }
+            for (i, &own) in products[..n].iter().enumerate() {
+                for (sum, other) in normal.own[i].iter_mut().zip(&products[..=i]) {
+                    *sum += part * own * other;
+                }
+                normal.own_miss[i] += part * own * along;
+            }
+            normal.points.push((products, along, square));
+        }
+        normal.square.is_finite()
+    }
+
+    /// The same with its unknowns changed.
+    fn stepped(&self, layout: Layout, step: &[f64], angles: &mut Vec<f64>) -> Fit {
+        let mut new = Fit {
+            angles: std::mem::take(angles),
+            ..Fit {
+                angles: Vec::new(),
+                ..*self
+            }
+        };
+        new.angles.clear();
+        new.angles.extend_from_slice(&self.angles);
+        let mut rest = step.iter().copied();
+        let mut next = || rest.next().unwrap_or(0.0);
+        if layout.held == HeldPivots::Free {
+            new.place.origin += Vec2::new(next(), next());
+        }
+        if !matches!(layout.held, HeldPivots::Both(..)) {
+            new.place.scale += Vec2::new(next(), next());
+        }
+        new.place.arm += Vec2::new(next(), next());
+        new.shape.crank += next();
+        new.shape.far += next();
+        if layout.form == LinkageForm::FourBar {
+            new.shape.ground += next();
+        }
+        if layout.timed {
+            let turn = next() * RADIAN;
+            new.angles.iter_mut().for_each(|angle| *angle += turn);
+        }
+        new.settle();
+        new
+    }
+
+    /// What given pivots say of the place.
+    fn settle(&mut self) {
+        match self.quarry.held {
+            HeldPivots::Free => {}
+            HeldPivots::Crank(a) => self.place.origin = a,
+            HeldPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
+            HeldPivots::Both(a, d) => {
+                self.place.origin = a;
+                self.place.scale = (d - a) * (1.0 / self.shape.ground);
+            }
+        }
+    }
+
+    /// Whether it keeps every wish, where its start looked for that: then it goes no step beyond them.
+    fn holds_wishes(&self, wanted: &WantedPath) -> bool {
+        self.quarry.is_wished && self.lack(wanted) == 0.0
+    }
+
+    /// By how much it lacks what is wished.
+    pub(super) fn lack(&self, wanted: &WantedPath) -> f64 {
+        let ends = super::distinct::ends(self, wanted);
+        wanted.wishes.lack(&self.shape, &self.place, ends)
+    }
+
+    /// Descends for some steps at the most; whether there was a place to start from.
+    pub(super) fn descend(&mut self, wanted: &WantedPath, steps: usize) -> bool {
+        let layout = Layout::of(wanted, &self.quarry);
+        let (mut now, mut next) = (NormalSums::new(), NormalSums::new());
+        self.settle();
+        if !self.sum(wanted, layout, &mut now) {
+            return false;
+        }
+        self.square = now.square;
+        let holds = self.holds_wishes(wanted);
+        let (mut damping, mut growth) = (1e-3, 2.0);
+        let mut spare = Vec::new();
+        let mut level = 0;
+        for _ in 0..steps {
+            if self.square < EXACT || damping > STUCK || level > 3 {
+                break;
+            }
+            let Some(step) = now.solve(layout.count, damping) else {
+                (damping, growth) = (damping * growth, growth * 2.0);
+                continue;
+            };
+            let mut trial = self.stepped(layout, &step[..layout.count], &mut spare);
+            now.turn(&mut trial.angles, &step[..layout.count], damping);
+            let is_better = trial.sum(wanted, layout, &mut next)
+                && next.square < self.square
+                && !(holds && trial.lack(wanted) > 0.0);
+            if is_better {
+                level = if next.square > self.square * (1.0 - LEVEL) {
+                    level + 1
+                } else {
+                    0
+                };
+                trial.square = next.square;
+                std::mem::swap(self, &mut trial);
+                std::mem::swap(&mut now, &mut next);
+                (damping, growth) = ((damping * 0.2).max(1e-14), 2.0);
+            } else {
+                (damping, growth) = (damping * growth, growth * 2.0);
+            }
+            spare = trial.angles;
+        }
+        true
+    }
+
+    /// The last steps: Gauss's and Newton's, on the rows themselves.
+    pub(super) fn polish(&mut self, wanted: &WantedPath, steps: usize) {
+        let layout = Layout::of(wanted, &self.quarry);
+        let mut spare = Vec::new();
+        let mut normal = NormalSums::new();
+        let holds = self.holds_wishes(wanted);
+        for _ in 0..steps {
+            let Some(step) = self.exact_step(wanted, layout) else {
+                return;
+            };
+            if !self.sum(wanted, layout, &mut normal) {
+                return;
+            }
+            let mut trial = self.stepped(layout, step.as_slice(), &mut spare);
+            normal.turn(&mut trial.angles, step.as_slice(), 0.0);
+            let is_better = trial.sum(wanted, layout, &mut normal) && normal.square < self.square;
+            if !is_better || holds && trial.lack(wanted) > 0.0 {
+                return;
+            }
+            trial.square = normal.square;
+            std::mem::swap(self, &mut trial);
+            spare = trial.angles;
+        }
+    }
+
+    /// The step of the least length among those that leave the least misses, by singular values. A free angle is
+    /// eliminated by looking across its direction of motion alone.
+    fn exact_step(&self, wanted: &WantedPath, layout: Layout) -> Option<DVector<f64>> {
+        let each = if layout.timed { 2 } else { 1 };
+        let count = each * wanted.points.len();
+        let mut matrix = DMatrix::zeros(count.max(layout.count), layout.count);
+        let mut misses = DVector::zeros(matrix.nrows());
+        for (j, &degrees) in self.angles.iter().enumerate() {
+            let rows = self.rows(layout, wanted.points[j], degrees)?;
+            let weight = wanted.weights[j].sqrt();
+            let across = match layout.timed {
+                true => [Vec2::X, Vec2::new(0.0, 1.0)],
+                false => {
+                    let norm = rows.own.norm();
+                    [
+                        rows.own.perp() * (1.0 / norm.max(f64::MIN_POSITIVE)),
+                        Vec2::ZERO,
+                    ]
+                }
+            };
+            for (part, across) in across.iter().take(each).enumerate() {
+                let row = each * j + part;
+                misses[row] = weight * across.dot(rows.miss);
+                for i in 0..layout.count {
+                    matrix[(row, i)] = weight * across.dot(rows.common[i]);
+                }
+            }
+        }
+        if !matrix.iter().all(|v| v.is_finite()) {
+            return None;
+        }
+        let svd = nalgebra::SVD::try_new(matrix, true, true, f64::EPSILON, 200)?;
+        svd.solve(&misses, UNTOLD * svd.singular_values.max()).ok()
+    }
+}
+
+impl NormalSums {
+    fn new() -> NormalSums {
+        NormalSums {
+            all: [[0.0; MOST]; MOST],
+            all_miss: [0.0; MOST],
+            own: [[0.0; MOST]; MOST],
+            own_miss: [0.0; MOST],
+            points: Vec::new(),
+            square: 0.0,
+        }
+    }
+
+    fn clear(&mut self) {
+        (self.all, self.own) = ([[0.0; MOST]; MOST], [[0.0; MOST]; MOST]);
+        (self.all_miss, self.own_miss) = ([0.0; MOST], [0.0; MOST]);
+        self.points.clear();
+        self.square = 0.0;
+    }
+
+    /// The damped step of the common unknowns, by Cholesky.
+    fn solve(&self, n: usize, damping: f64) -> Option<[f64; MOST]> {
+        let part = 1.0 / (1.0 + damping);
+        let mut lower = [[0.0; MOST]; MOST];
+        let mut step = [0.0; MOST];
+        for i in 0..n {
+            for l in 0..=i {
+                let mut sum = self.all[i][l] - part * self.own[i][l];
+                if i == l {
+                    sum += damping * self.all[i][i] + f64::MIN_POSITIVE;
+                }
+                for (one, other) in lower[i][..l].iter().zip(&lower[l]) {
+                    sum -= one * other;
+                }
+                if i == l {
+                    if !(sum > 0.0) {
+                        return None;
+                    }
+                    lower[i][i] = sum.sqrt();
+                } else {
+                    lower[i][l] = sum / lower[l][l];
+                }
+            }
+            let mut sum = self.all_miss[i] - part * self.own_miss[i];
+            for (factor, known) in lower[i][..i].iter().zip(&step) {
+                sum -= factor * known;
+            }
+            step[i] = sum / lower[i][i];
+        }
+        for i in (0..n).rev() {
+            let after = step;
+            for (row, &known) in lower[i + 1..n].iter().zip(&after[i + 1..n]) {
+                step[i] -= row[i] * known;
+            }
+            step[i] /= lower[i][i];
+        }
+        step[..n].iter().all(|v| v.is_finite()).then_some(step)
+    }
+
+    /// Turns the crank at every point by what follows from the step.
+    fn turn(&self, angles: &mut [f64], step: &[f64], damping: f64) {
+        for (angle, (products, along, square)) in angles.iter_mut().zip(&self.points) {
+            let common: f64 = products.iter().zip(step).map(|(p, d)| p * d).sum();
+            *angle += RADIAN * (along - common) / (square * (1.0 + damping));
+        }
+    }
+}

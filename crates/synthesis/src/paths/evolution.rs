@@ -1,0 +1,242 @@
+//! Differential evolution (Storn and Price, 1997) over what is not linear: ratios of lengths, the crank's first angle,
+//! and, where times are free, how far and how unevenly it turns.
+
+use super::linear::Projection;
+use super::shape::{LinkageForm, LinkageShape};
+use super::wanted::{HeldPivots, PathPart, WantedPath};
+use kinematics::numeric::SeededChance;
+
+/// Numbers of a design at the most: three ratios, the first angle, the whole turn and two of its unevenness.
+const GENES: usize = 7;
+/// Designs of a generation, and generations at the most.
+const DESIGNS: usize = 36;
+const GENERATIONS: usize = 50;
+/// Draws for a design whose links close.
+const DRAWS: usize = 30;
+/// A mean square that is met: the descent does the rest.
+const MET: f64 = 1e-7;
+/// What links that are too short by the coupler's length count, in mean squares of the path's size.
+const SHORT: f64 = 1.0;
+/// Below this sine of the transmission angle a design counts for less, and by how much at a dead point.
+const FLAT: f64 = 0.25;
+const FLAT_COUNTS: f64 = 1e-3;
+
+/// What lacking a wish counts, in mean squares of the path's size.
+const LACKING: f64 = 0.1;
+
+/// Which linkages a start looks for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quarry {
+    pub(super) form: LinkageForm,
+    pub(super) held: HeldPivots,
+    /// The sign of the assembly.
+    pub(super) sign: f64,
+    /// Which way the crank turns where times are free: 1 or -1.
+    pub(super) sense: f64,
+    /// Whether it is to keep the wishes.
+    pub(super) is_wished: bool,
+}
+
+type Genes = [f64; GENES];
+
+/// A linkage of a generation, without its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Raw {
+    pub(super) shape: LinkageShape,
+    genes: Genes,
+    turn: f64,
+    worth: f64,
+}
+
+impl Raw {
+    /// The crank's angle at a point, in degrees.
+    #[inline]
+    pub(super) fn angle(&self, along: &PathPart, turned: Option<f64>) -> f64 {
+        let start = self.genes[3];
+        match turned {
+            Some(turned) => start + turned,
+            None => {
+                let uneven = self.genes[5] * along.uneven[0] + self.genes[6] * along.uneven[1];
+                start + self.turn * (along.part + uneven)
+            }
+        }
+    }
+}
+
+/// The ends of every number; the first three are of the crank, the far length and the ground, by their logarithms.
+fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
+    let free = wanted.turns.is_none();
+    let (crank, far, ground) = match quarry.form {
+        LinkageForm::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
+        LinkageForm::SliderCrank => ([-3.0, 1.6], [-2.5, 2.5], [0.0, 0.0]),
+    };
+    let turn = if free && !wanted.closed {
+        [25.0, 345.0]
+    } else {
+        [360.0, 360.0]
+    };
+    let uneven = if free { [-0.7, 0.7] } else { [0.0, 0.0] };
+    [crank, far, ground, [-180.0, 180.0], turn, uneven, uneven]
+}
+
+/// A search of one start.
+pub(super) struct Evolution<'a> {
+    wanted: &'a WantedPath,
+    quarry: Quarry,
+    ends: [[f64; 2]; GENES],
+    chance: SeededChance,
+    /// The least and the greatest of the turns.
+    turns: Option<[f64; 2]>,
+}
+
+impl<'a> Evolution<'a> {
+    pub(super) fn new(wanted: &'a WantedPath, quarry: Quarry, seed: u64) -> Evolution<'a> {
+        let turns = wanted.turns.as_ref().map(|turns| {
+            let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
+            [
+                least,
+                turns.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            ]
+        });
+        Evolution {
+            wanted,
+            quarry,
+            ends: ends(&quarry, wanted),
+            chance: SeededChance::new(seed),
+            turns,
+        }
+    }
+
+    /// The last generation, the best first.
+    pub(super) fn run(mut self) -> Vec<Raw> {
+        let mut all: Vec<Raw> = (0..DESIGNS).map(|_| self.draw()).collect();
+        for _ in 0..GENERATIONS {
+            let best = all
+                .iter()
+                .copied()
+                .min_by(|a, b| a.worth.total_cmp(&b.worth));
+            if best.is_none_or(|best| best.worth < MET) {
+                break;
+            }
+            for i in 0..all.len() {
+                let trial = self.trial(&all, i, best);
+                if trial.worth <= all[i].worth {
+                    all[i] = trial;
+                }
+            }
+        }
+        all.sort_by(|a, b| a.worth.total_cmp(&b.worth));
+        all
+    }
+
+    /// A design drawn by chance, if it may be one whose links close.
+    fn draw(&mut self) -> Raw {
+        let mut drawn = self.drawn();
+        for _ in 0..DRAWS {
+            if self.short(&drawn) == 0.0 {
+                break;
+            }
+            drawn = self.drawn();
+        }
+        self.weigh(&mut drawn);
+        drawn
+    }
+
+    fn drawn(&mut self) -> Raw {
+        let chance = &mut self.chance;
+        let genes = self
+            .ends
+            .map(|[low, high]| 0.5 * (low + high) + 0.5 * (high - low) * chance.even());
+        self.raw(genes)
+    }
+
+    fn raw(&self, genes: Genes) -> Raw {
+        let four_bar = self.quarry.form == LinkageForm::FourBar;
+        Raw {
+            shape: LinkageShape {
+                form: self.quarry.form,
+                sign: self.quarry.sign,
+                crank: genes[0].exp(),
+                far: if four_bar { genes[1].exp() } else { genes[1] },
+                ground: if four_bar { genes[2].exp() } else { 0.0 },
+            },
+            genes,
+            turn: self.quarry.sense * genes[4],
+            worth: f64::INFINITY,
+        }
+    }
+
+    /// From the first of the angles to the last, in degrees.
+    fn span(&self, raw: &Raw) -> [f64; 2] {
+        let start = raw.genes[3];
+        match self.turns {
+            Some([least, most]) => [start + least, start + most],
+            None => [start.min(start + raw.turn), start.max(start + raw.turn)],
+        }
+    }
+
+    /// By how much the links are too short on the way.
+    fn short(&self, raw: &Raw) -> f64 {
+        let [low, high] = self.span(raw);
+        raw.shape.worst_between(low, high).0
+    }
+
+    /// How good a design is: what it misses, and what makes it no linkage.
+    fn weigh(&self, raw: &mut Raw) {
+        let [low, high] = self.span(raw);
+        let (short, sine) = raw.shape.worst_between(low, high);
+        let wanted = self.wanted;
+        let angles = wanted
+            .along
+            .iter()
+            .enumerate()
+            .map(|(j, along)| raw.angle(along, wanted.turns.as_ref().map(|turns| turns[j])));
+        let found = Projection::of(wanted, self.quarry.held, &raw.shape, angles);
+        let flat = (1.0 - sine / FLAT).max(0.0);
+        let lack = match self.quarry.is_wished {
+            true => wanted.wishes.lack(&raw.shape, &found.place, [low, high]),
+            false => 0.0,
+        };
+        let worth = found.square
+            + LACKING * lack
+            + SHORT * (short + found.short / wanted.points.len() as f64)
+            + FLAT_COUNTS * found.square.sqrt() * flat * flat;
+        raw.worth = if worth.is_finite() {
+            worth
+        } else {
+            f64::INFINITY
+        };
+    }
+
+    /// A design of three others, crossed with the one whose place it may take.
+    fn trial(&mut self, all: &[Raw], of: usize, best: Option<Raw>) -> Raw {
+        let last = u32::try_from(all.len() - 1).unwrap_or(0);
+        let mut other = || &all[self.chance.between(0, last) as usize].genes;
+        let (a, b, c) = (other(), other(), other());
+        let weight = 0.65 + 0.25 * self.chance.even();
+        // A half goes out from the best, as far as chance has it.
+        let pull = self.chance.even().max(0.0);
+        let own = all[of].genes;
+        let mut genes = own;
+        for (i, gene) in genes.iter_mut().enumerate() {
+            if self.chance.even() > 0.8 {
+                continue;
+            }
+            let towards = best.map_or(0.0, |best| pull * (best.genes[i] - a[i]));
+            let [low, high] = self.ends[i];
+            let number = a[i] + towards + weight * (b[i] - c[i]);
+            *gene = if i == 3 {
+                number
+            } else if number < low {
+                0.5 * (own[i] + low)
+            } else if number > high {
+                0.5 * (own[i] + high)
+            } else {
+                number
+            };
+        }
+        let mut trial = self.raw(genes);
+        self.weigh(&mut trial);
+        trial
+    }
+}

@@ -1,0 +1,157 @@
+//! The unknowns in which the path is linear.
+//!
+//! Read as complex numbers, the tracer of a linkage of known shape is
+//!
+//! ```text
+//! P = A + s a e + z u
+//! ```
+//!
+//! with A its pivot, s the size and turning of the ground, e and u the directions of crank and coupler, and z the tracer
+//! seen from B along the coupler. Whatever e and u are, A, s and z follow by least squares (variable projection: Golub
+//! and Pereyra, 1973): at most two complex unknowns, since A leaves with the means. A pivot that is given takes its part
+//! of them: with D given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
+
+use super::shape::LinkageShape;
+use super::wanted::{HeldPivots, WantedPath};
+use kinematics::{Vec2, angle};
+
+/// What a linkage of known shape still lacks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinkagePlace {
+    /// A.
+    pub(super) origin: Vec2,
+    /// The size and turning of the ground, as a complex number.
+    pub(super) scale: Vec2,
+    /// From B to the tracer, along the coupler, as a complex number.
+    pub(super) arm: Vec2,
+}
+
+/// How well the best of all places meets the path.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projection {
+    pub(super) place: LinkagePlace,
+    /// The weighted mean square of the misses.
+    pub(super) square: f64,
+    /// How far the links were too short, all together.
+    pub(super) short: f64,
+}
+
+/// How much less a linkage of a hundred times the path's size counts: it keeps apart what would else be one.
+const RIDGE: f64 = 1e-8;
+
+impl HeldPivots {
+    /// What comes before the linear unknowns: the point from which the path is seen, and how much of g stands there.
+    #[inline]
+    pub(super) fn seen(self) -> (Vec2, f64) {
+        match self {
+            HeldPivots::Free => (Vec2::ZERO, 0.0),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => (a, 0.0),
+            HeldPivots::Rocker(d) => (d, 1.0),
+        }
+    }
+}
+
+impl Projection {
+    /// The best place of a shape whose crank is at these angles, in degrees, at the points.
+    #[inline]
+    pub(super) fn of(
+        wanted: &WantedPath,
+        held: HeldPivots,
+        shape: &LinkageShape,
+        angles: impl Iterator<Item = f64>,
+    ) -> Projection {
+        let (seen, part) = held.seen();
+        let back = Vec2::new(part * shape.ground, 0.0);
+        let fixed = match held {
+            HeldPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
+            HeldPivots::Free | HeldPivots::Crank(_) | HeldPivots::Rocker(_) => None,
+        };
+        let mut sums = ProjectionSums::default();
+        let mut short = 0.0;
+        for ((&point, &weight), degrees) in wanted.points.iter().zip(&wanted.weights).zip(angles) {
+            let e = angle::unit(degrees);
+            let at = shape.coupling(e);
+            short += at.short;
+            let crank = e * shape.crank - back;
+            let target = match fixed {
+                Some(scale) => point - seen - crank.turned(scale),
+                None => point - seen,
+            };
+            sums.add(weight, crank, at.u, target);
+        }
+        let (scale, arm, square) = match (held, fixed) {
+            (_, Some(scale)) => {
+                let arm = sums.ut * (1.0 / (1.0 + RIDGE));
+                (scale, arm, sums.tt - arm.dot(sums.ut))
+            }
+            (HeldPivots::Free, None) => sums.centred().two(),
+            (_, None) => sums.two(),
+        };
+        let origin = match held {
+            HeldPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
+            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => a,
+            HeldPivots::Rocker(d) => d - scale * shape.ground,
+        };
+        Projection {
+            place: LinkagePlace { origin, scale, arm },
+            square: square.max(0.0),
+            short,
+        }
+    }
+}
+
+/// Weighted means of the products of the two columns p and u and of the target t.
+#[derive(Clone, Copy, Debug, Default)]
+struct ProjectionSums {
+    p: Vec2,
+    u: Vec2,
+    t: Vec2,
+    pp: f64,
+    uu: f64,
+    tt: f64,
+    pu: Vec2,
+    pt: Vec2,
+    ut: Vec2,
+}
+
+impl ProjectionSums {
+    #[inline(always)]
+    fn add(&mut self, weight: f64, p: Vec2, u: Vec2, t: Vec2) {
+        let (wp, wu) = (p * weight, u * weight);
+        self.p += wp;
+        self.u += wu;
+        self.t += t * weight;
+        self.pp += wp.dot(p);
+        self.uu += wu.dot(u);
+        self.tt += weight * t.norm2();
+        self.pu += u.turned(wp.conj());
+        self.pt += t.turned(wp.conj());
+        self.ut += t.turned(wu.conj());
+    }
+
+    /// About the means.
+    fn centred(&self) -> ProjectionSums {
+        ProjectionSums {
+            pp: self.pp - self.p.norm2(),
+            uu: self.uu - self.u.norm2(),
+            tt: self.tt - self.t.norm2(),
+            pu: self.pu - self.u.turned(self.p.conj()),
+            pt: self.pt - self.t.turned(self.p.conj()),
+            ut: self.ut - self.t.turned(self.u.conj()),
+            ..*self
+        }
+    }
+
+    /// The multiples of both columns that come nearest, and the square of what is left.
+    fn two(&self) -> (Vec2, Vec2, f64) {
+        let (pp, uu) = (self.pp + RIDGE * self.uu.max(self.pp), self.uu + RIDGE);
+        let determinant = pp * uu - self.pu.norm2();
+        if !(determinant > 0.0) {
+            return (Vec2::ZERO, Vec2::ZERO, self.tt);
+        }
+        let per = 1.0 / determinant;
+        let scale = (self.pt * uu - self.ut.turned(self.pu)) * per;
+        let arm = (self.ut * pp - self.pt.turned(self.pu.conj())) * per;
+        (scale, arm, self.tt - scale.dot(self.pt) - arm.dot(self.ut))
+    }
+}

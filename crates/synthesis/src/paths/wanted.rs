@@ -1,0 +1,160 @@
+//! The path in a frame of its own: its middle at the origin, its size 1.
+
+use super::wishes::SearchWishes;
+use crate::{PathTask, Wishes};
+use kinematics::Vec2;
+
+/// How far along the path a point lies, from 0 to 1, and what a crank that turns unevenly has turned more there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PathPart {
+    pub(super) part: f64,
+    pub(super) uneven: [f64; 2],
+}
+
+/// Which pivots are given, and to which link each belongs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum HeldPivots {
+    /// None.
+    Free,
+    /// The crank's.
+    Crank(Vec2),
+    /// The rocker's.
+    Rocker(Vec2),
+    /// The crank's and the rocker's.
+    Both(Vec2, Vec2),
+}
+
+/// A path in its own frame.
+#[derive(Clone, Debug)]
+pub(super) struct WantedPath {
+    pub(super) points: Vec<Vec2>,
+    /// How much each point counts; together 1.
+    pub(super) weights: Vec<f64>,
+    /// Degrees from the first point; none where they are free.
+    pub(super) turns: Option<Vec<f64>>,
+    pub(super) along: Vec<PathPart>,
+    pub(super) closed: bool,
+    pub(super) wishes: SearchWishes,
+    /// Its frame in that of the task.
+    pub(super) middle: Vec2,
+    pub(super) size: f64,
+}
+
+impl WantedPath {
+    /// `None` where there are no two different points that count, or a number is none.
+    pub(super) fn of(task: &PathTask, wishes: &Wishes) -> Option<WantedPath> {
+        let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
+        let total: f64 = (0..task.points.len()).map(given).sum();
+        let weights: Vec<f64> = (0..task.points.len()).map(|j| given(j) / total).collect();
+        let all = || task.points.iter().chain(&task.pivots);
+        let turns = task.turns.as_ref();
+        let is_sound = total > 0.0
+            && total.is_finite()
+            && all().all(|p| p.is_finite())
+            && turns.is_none_or(|turns| {
+                turns.len() == task.points.len() && turns.iter().all(|turn| turn.is_finite())
+            });
+        if !is_sound {
+            return None;
+        }
+        let (middle, size) = frame(&task.points, &weights)?;
+        let points: Vec<Vec2> = task
+            .points
+            .iter()
+            .map(|&p| (p - middle) * (1.0 / size))
+            .collect();
+        Some(WantedPath {
+            along: along(&points, task.closed),
+            points,
+            weights,
+            turns: task.turns.clone(),
+            closed: task.closed,
+            wishes: SearchWishes::of(wishes, task.closed, |p| (p - middle) * (1.0 / size)),
+            middle,
+            size,
+        })
+    }
+
+    /// A point of the task in this frame.
+    pub(super) fn inside(&self, point: Vec2) -> Vec2 {
+        (point - self.middle) * (1.0 / self.size)
+    }
+
+    /// A point of this frame in that of the task.
+    pub(super) fn outside(&self, point: Vec2) -> Vec2 {
+        self.middle + point * self.size
+    }
+
+    /// The same with about `most` points at the most.
+    pub(super) fn thinned(&self, most: usize) -> WantedPath {
+        let step = self.points.len().div_ceil(most).max(1);
+        let count = self.points.len();
+        // The last point stays: an open path ends there.
+        let kept = || (0..count).filter(|j| j % step == 0 || j + 1 == count);
+        let total: f64 = kept().map(|j| self.weights[j]).sum();
+        let even = 1.0 / kept().count() as f64;
+        let weight = |j: usize| {
+            if total > 0.0 {
+                self.weights[j] / total
+            } else {
+                even
+            }
+        };
+        WantedPath {
+            points: kept().map(|j| self.points[j]).collect(),
+            weights: kept().map(weight).collect(),
+            turns: self
+                .turns
+                .as_ref()
+                .map(|turns| kept().map(|j| turns[j]).collect()),
+            along: kept().map(|j| self.along[j]).collect(),
+            ..*self
+        }
+    }
+}
+
+/// The middle of the points, weighted, and the larger side of their box.
+fn frame(points: &[Vec2], weights: &[f64]) -> Option<(Vec2, f64)> {
+    let first = *points.first()?;
+    let sum = |of: &dyn Fn(Vec2) -> f64| -> f64 {
+        points
+            .iter()
+            .zip(weights)
+            .map(|(&p, w)| w * of(p - first))
+            .sum()
+    };
+    let middle = first + Vec2::new(sum(&|p| p.x), sum(&|p| p.y));
+    let ends = |of: fn(&Vec2) -> f64| {
+        let ends = points.iter().map(of);
+        ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
+    };
+    let size = ends(|p| p.x).max(ends(|p| p.y));
+    (size > 0.0 && size.is_finite() && middle.is_finite()).then_some((middle, size))
+}
+
+fn along(points: &[Vec2], closed: bool) -> Vec<PathPart> {
+    let mut length = 0.0;
+    let mut lengths = Vec::with_capacity(points.len());
+    for (j, &point) in points.iter().enumerate() {
+        length += (point - points[j.saturating_sub(1)]).norm();
+        lengths.push(length);
+    }
+    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
+        length += (first - last).norm();
+    }
+    let turn = std::f64::consts::TAU;
+    let along = |length_here: f64| {
+        let part = length_here / length;
+        let (sin, cos) = (turn * part).sin_cos();
+        let second = if closed {
+            (1.0 - cos) / turn
+        } else {
+            part * (1.0 - part)
+        };
+        PathPart {
+            part,
+            uneven: [sin / turn, second],
+        }
+    };
+    lengths.into_iter().map(along).collect()
+}

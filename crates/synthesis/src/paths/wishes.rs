@@ -1,0 +1,79 @@
+//! Wishes in the frame of the path, as far as a search can look for them.
+
+use super::linear::LinkagePlace;
+use super::shape::{LinkageForm, LinkageShape};
+use crate::Wishes;
+use kinematics::Vec2;
+
+/// What is wished of a linkage beside its path.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SearchWishes {
+    full_turn: bool,
+    /// The least sine of the transmission angle.
+    sine: f64,
+    /// Two opposite corners of a box for the pivots.
+    inside: Option<[Vec2; 2]>,
+    /// The largest ratio of two lengths.
+    ratio: f64,
+    /// Whether the points are to be met in their order.
+    pub(super) ordered: bool,
+}
+
+impl SearchWishes {
+    /// Of a path whose crank turns once where it is closed; `place` is where a point of the task lies in the path's frame.
+    pub(super) fn of(wishes: &Wishes, closed: bool, place: impl Fn(Vec2) -> Vec2) -> SearchWishes {
+        let transmission = wishes.transmission.unwrap_or(0.0);
+        SearchWishes {
+            full_turn: wishes.full_turn && !closed,
+            sine: transmission.to_radians().sin(),
+            inside: wishes.inside.map(|corners| corners.map(place)),
+            ratio: wishes.ratio.unwrap_or(f64::INFINITY),
+            ordered: wishes.ordered,
+        }
+    }
+
+    /// Whether there is any that a search does not keep by itself.
+    pub(super) fn is_any(&self) -> bool {
+        self.full_turn || self.sine > 0.0 || self.inside.is_some() || self.ratio.is_finite()
+    }
+
+    /// By how much a linkage lacks what is wished while its crank goes between two angles, in degrees: 0 where it keeps
+    /// all. Lengths count in sizes of the path, ratios by their logarithm, angles by their sine.
+    pub(super) fn lack(
+        &self,
+        shape: &LinkageShape,
+        place: &LinkagePlace,
+        [low, high]: [f64; 2],
+    ) -> f64 {
+        let (_, sine) = shape.worst_between(low, high);
+        let turn = match self.full_turn {
+            true => shape.worst_between(0.0, 360.0).0,
+            false => 0.0,
+        };
+        let is_four_bar = shape.form == LinkageForm::FourBar;
+        let outside = self.inside.map_or(0.0, |corners| {
+            let far = place.origin + place.scale * shape.ground;
+            let far = if is_four_bar {
+                outside(corners, far)
+            } else {
+                0.0
+            };
+            outside(corners, place.origin) + far
+        });
+        let lengths = match is_four_bar {
+            true => [shape.crank, 1.0, shape.far, shape.ground],
+            false => [shape.crank, 1.0, 1.0, 1.0],
+        };
+        let sizes = lengths.map(f64::abs);
+        let longest = sizes.iter().copied().fold(0.0, f64::max);
+        let shortest = sizes.iter().copied().fold(f64::INFINITY, f64::min);
+        let ratio = (longest / (shortest * self.ratio)).ln().max(0.0);
+        (self.sine - sine).max(0.0) + turn + outside + ratio
+    }
+}
+
+/// How far a place lies outside of the box of two opposite corners.
+fn outside([one, other]: [Vec2; 2], p: Vec2) -> f64 {
+    let beyond = |v: f64, a: f64, b: f64| (a.min(b) - v).max(v - a.max(b)).max(0.0);
+    beyond(p.x, one.x, other.x).hypot(beyond(p.y, one.y, other.y))
+}

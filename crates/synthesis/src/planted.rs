@@ -1,0 +1,107 @@
+//! Linkages of which tests plant the motion, by formulas of their own: two circles, or a circle and a line, by the law of
+//! cosines.
+
+use super::{Partner, Proposal};
+use kinematics::numeric::SeededChance;
+use kinematics::{Vec2, angle};
+
+/// A linkage by its lengths.
+#[derive(Clone, Debug)]
+pub(super) struct PlantedDrive {
+    pub(super) pivot: Vec2,
+    /// Of a slide the angle; its line goes by A at the distance `rocker`.
+    pub(super) far: Partner,
+    pub(super) crank: f64,
+    pub(super) coupler: f64,
+    pub(super) rocker: f64,
+    /// The tracer in the coupler's length from B, along B-C and across.
+    pub(super) arm: Vec2,
+    /// The crank's first angle.
+    pub(super) start: f64,
+    pub(super) sign: f64,
+    /// The least part of the coupler that stands across: it keeps away from dead points.
+    pub(super) across: f64,
+}
+
+impl PlantedDrive {
+    pub(super) fn random(chance: &mut SeededChance, slides: bool) -> PlantedDrive {
+        let mut place = |most: f64| Vec2::new(most * chance.even(), most * chance.even());
+        let (pivot, d, arm) = (place(3.0), place(3.0), place(1.5));
+        let mut length = || 10_f64.powf(0.5 * chance.even());
+        let [crank, coupler, rocker] = [length(), length(), length()];
+        let start = 180.0 * chance.even();
+        PlantedDrive {
+            pivot,
+            far: if slides {
+                Partner::Slide(180.0 * chance.even())
+            } else {
+                Partner::Rocker(d)
+            },
+            crank,
+            coupler,
+            rocker: if slides {
+                0.5 * crank * chance.even()
+            } else {
+                rocker
+            },
+            arm,
+            start,
+            sign: chance.even().signum(),
+            across: 0.1,
+        }
+    }
+
+    /// The longest length.
+    pub(super) fn size(&self) -> f64 {
+        let ground = match self.far {
+            Partner::Rocker(d) => (d - self.pivot).norm(),
+            Partner::Slide(_) => 0.0,
+        };
+        let lengths = [self.crank, self.coupler, self.rocker.abs(), ground];
+        lengths.into_iter().fold(0.0, f64::max)
+    }
+
+    /// B, C and the tracer; `None` near a dead point and beyond.
+    pub(super) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
+        let b = self.pivot + angle::unit(self.start + turn) * self.crank;
+        let (e, x) = match self.far {
+            Partner::Rocker(d) => {
+                let g = d - b;
+                let l = g.norm();
+                let squares = l * l + self.coupler * self.coupler - self.rocker * self.rocker;
+                (g * (1.0 / l), 0.5 * squares / l)
+            }
+            Partner::Slide(along) => {
+                let normal = angle::unit(along).perp();
+                (normal, self.rocker - normal.dot(b - self.pivot))
+            }
+        };
+        let h = (self.coupler * self.coupler - x * x).sqrt();
+        if !(h > self.across * self.coupler) {
+            return None;
+        }
+        let c = b + e * x + e.perp() * (self.sign * h);
+        Some([b, c, b + (c - b).turned(self.arm)])
+    }
+
+    /// The linkage at these turns of its crank, if it comes there.
+    pub(super) fn proposal(&self, turns: &[f64]) -> Option<Proposal> {
+        let all: Option<Vec<_>> = turns.iter().map(|turn| self.at(*turn)).collect();
+        let all = all?;
+        Some(Proposal {
+            pivot: self.pivot,
+            partner: self.far,
+            places: all.iter().map(|[b, c, _]| [*b, *c]).collect(),
+            tracer: all.first().map(|[_, _, p]| *p),
+        })
+    }
+}
+
+/// Where a proposal's tracer is at a point of the task.
+pub(super) fn tracer(proposal: &Proposal, point: usize) -> Vec2 {
+    let [b, c] = proposal.places[0];
+    let k = c - b;
+    let arm = (proposal.tracer.unwrap() - b).turned(k.conj()) * (1.0 / k.norm2());
+    let [b, c] = proposal.places[point];
+    b + (c - b).turned(arm)
+}

@@ -1,0 +1,192 @@
+//! The equation of a dyad, and what is made of its solutions.
+//!
+//! Pose j puts the pin w of the body at `B_j = d_j + e_j w`, with e_j the unit vector of its angle, as complex numbers.
+//! A link on the pivot a keeps `|B_j - a|`:
+//!
+//! ```text
+//! 1/2 |d_j|^2 + Re(conj(d_j) e_j w) - Re(conj(d_j) a) - Re(conj(e_j w) a) = k,    the same k for all j
+//! ```
+//!
+//! (McCarthy and Soh, Geometric Design of Linkages, 2nd ed. 2011, chapter 5; Sandor and Erdman, Advanced Mechanism
+//! Design, 1984, chapter 3.) With homogeneous coordinates of the pin `(x, y, w)` and of the pivot `(X, Y, W)` every
+//! difference of two of them is a bilinear [`Form`](form::Form): n poses give n - 1. A pivot at infinity is the normal of a slide, so
+//! that slides are no case of their own.
+
+use super::form;
+use super::guidance::Guidance;
+use super::space::{self, Triple};
+use crate::{Partner, PosedDyad};
+use kinematics::{Double, Vec2};
+
+/// What a pin may miss its circle or its line by, as a part of the size.
+const MISS: f64 = 1e-9;
+/// Pins, or pivots, that are nearer to each other than this part of the size are one: poses rounded to doubles
+/// split a double root by the root of their rounding.
+const ONE: f64 = 1e-7;
+/// Pins further out than so many sizes are at infinity; and a pivot that is may be the slide that it looks like.
+const FAR: f64 = 1e6;
+/// A direction nearer to the x axis than these degrees is its own.
+const LEVEL: f64 = 1e-14;
+/// A pin of the body and what can hold it in all poses.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PinHeld {
+    /// The pivot or the slide.
+    pub by: Partner,
+    /// The pin in the body's frame.
+    pub pin: Vec2,
+    /// The pin at every pose.
+    pub places: Vec<Vec2>,
+}
+
+impl PinHeld {
+    /// The same as others see it.
+    pub(super) fn dyad(&self) -> Option<PosedDyad> {
+        let pin = *self.places.first()?;
+        Some(PosedDyad { held: self.by, pin })
+    }
+}
+
+impl Guidance {
+    /// Whether a solution of the equations is none of a linkage: the pin is at infinity, stands still, or is its pivot.
+    pub(super) fn is_nothing(&self, pin: Triple, pivot: Triple) -> bool {
+        let Some(places) = self.pin(pin).and_then(|pin| self.places(pin)) else {
+            return true;
+        };
+        let pivot = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
+        let pivot = pivot.scaled(self.unit) + self.middle.exactly();
+        let is_short = |at: &Vec2<Double>| (*at - pivot).norm().hi < ONE * self.size;
+        places.first().is_some_and(is_short)
+    }
+
+    /// The pin that a pivot of the ground can hold; the only one, where there are three poses or more that say different
+    /// things.
+    pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<PinHeld> {
+        let place = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
+        let rows: Vec<Triple> = self
+            .forms
+            .iter()
+            .map(|f| form::of_pivot(f, space::point(place)))
+            .collect();
+        let pin = self.pin(space::kernel(&rows)?)?;
+        let places = self.places(pin)?;
+        let by = Partner::Rocker(pivot);
+        let is_held = self.keeps_distance(&places, pivot);
+        is_held.then(|| self.with(by, pin, &places))
+    }
+
+    /// What can hold a pin that is given in the body's frame.
+    pub(super) fn on_pin(&self, pin: Vec2) -> Option<PinHeld> {
+        let place = (pin - self.quietest).exactly().scaled(1.0 / self.unit);
+        let rows: Vec<Triple> = self
+            .forms
+            .iter()
+            .map(|f| form::of_pin(f, space::point(place)))
+            .collect();
+        self.held(pin, space::kernel(&rows)?)
+    }
+
+    /// The dyad of a solution of the equations; none where the pin or its link is at infinity, is nothing, or does not
+    /// come through the poses.
+    pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<PinHeld> {
+        self.held(self.pin(pin)?, pivot)
+    }
+
+    fn pin(&self, pin: Triple) -> Option<Vec2> {
+        let place = Vec2::new(pin[0] / pin[2], pin[1] / pin[2]);
+        let is_near = place.nearest().norm() <= FAR * self.size / self.unit;
+        let pin = place.scaled(self.unit) + self.quietest.exactly();
+        (is_near && pin.nearest().is_finite()).then(|| self.plain(pin))
+    }
+
+    /// In doubles, without what is left of a nought where coordinates of the size are rounded.
+    pub(super) fn plain(&self, place: Vec2<Double>) -> Vec2 {
+        let least = f64::EPSILON * self.size;
+        place
+            .nearest()
+            .map(|v| if v.abs() < least { 0.0 } else { v })
+    }
+
+    /// Where a pin is at every pose; none where it stands still, since then anything holds it.
+    fn places(&self, pin: Vec2) -> Option<Vec<Vec2<Double>>> {
+        let place = |[at, turn]: &[Vec2<Double>; 2]| *at + pin.exactly().turned(*turn);
+        let places: Vec<Vec2<Double>> = self.poses.iter().map(place).collect();
+        let first = *places.first()?;
+        let moves = |at: &Vec2<Double>| (*at - first).nearest().norm() >= ONE * self.size;
+        places.iter().any(moves).then_some(places)
+    }
+
+    fn held(&self, pin: Vec2, pivot: Triple) -> Option<PinHeld> {
+        let places = self.places(pin)?;
+        let by = self
+            .slide(&places, pivot)
+            .or_else(|| self.rocker(&places, pivot))?;
+        Some(self.with(by, pin, &places))
+    }
+
+    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> PinHeld {
+        let places = places.iter().map(|at| at.nearest()).collect();
+        PinHeld { by, pin, places }
+    }
+
+    /// A dyad that was found before; none where the pin stands still.
+    pub(super) fn known(&self, dyad: &PosedDyad) -> Option<PinHeld> {
+        let [at, turn] = *self.poses.first()?;
+        let pin = (dyad.pin.exactly() - at).turned(turn.conj()).nearest();
+        let places = self.places(pin)?;
+        Some(self.with(dyad.held, pin, &places))
+    }
+
+    /// Whether two dyads differ by rounding alone.
+    pub(super) fn is_same(&self, a: &PinHeld, b: &PinHeld) -> bool {
+        let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;
+        let is_held_alike = match (a.by, b.by) {
+            (Partner::Rocker(p), Partner::Rocker(q)) => {
+                let length = a.places.first().map_or(0.0, |at| (*at - p).norm());
+                near(p, q, self.size.max(length))
+            }
+            // A pin has one line at most.
+            (Partner::Slide(_), Partner::Slide(_)) => true,
+            (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => {
+                false
+            }
+        };
+        is_held_alike && near(a.pin, b.pin, self.size)
+    }
+
+    /// A slide, where the pivot is far and the places are on a line.
+    fn slide(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
+        let [x, y, w] = pivot;
+        let is_far = w.hi.abs() * FAR * (self.size / self.unit) <= x.hi.hypot(y.hi);
+        // Seen from the first place: a pivot that is not at infinity sees its circle's tangent there.
+        let first = (*places.first()? - self.middle.exactly()).scaled(1.0 / self.unit);
+        let normal = Vec2::new(x, y) - first * w;
+        let normal = normal / normal.norm();
+        let off = |at: &Vec2<Double>| normal.dot(*at - *places.first().unwrap_or(at)).hi.abs();
+        let is_line = places.iter().all(|at| off(at) <= MISS * self.size);
+        let along = Double::degrees(-normal.perp()).hi;
+        let along = if along.abs() < LEVEL {
+            0.0
+        } else {
+            along.rem_euclid(180.0)
+        };
+        (is_far && is_line && along.is_finite()).then_some(Partner::Slide(along))
+    }
+
+    fn rocker(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
+        let place = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
+        let pivot = self.plain(place.scaled(self.unit) + self.middle.exactly());
+        self.keeps_distance(places, pivot)
+            .then_some(Partner::Rocker(pivot))
+    }
+
+    /// Whether all places are as far from a pivot, and not on it.
+    fn keeps_distance(&self, places: &[Vec2<Double>], pivot: Vec2) -> bool {
+        let distances = places.iter().map(|at| (*at - pivot.exactly()).norm());
+        let distances: Vec<Double> = distances.collect();
+        let Some(&first) = distances.first() else {
+            return false;
+        };
+        let is_same = |d: &Double| (*d - first).hi.abs() <= MISS * self.size;
+        pivot.is_finite() && first.hi >= ONE * self.size && distances.iter().all(is_same)
+    }
+}

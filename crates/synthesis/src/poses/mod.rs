@@ -1,0 +1,127 @@
+//! Rigid-body guidance: four-bars and slider-cranks that lead a body through three, four or five poses.
+//!
+//! A linkage is two dyads, each a pin of the body with what holds it on the ground. What is found is what there is to
+//! find: with five poses every dyad, with four the curve of all of them, with three one for each pivot or pin.
+//!
+//! ```text
+//! space       homogeneous coordinates in twice the digits
+//! polynomial  real roots, determinants of linear forms
+//! form        bilinear equations in pin and pivot, made independent
+//! guidance    poses and their equations, in the unit that suits both
+//! dyad        the equation of a dyad; a solution as a pin and what holds it, checked at every pose
+//! three       a pin for each pivot, a pivot for each pin, a slide for each direction
+//! four        the curve of all dyads        trace   along its length, in pieces
+//! five        all dyads, by a resultant
+//! family      five poses that any number of dyads lead through
+//! free        which of these, by how many equations the poses are
+//! choice      two dyads as a linkage; those of many that promise most and are different
+//! ```
+
+mod choice;
+mod dyad;
+mod family;
+mod five;
+mod form;
+mod four;
+mod free;
+mod guidance;
+mod polynomial;
+mod space;
+#[cfg(test)]
+mod tests;
+mod three;
+mod trace;
+
+use super::{OpenReason, PoseTask, PosedDyad, Proposal, Proposals};
+use choice::DyadPairing;
+use dyad::PinHeld;
+use free::Free;
+pub(crate) use free::PoseReach;
+use guidance::Guidance;
+use kinematics::Vec2;
+
+/// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
+/// `inside` are two opposite corners of a box in which free pivots are wished to be: those outside are left out where
+/// there are any number of them, and as those that are further away than `reach`.
+///
+/// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is how far apart the poses are.
+/// With five poses the linkages are complete, but where any number of dyads lead through them, or the rounding of the poses
+/// leaves that open; with three or four where two dyads are given, and else they are a choice. Each linkage stands once: [`swapped`](super::Proposal::swapped) drives it at the other
+/// pivot.
+pub(crate) fn propose(
+    task: &PoseTask,
+    four_bars: bool,
+    slider_cranks: bool,
+    inside: Option<[Vec2; 2]>,
+    reach: PoseReach,
+) -> Proposals {
+    let Some(guidance) = Guidance::new(task) else {
+        return Proposals {
+            reason: Some(OpenReason::Range),
+            ..Proposals::default()
+        };
+    };
+    let pairing = DyadPairing {
+        guidance: &guidance,
+        four_bars,
+        slider_cranks,
+    };
+    let free = Free::new(&guidance, task, inside, reach);
+    let given = given(&guidance, task);
+    let (found, is_complete) = match given.as_deref() {
+        Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
+        Some(given @ ([] | [_])) => {
+            let of = |dyads: &[PinHeld], most| match given.first() {
+                Some(one) => pairing.with(one, dyads, most),
+                None => pairing.among(dyads, most),
+            };
+            let mut found = of(&free.single, None);
+            if let Some(choice) = &free.choice {
+                found.extend(of(&choice.dyads, Some(choice.most)));
+            }
+            (found, free.choice.is_none())
+        }
+        Some([..]) | None => (Vec::new(), true),
+    };
+    let reason = match (found.is_empty(), given.is_some()) {
+        (true, false) => Some(OpenReason::Given),
+        (true, true) => Some(guidance.reason_for_none(task, is_complete)),
+        (false, _) => free.reason.filter(|_| !is_complete),
+    };
+    Proposals {
+        found,
+        is_complete,
+        reason,
+        curves: free.curves,
+    }
+}
+
+impl PoseTask {
+    /// Two dyads of its curves as a linkage, driven at the pivot that promises more; none where they share a pin or a
+    /// pivot, or are two slides.
+    #[must_use]
+    pub fn linkage(&self, dyads: [&PosedDyad; 2]) -> Option<Proposal> {
+        let guidance = Guidance::new(self)?;
+        let pairing = DyadPairing {
+            guidance: &guidance,
+            four_bars: true,
+            slider_cranks: true,
+        };
+        let [one, other] = dyads.map(|dyad| guidance.known(dyad));
+        pairing.linkage(&one?, &other?)
+    }
+}
+
+/// The dyads of the pivots and pins that are given; none where one of these cannot be led through the poses.
+fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<PinHeld>> {
+    let of_pivots = task.pivots.iter().map(|&at| guidance.on_pivot(at));
+    let of_pins = task.pins.iter().map(|&at| guidance.on_pin(at));
+    let mut found: Vec<PinHeld> = Vec::new();
+    for dyad in of_pivots.chain(of_pins) {
+        let dyad = dyad?;
+        if !found.iter().any(|other| guidance.is_same(other, &dyad)) {
+            found.push(dyad);
+        }
+    }
+    Some(found)
+}

@@ -1,0 +1,352 @@
+//! The curve of four poses, held against slices of it and against planted dyads.
+
+use super::planted::{Planted, PlantedForm, worst_miss};
+use crate::poses::dyad::PinHeld;
+use crate::poses::guidance::Guidance;
+use crate::poses::{PoseReach, four, propose};
+use crate::{Partner, Pose, PoseTask, Proposal};
+use kinematics::numeric::SeededChance;
+use kinematics::{Vec2, angle};
+
+fn pieces(task: &PoseTask) -> Vec<Vec<PinHeld>> {
+    four::pieces(&Guidance::new(task).unwrap())
+}
+
+/// What is nought where four poses put a pin on a circle or a line: the determinant of the squares and places, from
+/// the poses in doubles.
+fn cubic(task: &PoseTask, pin: Vec2) -> f64 {
+    let rows: Vec<[f64; 4]> = task
+        .poses
+        .iter()
+        .map(|pose| {
+            let at = pose.at + pin.turned(angle::unit(pose.angle));
+            [at.norm2(), at.x, at.y, 1.0]
+        })
+        .collect();
+    nalgebra::Matrix4::from_fn(|i, k| rows[i][k]).determinant()
+}
+
+fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
+    let to_segment = |pair: &[PinHeld]| {
+        let along = pair[1].pin - pair[0].pin;
+        let part = ((pin - pair[0].pin).dot(along) / along.norm2()).clamp(0.0, 1.0);
+        (pair[0].pin + along * part - pin).norm()
+    };
+    let all = pieces
+        .iter()
+        .flat_map(|piece| piece.windows(2).map(to_segment));
+    all.fold(f64::INFINITY, f64::min)
+}
+
+/// Along lines all over the body every root of the determinant is on a piece that was traced; how many there are.
+fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
+    let mut roots = 0;
+    for line in -12..=12 {
+        for is_level in [true, false] {
+            let at = |s: f64| {
+                let across = f64::from(line) * 0.5 + 0.01;
+                if is_level {
+                    Vec2::new(s, across)
+                } else {
+                    Vec2::new(across, s)
+                }
+            };
+            let places = (-300..=300).map(|k| f64::from(k) * 0.02);
+            let values: Vec<(f64, f64)> = places.map(|s| (s, cubic(task, at(s)))).collect();
+            for ends in values
+                .windows(2)
+                .filter(|ends| ends[0].1 * ends[1].1 <= 0.0)
+            {
+                let middle = at(0.5 * (ends[0].0 + ends[1].0));
+                let off = distance(pieces, middle);
+                assert!(off < 0.02, "{middle:?} is {off} from the curve");
+                roots += 1;
+            }
+        }
+    }
+    roots
+}
+
+#[test]
+fn no_branch_and_no_oval_is_missed() {
+    let mut chance = SeededChance::new(11);
+    let (mut roots, mut ovals) = (0, 0);
+    for _ in 0..24 {
+        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let pieces = pieces(&planted.task);
+        ovals += pieces
+            .iter()
+            .filter(|p| p.len() > 1 && p[0].pin == p[p.len() - 1].pin)
+            .count();
+        roots += sliced(&planted.task, &pieces);
+    }
+    assert!(roots > 1200 && ovals > 4, "{roots} {ovals}");
+}
+
+/// Spots are as near to each other as they are drawn, and all of them lead through the poses.
+#[test]
+fn the_curve_is_traced_in_small_steps() {
+    let mut chance = SeededChance::new(12);
+    for n in 0..40 {
+        let planted = if n % 2 == 0 {
+            Planted::four_bar(&mut chance, 4, 15.0)
+        } else {
+            Planted::slider_crank(&mut chance, 4, 15.0)
+        };
+        let size = Guidance::new(&planted.task).unwrap().size;
+        let pieces = pieces(&planted.task);
+        let count: usize = pieces.iter().map(Vec::len).sum();
+        assert!((100..6000).contains(&count), "{n}: {count}");
+        for pair in pieces.iter().flat_map(|piece| piece.windows(2)) {
+            let step = (pair[1].pin - pair[0].pin).norm();
+            // In sight, which is a few sizes around: further out steps are as long as they look from the middle.
+            let out = pair[0].pin.norm().max(pair[1].pin.norm()) / size;
+            assert!(
+                step <= 0.1 * size * (1.0 + out * out),
+                "{n}: {step} at {out}"
+            );
+        }
+        for held in pieces.iter().flatten() {
+            if let Partner::Rocker(pivot) = held.by {
+                let first = (held.places[0] - pivot).norm();
+                let off = held
+                    .places
+                    .iter()
+                    .map(|at| ((*at - pivot).norm() - first).abs());
+                let most = off.fold(0.0, f64::max);
+                assert!(
+                    most <= 1e-9 * size + 1e-15 * first,
+                    "{n}: {most:e} of {first}"
+                );
+            }
+        }
+    }
+}
+
+/// Planted dyads are on the curve, and a given one of them has its planted pin, and no other.
+#[test]
+fn planted_dyads_are_on_the_curve() {
+    let mut chance = SeededChance::new(13);
+    for n in 0..40 {
+        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let pieces = pieces(&planted.task);
+        let guidance = Guidance::new(&planted.task).unwrap();
+        for which in [0, 1] {
+            let (Partner::Rocker(pivot), pin) = planted.dyads[which] else {
+                panic!("a four-bar has two pivots");
+            };
+            assert!(distance(&pieces, pin) < 0.05, "{n}");
+            let by_pivot = guidance.on_pivot(pivot).unwrap_or_else(|| panic!("{n}"));
+            let by_pin = guidance.on_pin(pin).unwrap_or_else(|| panic!("{n}"));
+            assert!(planted.off(which, &[by_pivot]) < 1e-9, "{n}");
+            assert!(planted.off(which, &[by_pin]) < 1e-9, "{n}");
+            assert_eq!(guidance.on_pivot(pivot + Vec2::new(0.01, 0.02)), None);
+        }
+    }
+}
+
+/// The one slide of four poses is the planted one, and it stands in the curve where the pivots pass through infinity.
+#[test]
+fn the_slide_of_four_poses_is_the_planted_one() {
+    let mut chance = SeededChance::new(14);
+    for n in 0..40 {
+        let planted = Planted::slider_crank(&mut chance, 4, 20.0);
+        let slides = pieces(&planted.task).into_iter().flatten();
+        let slides: Vec<PinHeld> = slides
+            .filter(|h| matches!(h.by, Partner::Slide(_)))
+            .collect();
+        let off = planted.off(1, &slides);
+        assert!(off < 1e-9, "{n}: {off:e} of {}", slides.len());
+    }
+}
+
+#[test]
+fn linkages_of_four_poses_come_through_them() {
+    let mut chance = SeededChance::new(15);
+    for n in 0..30 {
+        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let all = propose(&planted.task, true, true, None, PoseReach::Usual);
+        assert!(!all.is_complete && all.found.len() <= 200, "{n}");
+        assert!(all.found.len() > 30, "{n}: {}", all.found.len());
+        let size = Guidance::new(&planted.task).unwrap().size;
+        let miss = worst_miss(&planted.task, &all.found);
+        assert!(miss < 1e-10 * size, "{n}: {miss:e}");
+        let inside = [Vec2::new(-4.0, -4.0), Vec2::new(4.0, 4.0)];
+        let boxed = propose(&planted.task, true, false, Some(inside), PoseReach::Usual);
+        let is_inside = |at: Vec2| at.x.abs() <= 4.0 && at.y.abs() <= 4.0;
+        for linkage in boxed.found {
+            assert!(is_inside(linkage.pivot), "{n}");
+            assert!(
+                matches!(linkage.partner, Partner::Rocker(d) if is_inside(d)),
+                "{n}"
+            );
+        }
+    }
+}
+
+/// Two pivots that are given are the linkage, one is in all of them, and one that is nowhere on the curve in none.
+#[test]
+fn what_is_given_of_four_poses_is_kept() {
+    let mut chance = SeededChance::new(16);
+    for n in 0..30 {
+        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let [(Partner::Rocker(a), _), (Partner::Rocker(d), c)] = planted.dyads else {
+            panic!("a four-bar has two pivots");
+        };
+        let with = |pivots: &[Vec2], pins: &[Vec2]| {
+            let task = PoseTask {
+                poses: planted.task.poses.clone(),
+                pivots: pivots.to_vec(),
+                pins: pins.to_vec(),
+            };
+            propose(&task, true, true, None, PoseReach::Usual)
+        };
+        for both in [with(&[a, d], &[]), with(&[a], &[c])] {
+            assert!(
+                both.is_complete && planted.is_among(&both.found, 1e-9),
+                "{n}"
+            );
+        }
+        let one = with(&[a], &[]);
+        assert!(!one.is_complete && one.found.len() > 3, "{n}");
+        assert!(
+            one.found
+                .iter()
+                .all(|l| l.pivot == a || l.partner == Partner::Rocker(a))
+        );
+        let none = with(&[a + Vec2::new(0.05, 0.03)], &[]);
+        assert!(none.found.is_empty() && none.is_complete);
+    }
+}
+
+/// Poses that nearly repeat, equal angles in pairs, poses in a row: every dyad that is shown leads through them, and the
+/// planted ones are on the curve.
+#[test]
+fn special_poses_have_their_curve() {
+    let mut chance = SeededChance::new(17);
+    for n in 0..30 {
+        let shape = PlantedForm::four_bar(&mut chance);
+        let from = chance.within(0.0, 360.0);
+        for steps in [
+            [0.0, 1e-4, 50.0, 100.0],
+            [0.0, 1.0, 2.0, 3.0],
+            [0.0, 0.1, 90.0, 90.1],
+        ] {
+            let poses: Option<Vec<Pose>> = steps.iter().map(|s| shape.pose(from + s)).collect();
+            let Some(poses) = poses else {
+                continue;
+            };
+            let planted = shape.planted(poses);
+            let pieces = pieces(&planted.task);
+            let size = Guidance::new(&planted.task).unwrap().size;
+            for (_, pin) in planted.dyads {
+                let off = distance(&pieces, pin) / (size + pin.norm());
+                assert!(off < 0.06, "{n} {steps:?}: {off}");
+            }
+        }
+    }
+}
+
+/// Two pairs of shifts: the curve is a conic, and its pins have pivots all along.
+#[test]
+fn two_pairs_of_equal_angles_have_a_conic() {
+    let pose = |x: f64, y: f64, angle: f64| Pose {
+        at: Vec2::new(x, y),
+        angle,
+    };
+    for last in [pose(2.0, -1.0, 40.0), pose(0.5, 3.0, 40.0)] {
+        let poses = vec![
+            pose(0.0, 0.0, 10.0),
+            pose(1.0, 0.3, 10.0),
+            pose(2.5, 1.0, 40.0),
+            last,
+        ];
+        let task = PoseTask {
+            poses,
+            ..PoseTask::default()
+        };
+        let pieces = pieces(&task);
+        let count: usize = pieces.iter().map(Vec::len).sum();
+        assert!(count > 50, "{count}");
+        for held in pieces
+            .iter()
+            .flatten()
+            .filter(|held| held.pin.norm() < 10.0)
+        {
+            assert!(cubic(&task, held.pin).abs() < 1e-8, "{held:?}");
+        }
+        let all = propose(&task, true, true, None, PoseReach::Usual);
+        assert!(!all.found.is_empty() && worst_miss(&task, &all.found) < 1e-9);
+    }
+}
+
+/// Poses that mirror each other: the cubic is a line and a circle, and both are there.
+#[test]
+fn mirrored_poses_have_a_line_and_a_circle() {
+    let pose = |x: f64, angle: f64| Pose {
+        at: Vec2::new(x, 0.2 * x * x),
+        angle,
+    };
+    let poses = vec![
+        pose(-2.0, -35.0),
+        pose(-0.7, -15.0),
+        pose(0.7, 15.0),
+        pose(2.0, 35.0),
+    ];
+    let task = PoseTask {
+        poses,
+        ..PoseTask::default()
+    };
+    let pieces = pieces(&task);
+    // The body's line of symmetry holds pins, each with a pivot on the ground's.
+    for y in [-3.0, -1.0, 0.5, 2.0] {
+        assert!(distance(&pieces, Vec2::new(0.0, y)) < 0.05, "{y}");
+    }
+    let aside = pieces
+        .iter()
+        .flatten()
+        .filter(|held| held.pin.x.abs() > 0.1)
+        .count();
+    assert!(aside > 30, "{aside}");
+    assert!(sliced(&task, &pieces) > 30);
+}
+
+/// Of planted slider-cranks the slide is in proposals as it was planted, and with the crank's pivot the whole linkage, down
+/// to poses that are a few degrees apart.
+#[test]
+fn planted_slider_cranks_come_back() {
+    // The nearer the poses, the further their own rounding moves what leads through them.
+    for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
+        let mut chance = SeededChance::new(70);
+        let (mut checked, mut proposed) = (0, 0);
+        while checked < 60 {
+            let shape = PlantedForm::slider_crank(&mut chance);
+            let from = chance.within(0.0, 360.0);
+            let poses = (0..4).map(|k| shape.pose(from + apart * f64::from(k)));
+            let Some(poses) = poses.collect::<Option<Vec<Pose>>>() else {
+                continue;
+            };
+            checked += 1;
+            let planted = shape.planted(poses);
+            let guidance = Guidance::new(&planted.task).unwrap();
+            let slide: Vec<PinHeld> = four::slide(&guidance).into_iter().collect();
+            let off = planted.off(1, &slide);
+            assert!(off < within, "{apart} {checked}: {off:e}");
+            let (Partner::Rocker(pivot), _) = planted.dyads[0] else {
+                panic!("a crank has a pivot");
+            };
+            let given = PoseTask {
+                pivots: vec![pivot],
+                ..planted.task.clone()
+            };
+            let whole = propose(&given, false, true, None, PoseReach::Wide);
+            assert!(planted.is_among(&whole.found, within), "{apart} {checked}");
+            let all = propose(&planted.task, false, true, None, PoseReach::Wide);
+            let first = planted.task.poses[0];
+            let pin = first.at + planted.dyads[1].1.turned(angle::unit(first.angle));
+            let slides = |linkage: &Proposal| (linkage.places[0][1] - pin).norm() < within;
+            proposed += usize::from(all.found.iter().any(slides));
+        }
+        assert_eq!(proposed, checked, "{apart}");
+    }
+}

@@ -1,0 +1,105 @@
+//! Five poses that nearly repeat, and what is said of there being no others.
+
+use super::newton;
+use super::planted::{Planted, PlantedForm, turned, worst_miss};
+use crate::poses::guidance::Guidance;
+use crate::poses::{PoseReach, five, propose};
+use crate::{Partner, Pose, PoseTask};
+use kinematics::numeric::SeededChance;
+use kinematics::{Vec2, angle};
+
+/// A size of linkages at which a crank of 0.4 to 2 is 40 mm to 200 mm.
+const MILLIMETRES: f64 = 100.0;
+
+/// A four-bar of some hundred millimetres whose crank turns by so many degrees from the first of five poses to the last,
+/// with the dyads of the poses as they are rounded; none where Newton's method, which has but the digits of a double,
+/// does not come to them.
+fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
+    let mut shape = PlantedForm::four_bar(chance);
+    let from = chance.within(0.0, 360.0);
+    let Partner::Rocker(pivot) = shape.partner else {
+        panic!("a four-bar has two pivots");
+    };
+    shape.partner = Partner::Rocker(pivot * MILLIMETRES);
+    shape.pivot = shape.pivot * MILLIMETRES;
+    shape.body.0 = shape.body.0 * MILLIMETRES;
+    for length in [&mut shape.crank, &mut shape.coupler, &mut shape.rest] {
+        *length *= MILLIMETRES;
+    }
+    let poses = (0..5).map(|k| shape.pose(from + span * f64::from(k) / 4.0));
+    let mut planted = shape.planted(poses.collect::<Option<Vec<Pose>>>()?);
+    for (by, pin) in &mut planted.dyads {
+        let Partner::Rocker(pivot) = *by else {
+            panic!("a four-bar has two pivots");
+        };
+        let [polished, exact] = newton::solution(&planted.task, [pivot, *pin], MILLIMETRES)?;
+        if (polished - pivot).norm() > 0.3 * MILLIMETRES {
+            return None;
+        }
+        (*by, *pin) = (Partner::Rocker(polished), exact);
+    }
+    Some(planted)
+}
+
+/// Down to poses that all are within 0.003 rad and 0.3 mm of each other, both planted dyads are found and paired, whether
+/// or not it is told that there are no others.
+#[test]
+fn poses_that_nearly_repeat_have_their_planted_dyads() {
+    for (span, least, most_open) in [(10.0, 25, 0), (1.0, 25, 1), (0.3, 25, 9), (0.1, 18, 19)] {
+        let mut chance = SeededChance::new(40);
+        let (mut checked, mut open) = (0, 0);
+        for n in 0..60 {
+            let Some(planted) = nearly_repeated(&mut chance, span) else {
+                continue;
+            };
+            checked += 1;
+            let all = five::dyads(&Guidance::new(&planted.task).unwrap()).unwrap();
+            let off = planted.off(0, &all.found).max(planted.off(1, &all.found));
+            assert!(off < 1e-9 * MILLIMETRES, "{span} {n}: {off:e}");
+            let proposals = propose(&planted.task, true, false, None, PoseReach::Usual);
+            assert!(
+                planted.is_among(&proposals.found, 1e-9 * MILLIMETRES),
+                "{span} {n}"
+            );
+            assert_eq!(proposals.is_complete, all.are_all);
+            let miss = worst_miss(&planted.task, &proposals.found);
+            assert!(miss < 1e-9 * MILLIMETRES, "{span} {n}: {miss:e}");
+            open += usize::from(!all.are_all);
+        }
+        assert!(
+            checked >= least && open <= most_open,
+            "{span}: {checked} {open}"
+        );
+    }
+}
+
+/// Trammels anywhere, with five poses all around and close together: any number of dyads lead through them, and what the
+/// rounding of the poses makes of these is not told to be all.
+#[test]
+fn no_family_is_told_to_be_a_few() {
+    let mut chance = SeededChance::new(50);
+    for span in [360.0, 40.0, 10.0, 1.0, 0.1] {
+        for n in 0..12 {
+            let frame = turned(chance.within(0.0, 10.0), chance.within(0.0, 360.0));
+            let body = turned(chance.within(0.0, 3.0), chance.within(0.0, 360.0));
+            let (tilt, start) = (chance.within(0.0, 360.0), chance.within(0.0, 360.0));
+            let poses = (0..5).map(|_| {
+                let turn = start + chance.within(0.0, span);
+                let across = Vec2::new(2.0 * angle::unit(turn).x, 0.0);
+                let at = across + body.turned(angle::unit(180.0 - turn));
+                Pose {
+                    at: frame + at.turned(angle::unit(tilt)),
+                    angle: 180.0 - turn + tilt,
+                }
+            });
+            let task = PoseTask {
+                poses: poses.collect(),
+                ..PoseTask::default()
+            };
+            assert!(
+                !propose(&task, true, true, None, PoseReach::Usual).is_complete,
+                "{span} {n}"
+            );
+        }
+    }
+}

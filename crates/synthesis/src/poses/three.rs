@@ -1,0 +1,58 @@
+//! Three poses: every pivot has a pin and every pin a pivot, each by two linear equations (the bisectors of its places);
+//! of slides there is one in every direction, and their pins are on a circle.
+//!
+//! What is free is taken from grids: a choice, not all that there is.
+
+use super::dyad::PinHeld;
+use super::form;
+use super::guidance::Guidance;
+use super::space;
+use crate::PoseTask;
+use kinematics::{Double, Vec2};
+
+/// Pivots along each side of the box that they are taken from, and pins along each side of theirs.
+const PIVOTS: u8 = 9;
+const PINS: u8 = 7;
+/// Half a side of these boxes, in sizes, where none is given.
+const REACH: f64 = 1.25;
+/// Directions of slides in half a turn.
+const DIRECTIONS: u8 = 24;
+
+/// Dyads on a grid of pivots, on a grid of pins, and of slides in all directions. `inside` are two opposite corners of a
+/// box in which pivots are wished to be; without it the grids are so many `times` as wide as usually.
+pub(super) fn dyads(
+    guidance: &Guidance,
+    task: &PoseTask,
+    inside: Option<[Vec2; 2]>,
+    times: f64,
+) -> Vec<PinHeld> {
+    let reach = Vec2::new(1.0, 1.0) * (REACH * times * guidance.size);
+    let count = task.poses.len() as f64;
+    let middle = task
+        .poses
+        .iter()
+        .fold(Vec2::ZERO, |sum, pose| sum + pose.at / count);
+    let corners = inside.unwrap_or([middle - reach, middle + reach]);
+    let pivots = grid(corners, PIVOTS).filter_map(|at| guidance.on_pivot(at));
+    let pins = grid([-reach, reach], PINS).filter_map(|at| guidance.on_pin(at));
+    pivots.chain(pins).chain(slides(guidance)).collect()
+}
+
+/// The middles of the cells of a box.
+fn grid([low, high]: [Vec2; 2], side: u8) -> impl Iterator<Item = Vec2> {
+    let part = move |k: u8| (f64::from(k) + 0.5) / f64::from(side);
+    let size = high - low;
+    let places = (0..side).flat_map(move |i| (0..side).map(move |k| (part(i), part(k))));
+    places.map(move |(x, y)| low + Vec2::new(x * size.x, y * size.y))
+}
+
+/// The circle of pins whose places are on a line, direction by direction.
+fn slides(guidance: &Guidance) -> impl Iterator<Item = PinHeld> {
+    (0..DIRECTIONS).filter_map(|k| {
+        let normal = Double::unit(180.0 * f64::from(k) / f64::from(DIRECTIONS));
+        let normal = [normal.x, normal.y, Double::ZERO];
+        let rows = guidance.forms.iter().map(|f| form::of_pivot(f, normal));
+        let rows: Vec<space::Triple> = rows.collect();
+        guidance.dyad(space::kernel(&rows)?, normal)
+    })
+}

@@ -1,0 +1,429 @@
+//! From the motion of a planted linkage to a task, and by [`Synthesis::run`] back to it; and figures against the solver's own.
+
+use super::machine::Machine;
+use super::planted::PlantedDrive;
+use super::poses::{PoseReach, propose};
+use super::*;
+use kinematics::Vec2;
+use kinematics::angle::{degrees, unit};
+use kinematics::numeric::SeededChance;
+use kinematics::solver::{Condition, Order};
+
+const ORDER: SynthesisOrder = SynthesisOrder {
+    seed: 1,
+    threads: 2,
+};
+
+fn task(kind: TaskKind) -> Task {
+    Task {
+        kind,
+        four_bars: true,
+        slider_cranks: false,
+        wishes: Wishes {
+            ordered: true,
+            ..Wishes::default()
+        },
+    }
+}
+
+/// Poses of the coupler, with the tracer as its origin.
+fn poses(proposal: &Proposal) -> Vec<Pose> {
+    let places = proposal.places.iter().enumerate();
+    let pose = |(point, [b, c]): (usize, &[Vec2; 2])| Pose {
+        at: super::planted::tracer(proposal, point),
+        angle: degrees(*c - *b),
+    };
+    places.map(pose).collect()
+}
+
+/// By how much the nearest of them differs: in its pivots and first pins, in parts of the size.
+fn nearest<'c>(
+    found: impl IntoIterator<Item = &'c Candidate>,
+    planted: &Proposal,
+    size: f64,
+) -> Option<(f64, &'c Candidate)> {
+    let off = |one: &Proposal| match (one.partner, planted.partner) {
+        (Partner::Rocker(a), Partner::Rocker(b)) => {
+            let [p, q] = [one.places[0], planted.places[0]];
+            let parts = [a - b, one.pivot - planted.pivot, p[0] - q[0], p[1] - q[1]];
+            parts.map(Vec2::norm).into_iter().fold(0.0, f64::max) / size
+        }
+        _ => f64::INFINITY,
+    };
+    let off = |candidate: &'c Candidate| {
+        let swapped = candidate.proposal.swapped();
+        let other = swapped.map_or(f64::INFINITY, |swapped| off(&swapped));
+        (off(&candidate.proposal).min(other), candidate)
+    };
+    let all = found.into_iter().map(off);
+    all.min_by(|one, other| one.0.total_cmp(&other.0))
+}
+
+/// The planted linkage is found, and what is said of it is what is said of itself.
+fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
+    let found = Synthesis::run(task, ORDER, &mut |_| true);
+    let all = found.good.iter().chain(&found.defective);
+    let (off, candidate) = nearest(all, planted, size).expect("something is found");
+    assert!(off < within, "{off}: {planted:?}");
+    let own = Candidate::judge(task, planted);
+    assert_eq!(candidate.does_it(), own.does_it(), "{candidate:?} {own:?}");
+    assert_eq!(candidate.defects, own.defects);
+    let apart = (candidate.figures.transmission - own.figures.transmission).abs();
+    assert!(apart < 1e3 * within, "{apart}");
+    assert!(found.good.iter().all(|c| c.defects.is_empty()));
+    assert!(found.defective.iter().all(|c| !c.defects.is_empty()));
+    for (k, one) in found.good.iter().enumerate() {
+        assert!(!found.good[..k].iter().any(|other| other.is_same(one)));
+    }
+}
+
+/// Random four-bars that come to these turns, with and without defects.
+fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive, &Proposal)) {
+    let mut chance = SeededChance::new(17);
+    let mut seen = [0, 0];
+    while seen[0] + seen[1] < count {
+        let planted = PlantedDrive::random(&mut chance, false);
+        let Some(mut proposal) = planted.proposal(turns) else {
+            continue;
+        };
+        // Half of them in an order in which the crank turns back.
+        if seen[1] < count / 2 {
+            proposal = planted
+                .proposal(&turns_back(turns))
+                .expect("the same turns");
+            seen[1] += 1;
+        } else {
+            seen[0] += 1;
+        }
+        each(&planted, &proposal);
+    }
+    assert!(seen[0] > 0 && seen[1] > 0);
+}
+
+/// The last turn comes second.
+fn turns_back(turns: &[f64]) -> Vec<f64> {
+    let mut turns = turns.to_vec();
+    let last = turns.pop().expect("there are turns");
+    turns.insert(1, last);
+    turns
+}
+
+#[test]
+fn three_poses_with_their_pivots_come_back() {
+    each_planted(24, &[0.0, 25.0, 60.0], &mut |planted, proposal| {
+        let Partner::Rocker(d) = planted.far else {
+            unreachable!("a four-bar")
+        };
+        let task = task(TaskKind::Poses(PoseTask {
+            poses: poses(proposal),
+            pivots: vec![planted.pivot, d],
+            ..PoseTask::default()
+        }));
+        comes_back(&task, proposal, planted.size(), 1e-6);
+    });
+}
+
+#[test]
+fn five_poses_come_back_alone() {
+    let turns = [0.0, 30.0, 65.0, 95.0, 130.0];
+    each_planted(12, &turns, &mut |planted, proposal| {
+        let task = task(TaskKind::Poses(PoseTask {
+            poses: poses(proposal),
+            ..PoseTask::default()
+        }));
+        comes_back(&task, proposal, planted.size(), 1e-5);
+    });
+}
+
+/// Within a degree of the crank: as near as the rounding of the poses, which counts the more the nearer they are, allows.
+#[test]
+fn five_poses_that_nearly_repeat_come_back() {
+    let turns = [0.0, 0.25, 0.5, 0.75, 1.0];
+    each_planted(12, &turns, &mut |planted, proposal| {
+        let task = task(TaskKind::Poses(PoseTask {
+            poses: poses(proposal),
+            ..PoseTask::default()
+        }));
+        comes_back(&task, proposal, planted.size(), 1e-3);
+    });
+}
+
+/// A function of a planted four-bar with its pivots along +x.
+fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
+    let planted = PlantedDrive {
+        pivot: Vec2::ZERO,
+        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        ..planted.clone()
+    };
+    let mut proposal = planted.proposal(turns)?;
+    proposal.tracer = None;
+    let output = |[_, c]: &[Vec2; 2]| degrees(*c - Vec2::new(2.0, 0.0));
+    let first = output(&proposal.places[0]);
+    let pairs = turns.iter().zip(&proposal.places);
+    let task = FunctionTask {
+        pairs: pairs
+            .map(|(turn, place)| {
+                [
+                    *turn,
+                    kinematics::angle::beside(first, output(place)) - first,
+                ]
+            })
+            .collect(),
+        between: Vec::new(),
+        output: Output::Angle,
+        crank_datum: Given::Value(planted.start),
+        crank_scale: Given::Value(1.0),
+        output_datum: Given::Value(first),
+        output_scale: Given::Value(1.0),
+        size: 2.0,
+    };
+    Some((task, proposal))
+}
+
+#[test]
+fn pairs_of_a_function_come_back() {
+    let mut chance = SeededChance::new(23);
+    let mut seen = 0;
+    while seen < 24 {
+        let planted = PlantedDrive::random(&mut chance, false);
+        let Some((function, proposal)) = function(&planted, &[0.0, 35.0, 80.0]) else {
+            continue;
+        };
+        seen += 1;
+        comes_back(
+            &task(TaskKind::Function(function)),
+            &proposal,
+            planted.size().max(2.0),
+            1e-6,
+        );
+    }
+}
+
+/// From pair to pair the crank turns by more than half a turn, and more than once in all: the way that the scale gives is
+/// taken, not the shortest.
+#[test]
+fn a_crank_turns_as_far_as_its_scale_says() {
+    let planted = PlantedDrive {
+        pivot: Vec2::ZERO,
+        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        crank: 0.5,
+        coupler: 1.9,
+        rocker: 1.2,
+        arm: Vec2::ZERO,
+        start: 40.0,
+        sign: 1.0,
+        across: 0.1,
+    };
+    let turns = [0.0, 200.0, 470.0];
+    let (function, proposal) = function(&planted, &turns).expect("the crank turns fully");
+    let task = task(TaskKind::Function(function));
+    let judged = Candidate::judge(&task, &proposal);
+    assert_eq!(judged.defects, []);
+    for (at, turn) in judged.at.iter().zip(turns) {
+        assert!((at - 40.0 - turn).abs() < 1e-9, "{:?}", judged.at);
+    }
+    assert!(judged.figures.miss < 1e-9, "{:?}", judged.figures);
+    let least = [1.5, 2.5].map(|across: f64| angle_of(1.9, 1.2, across));
+    let least = least[0].min(least[1]);
+    assert!((judged.figures.transmission - least).abs() < 1e-9);
+}
+
+/// Between two sides of a triangle, against the third; of two lines, so at most a right one.
+fn angle_of(a: f64, b: f64, across: f64) -> f64 {
+    let cosine = (a * a + b * b - across * across) / (2.0 * a * b);
+    cosine.abs().min(1.0).acos().to_degrees()
+}
+
+#[test]
+fn the_same_seed_gives_the_same_on_any_threads() {
+    let points = [[0.0, 0.0], [10.0, 4.0], [20.0, 5.0], [30.0, 3.0]];
+    let path = task(TaskKind::Path(PathTask {
+        points: points.map(|[x, y]| Vec2::new(x, y)).to_vec(),
+        weights: vec![1.0; 4],
+        ..PathTask::default()
+    }));
+    let pose = |x: f64, y: f64, angle: f64| Pose {
+        at: Vec2::new(x, y),
+        angle,
+    };
+    let poses = task(TaskKind::Poses(PoseTask {
+        poses: vec![
+            pose(0.0, 0.0, 0.0),
+            pose(120.0, 40.0, 35.0),
+            pose(180.0, 130.0, 80.0),
+        ],
+        ..PoseTask::default()
+    }));
+    for task in [path, poses] {
+        let on = |threads: usize| {
+            let order = SynthesisOrder { seed: 5, threads };
+            Synthesis::run(&task, order, &mut |_| true)
+        };
+        let one = on(1);
+        assert!(!one.good.is_empty());
+        assert!(one == on(2) && one == on(4));
+    }
+}
+
+/// The least angle between coupler and rocker, or coupler and the normal of the guide, at so many places of the solver.
+fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
+    let machine = Machine::open(task, &candidate.proposal).expect("sound");
+    let Machine { solver, b, c, .. } = machine;
+    let mut state = solver.state();
+    let ends = candidate.at.iter().copied();
+    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    let high = match &task.kind {
+        TaskKind::Path(path) if path.closed => low + 360.0,
+        _ => high,
+    };
+    let mut least = f64::INFINITY;
+    for k in 0..=4000 {
+        let at = low + (high - low) * f64::from(k) / 4000.0;
+        if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+            return f64::NAN;
+        }
+        let rod = state.position(c).unwrap() - state.position(b).unwrap();
+        let across = match candidate.proposal.partner {
+            Partner::Rocker(d) => d - state.position(c).unwrap(),
+            Partner::Slide(along) => unit(along).perp(),
+        };
+        let sine = rod.cross(across).abs() / (rod.norm() * across.norm());
+        least = least.min(sine.min(1.0).asin().to_degrees());
+    }
+    least
+}
+
+#[test]
+fn the_least_transmission_is_that_of_small_steps() {
+    let mut chance = SeededChance::new(29);
+    let mut seen = [0; 3];
+    while seen.iter().any(|seen| *seen < 12) {
+        let slides = seen[0] > seen[1];
+        let planted = PlantedDrive::random(&mut chance, slides);
+        let turns: Vec<f64> = (0..5).map(|k| f64::from(k) * 50.0).collect();
+        let turns = if seen[0] % 2 == 0 {
+            turns
+        } else {
+            turns.iter().map(|turn| -0.3 * turn).collect()
+        };
+        let Some(proposal) = planted.proposal(&turns) else {
+            continue;
+        };
+        let points = (0..turns.len()).map(|point| super::planted::tracer(&proposal, point));
+        let mut task = task(TaskKind::Path(PathTask {
+            points: points.collect(),
+            closed: turns[4] > 0.0,
+            weights: vec![1.0; turns.len()],
+            ..PathTask::default()
+        }));
+        task.slider_cranks = true;
+        let judged = Candidate::judge(&task, &proposal);
+        if !judged.does_it() {
+            // Who swings cannot come round on a closed path.
+            continue;
+        }
+        seen[usize::from(slides)] += 1;
+        seen[2] += usize::from(judged.figures.full_turn);
+        let sampled = sampled_transmission(&task, &judged);
+        let told = judged.figures.transmission;
+        assert!(
+            told <= sampled + 1e-9 && sampled < told + 0.01,
+            "{told} {sampled}"
+        );
+    }
+}
+
+#[test]
+fn misses_count_by_their_weights() {
+    let planted = PlantedDrive {
+        pivot: Vec2::ZERO,
+        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        crank: 0.5,
+        coupler: 1.9,
+        rocker: 1.2,
+        arm: Vec2::new(0.5, 0.4),
+        start: 40.0,
+        sign: 1.0,
+        across: 0.1,
+    };
+    let proposal = planted.proposal(&[0.0, 50.0, 90.0]).expect("it turns");
+    let mut points: Vec<Vec2> = (0..3)
+        .map(|point| super::planted::tracer(&proposal, point))
+        .collect();
+    points[1] += Vec2::new(0.3, 0.4);
+    points[2] += Vec2::new(0.0, 1.0);
+    let task = task(TaskKind::Path(PathTask {
+        points,
+        weights: vec![1.0, 4.0, 3.0],
+        ..PathTask::default()
+    }));
+    let figures = Candidate::judge(&task, &proposal).figures;
+    assert!((figures.miss - 1.0).abs() < 1e-9);
+    // (4 * 0.5^2 + 3 * 1^2) / 8.
+    assert!((figures.rms - 0.5_f64.sqrt()).abs() < 1e-9, "{figures:?}");
+    assert!((figures.ratio - 2.0 / 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn a_closed_path_is_not_come_round_by_who_swings() {
+    // The coupler is too short for the crank to turn.
+    let planted = PlantedDrive {
+        pivot: Vec2::ZERO,
+        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        crank: 1.5,
+        coupler: 0.7,
+        rocker: 1.2,
+        arm: Vec2::new(0.5, 0.4),
+        start: 30.0,
+        sign: 1.0,
+        across: 0.1,
+    };
+    let turns = [0.0, 5.0, 10.0];
+    let proposal = planted.proposal(&turns).expect("it comes there");
+    let points = (0..3).map(|point| super::planted::tracer(&proposal, point));
+    let path = PathTask {
+        points: points.collect(),
+        weights: vec![1.0; 3],
+        ..PathTask::default()
+    };
+    let open = task(TaskKind::Path(path.clone()));
+    assert_eq!(Candidate::judge(&open, &proposal).defects, []);
+    let closed = task(TaskKind::Path(PathTask {
+        closed: true,
+        ..path
+    }));
+    let judged = Candidate::judge(&closed, &proposal);
+    assert!(!judged.figures.full_turn);
+    assert_eq!(judged.defects, [TaskDefect::Order { from: 2, to: 0 }]);
+}
+
+/// Of four poses that are near each other, pivots and pins lie further away than the poses are apart: where none within the
+/// usual reach does it, a wider one is searched before that is said.
+#[test]
+fn four_poses_near_each_other_have_linkages_that_do_it() {
+    let mut chance = SeededChance::new(23);
+    let (mut done, mut narrow) = (0, 0);
+    let mut seen = 0;
+    while seen < 12 {
+        let planted = PlantedDrive::random(&mut chance, false);
+        let Some(proposal) = planted.proposal(&[0.0, 2.0, 4.0, 6.0]) else {
+            continue;
+        };
+        let through = PoseTask {
+            poses: poses(&proposal),
+            ..PoseTask::default()
+        };
+        let usual = propose(&through, true, false, None, PoseReach::Usual);
+        let task = task(TaskKind::Poses(through));
+        if !Candidate::judge(&task, &proposal).does_it() {
+            continue;
+        }
+        seen += 1;
+        narrow += usize::from(!Synthesis::of(&task, usual, 2).good.is_empty());
+        let found = Synthesis::run(&task, ORDER, &mut |_| true);
+        done += usize::from(!found.good.is_empty());
+    }
+    assert!(done >= 10 && narrow < done - 3, "{done} {narrow}");
+}

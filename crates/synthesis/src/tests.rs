@@ -1,0 +1,257 @@
+//! Linkages whose motion is known are driven through tasks that are read from it.
+
+use super::*;
+use kinematics::Vec2;
+use kinematics::angle::{degrees, unit};
+use proptest::prelude::*;
+
+/// A four-bar by its pivots, crank, coupler and rocker, with P on the coupler.
+#[derive(Clone, Copy, Debug)]
+struct KnownFourBar {
+    a: Vec2,
+    d: Vec2,
+    crank: f64,
+    coupler: f64,
+    rocker: f64,
+    p: Vec2,
+}
+
+impl KnownFourBar {
+    /// B, C and P, and the coupler's angle, where C lies left or right of B-D.
+    fn at(&self, angle: f64, is_left: bool) -> Option<([Vec2; 2], Vec2, f64)> {
+        let b = self.a + unit(angle) * self.crank;
+        let across = self.d - b;
+        let l = across.norm();
+        let x = (self.coupler * self.coupler - self.rocker * self.rocker + l * l) / (2.0 * l);
+        let y = (self.coupler * self.coupler - x * x).sqrt();
+        let y = if is_left { y } else { -y };
+        let along = across * (1.0 / l);
+        let c = b + Vec2::new(x, y).turned(along);
+        let rod = (c - b) * (1.0 / self.coupler);
+        y.is_finite()
+            .then(|| ([b, c], b + self.p.turned(rod), degrees(c - b)))
+    }
+
+    fn proposal(&self, places: Vec<[Vec2; 2]>, tracer: Vec2) -> Proposal {
+        Proposal {
+            pivot: self.a,
+            partner: Partner::Rocker(self.d),
+            places,
+            tracer: Some(tracer),
+        }
+    }
+
+    /// Its poses at these angles, each in the assembly told, and itself.
+    fn poses(&self, stops: &[(f64, bool)]) -> Option<(Task, Proposal)> {
+        let found: Option<Vec<_>> = stops.iter().map(|(at, left)| self.at(*at, *left)).collect();
+        let found = found?;
+        let pose = |(_, p, angle): &([Vec2; 2], Vec2, f64)| Pose {
+            at: *p,
+            angle: *angle,
+        };
+        let task = Task {
+            kind: TaskKind::Poses(PoseTask {
+                poses: found.iter().map(pose).collect(),
+                ..PoseTask::default()
+            }),
+            four_bars: true,
+            slider_cranks: false,
+            wishes: Wishes {
+                ordered: true,
+                ..Wishes::default()
+            },
+        };
+        let places = found.iter().map(|found| found.0).collect();
+        Some((task, self.proposal(places, found[0].1)))
+    }
+}
+
+/// A crank-rocker: the crank turns fully.
+const TURNING: KnownFourBar = KnownFourBar {
+    a: Vec2::new(20.0, -10.0),
+    d: Vec2::new(420.0, 30.0),
+    crank: 100.0,
+    coupler: 300.0,
+    rocker: 250.0,
+    p: Vec2::new(120.0, 80.0),
+};
+
+/// Its crank swings between two dead points.
+const SWINGING: KnownFourBar = KnownFourBar {
+    crank: 300.0,
+    coupler: 150.0,
+    ..TURNING
+};
+
+#[test]
+fn what_does_its_task_has_no_defect() {
+    let stops = [10.0, 70.0, 150.0, 290.0].map(|at| (at, true));
+    let (task, proposal) = TURNING.poses(&stops).unwrap();
+    let candidate = Candidate::judge(&task, &proposal);
+    assert_eq!(candidate.defects, []);
+    let at = candidate.at.iter().zip([10.0, 70.0, 150.0, 290.0]);
+    assert!(
+        at.clone().count() == 4
+            && at
+                .into_iter()
+                .all(|(at, wanted)| (at - wanted).abs() < 1e-12)
+    );
+    let figures = candidate.figures;
+    assert!(figures.full_turn);
+    assert!(
+        figures.miss < 1e-10 && figures.angle_miss < 1e-10,
+        "{figures:?}"
+    );
+    // The least lies where the crank passes the line of the pivots, within the way.
+    let ground = (TURNING.d - TURNING.a).norm();
+    let least = [ground - 100.0, ground + 100.0].map(|across| {
+        let cosine: f64 = (300.0 * 300.0 + 250.0 * 250.0 - across * across) / (2.0 * 300.0 * 250.0);
+        cosine.abs().acos().to_degrees()
+    });
+    assert!((figures.transmission - least[1].min(least[0])).abs() < 1e-9);
+}
+
+#[test]
+fn another_circuit_is_named_between_its_points() {
+    let stops = [(10.0, true), (70.0, true), (150.0, false), (290.0, false)];
+    let (task, proposal) = TURNING.poses(&stops).unwrap();
+    let candidate = Candidate::judge(&task, &proposal);
+    assert_eq!(candidate.defects, [TaskDefect::Circuit { from: 1, to: 2 }]);
+}
+
+#[test]
+fn another_branch_is_named_where_no_pivot_can_drive() {
+    let low_high = |known: &KnownFourBar| {
+        let places = (-1800..1800).map(|k| f64::from(k) * 0.1);
+        let found: Vec<f64> = places.filter(|at| known.at(*at, true).is_some()).collect();
+        (found[0], found[found.len() - 1])
+    };
+    let (low, high) = low_high(&SWINGING);
+    assert!(high - low < 300.0, "{low} {high}");
+    let at = |part: f64| low + part * (high - low);
+    // All but on the left side: one dead point of this crank, and of the other, lies between.
+    let stops = [
+        (at(0.2), true),
+        (at(0.8), true),
+        (at(0.8), false),
+        (at(0.2), false),
+    ];
+    let (task, proposal) = SWINGING.poses(&stops).unwrap();
+    let own = Candidate::judge(
+        &Task {
+            wishes: Wishes::default(),
+            ..task
+        },
+        &proposal,
+    );
+    assert!(!own.does_it());
+    let named = |d: &TaskDefect| matches!(d, TaskDefect::Branch { .. });
+    assert!(own.defects.iter().all(named), "{:?}", own.defects);
+}
+
+#[test]
+fn an_order_that_turns_back_is_named_if_it_is_wished() {
+    let stops = [10.0, 150.0, 70.0, 120.0].map(|at| (at, true));
+    let (task, proposal) = TURNING.poses(&stops).unwrap();
+    let candidate = Candidate::judge(&task, &proposal);
+    assert_eq!(candidate.defects, [TaskDefect::Order { from: 1, to: 2 }]);
+    let free = Task {
+        wishes: Wishes::default(),
+        ..task
+    };
+    assert!(Candidate::judge(&free, &proposal).does_it());
+}
+
+#[test]
+fn poses_that_are_not_met_are_missed() {
+    let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
+    let (task, proposal) = TURNING.poses(&stops).unwrap();
+    let judged = |change: fn(&mut Vec<Pose>)| {
+        let mut task = task.clone();
+        if let TaskKind::Poses(wanted) = &mut task.kind {
+            change(&mut wanted.poses);
+        }
+        Candidate::judge(&task, &proposal).defects
+    };
+    assert_eq!(judged(|_| ()), []);
+    let turned = judged(|poses| poses[1].angle += 0.01);
+    assert_eq!(turned, [TaskDefect::Missed { point: 1 }]);
+    let moved = judged(|poses| poses[2].at.x += 0.01);
+    assert_eq!(moved, [TaskDefect::Missed { point: 2 }]);
+    let fewer = judged(|poses| poses.truncate(2));
+    assert_eq!(fewer, [TaskDefect::Unopened]);
+}
+
+#[test]
+fn wishes_that_are_not_kept_are_told() {
+    let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
+    let (mut task, proposal) = TURNING.poses(&stops).unwrap();
+    task.wishes = Wishes {
+        full_turn: true,
+        transmission: Some(80.0),
+        inside: Some([Vec2::new(0.0, -20.0), Vec2::new(100.0, 100.0)]),
+        ratio: Some(2.0),
+        ordered: true,
+        sense: Some(Sense::Clockwise),
+    };
+    let candidate = Candidate::judge(&task, &proposal);
+    assert!(candidate.does_it());
+    assert!(candidate.missed.contains(&MissedWish::Transmission));
+    assert!(candidate.missed.contains(&MissedWish::Inside));
+    assert!(candidate.missed.contains(&MissedWish::Ratio));
+}
+
+#[test]
+fn numbers_that_are_none_are_no_linkage() {
+    let (task, mut proposal) = TURNING
+        .poses(&[(10.0, true), (70.0, true), (90.0, true)])
+        .unwrap();
+    proposal.pivot = Vec2::new(f64::NAN, 0.0);
+    assert_eq!(
+        Candidate::judge(&task, &proposal).defects,
+        [TaskDefect::Unopened]
+    );
+    proposal.places.clear();
+    assert_eq!(
+        Candidate::judge(&task, &proposal).defects,
+        [TaskDefect::Unopened]
+    );
+}
+
+proptest! {
+    /// A defect is named exactly where a walk in small steps has to leave the assembly.
+    #[test]
+    fn defects_are_those_of_a_walk(
+        crank in 60.0..400.0_f64,
+        coupler in 100.0..400.0_f64,
+        rocker in 100.0..400.0_f64,
+        stops in prop::collection::vec((0.0..360.0_f64, any::<bool>()), 3..6),
+    ) {
+        let known = KnownFourBar { crank, coupler, rocker, ..TURNING };
+        let Some((mut task, proposal)) = known.poses(&stops) else { return Ok(()) };
+        task.wishes.ordered = false;
+        let own = Candidate::judge(&task, &proposal);
+        // Whether the crank, or the rocker in its place, comes from each point to the next without a gap and on one side.
+        let walks = |proposal: &Proposal, is_crank: bool| {
+            let [a, d] = [known.a, known.d];
+            let (pivot, other) = if is_crank { (a, d) } else { (d, a) };
+            let lengths = if is_crank { (crank, rocker) } else { (rocker, crank) };
+            let exists = |at: f64| {
+                let far = (other - (pivot + unit(at) * lengths.0)).norm();
+                far < coupler + lengths.1 && far > (coupler - lengths.1).abs()
+            };
+            let first = &proposal.places[0];
+            let side = |[b, c]: &[Vec2; 2]| (*c - *b).cross(other - *c) > 0.0;
+            let angle = |place: &[Vec2; 2]| degrees(place[0] - pivot);
+            proposal.places.iter().all(|place| {
+                let (from, to) = (angle(first), angle(place));
+                let way = |span: f64| (0..=3600).all(|k| exists(from + span * f64::from(k) / 3600.0));
+                let up = (to - from).rem_euclid(360.0);
+                side(place) == side(first) && (way(up) || way(up - 360.0))
+            })
+        };
+        let swapped = proposal.swapped().unwrap();
+        let expected = walks(&proposal, true) || walks(&swapped, false);
+        prop_assert_eq!(own.does_it(), expected, "{:?}", own);
+    }
+}

@@ -1,0 +1,213 @@
+//! In which order a crank comes through its places.
+
+use super::Sense;
+use kinematics::angle::TURN;
+
+/// How a crank comes through the places of a task.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Way {
+    /// Its angle at every place, in degrees, counted on from the first.
+    pub(super) at: Vec<f64>,
+    /// The first place that it cannot reach without turning back.
+    pub(super) turns_back: Option<usize>,
+}
+
+/// What rounding may make of no turn at all, in degrees.
+const STANDS: f64 = 1e-9;
+
+/// The way of a crank that turns fully, and comes to its places in any order: the least turn that has them all.
+pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
+    let Some(&first) = angles.first() else {
+        return Vec::new();
+    };
+    let mut round: Vec<f64> = angles
+        .iter()
+        .map(|a| (a - first).rem_euclid(TURN))
+        .collect();
+    round.sort_by(f64::total_cmp);
+    let next = round[1..].iter().copied().chain([TURN]);
+    let gaps = round.iter().zip(next).map(|(from, to)| (to - from, to));
+    // Behind the widest gap it begins; the first place stays where it is.
+    let widest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
+    let begin = widest.map_or(TURN, |(_, to)| to);
+    let place = |angle: &f64| {
+        let on = (angle - first).rem_euclid(TURN);
+        first + if on < begin { on } else { on - TURN }
+    };
+    angles.iter().map(place).collect()
+}
+
+/// The way of a crank whose turns are given: `None` stands where it lies beyond the limits.
+pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f64>> {
+    let Some((low, high)) = limits else {
+        return turned.iter().copied().map(Some).collect();
+    };
+    // The whole way is told from another datum than the limits.
+    let first = turned.first().copied().unwrap_or(0.0);
+    let shift = swinging(&[first], (low, high))[0].map_or(0.0, |here| here - first);
+    let slack = STANDS * TURN;
+    let place = |turned: &f64| {
+        let at = turned + shift;
+        (low - slack <= at && at <= high + slack).then(|| at.clamp(low, high))
+    };
+    turned.iter().map(place).collect()
+}
+
+/// The way of a crank that turns fully: one way round where that passes all places within a turn, else the short way from
+/// each to the next.
+pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
+    let ways =
+        [Sense::CounterClockwise, Sense::Clockwise].map(|sense| (sense, one_way(angles, sense)));
+    let length = |(_, at): &(Sense, Vec<f64>)| {
+        let ends = at.last().zip(at.first());
+        ends.map_or(0.0, |(last, first)| (last - first).abs())
+    };
+    let within = |way: &&(Sense, Vec<f64>)| length(way) <= TURN;
+    let wished = ways.iter().filter(within).find(|way| Some(way.0) == sense);
+    // The shorter of two; counter-clockwise where both are as long, as nobody knows better.
+    let any = ways
+        .iter()
+        .filter(within)
+        .min_by(|one, other| length(one).total_cmp(&length(other)));
+    match wished.or(any) {
+        Some((_, at)) => Way {
+            at: at.clone(),
+            turns_back: None,
+        },
+        None => {
+            let at = shortest(angles);
+            let turns_back = turns_back(&at);
+            Way { at, turns_back }
+        }
+    }
+}
+
+/// The way of a crank between two limits; `None` stands where a place lies beyond them.
+pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f64>> {
+    let mut before = angles.first().copied().unwrap_or(0.0);
+    let mut at = Vec::with_capacity(angles.len());
+    for &angle in angles {
+        // A place at a limit may be beside it by rounding.
+        let slack = STANDS * TURN;
+        let first = ((low - slack - angle) / TURN).ceil();
+        let last = ((high + slack - angle) / TURN).floor();
+        let nearest = ((before - angle) / TURN)
+            .round()
+            .clamp(first.min(last), last.max(first));
+        let found = (first <= last).then(|| (angle + TURN * nearest).clamp(low, high));
+        before = found.unwrap_or(before);
+        at.push(found);
+    }
+    at
+}
+
+/// The first place that is reached by turning back.
+pub(super) fn turns_back(at: &[f64]) -> Option<usize> {
+    let steps = at.windows(2).map(|two| two[1] - two[0]);
+    let mut sense = 0.0_f64;
+    for (place, step) in (1..).zip(steps) {
+        if step.abs() <= STANDS {
+            continue;
+        }
+        if step * sense < 0.0 {
+            return Some(place);
+        }
+        sense = step;
+    }
+    None
+}
+
+fn one_way(angles: &[f64], sense: Sense) -> Vec<f64> {
+    let mut at: Vec<f64> = Vec::with_capacity(angles.len());
+    for &angle in angles {
+        let next = match at.last() {
+            None => angle,
+            Some(before) => match sense {
+                Sense::CounterClockwise => before + forward(angle - before),
+                Sense::Clockwise => before - forward(before - angle),
+            },
+        };
+        at.push(next);
+    }
+    at
+}
+
+/// A turn forward, from 0 to below a whole one; what goes back by rounding alone stays.
+fn forward(turn: f64) -> f64 {
+    let forward = turn.rem_euclid(TURN);
+    match forward < TURN - STANDS {
+        true => forward,
+        false => forward - TURN,
+    }
+}
+
+fn shortest(angles: &[f64]) -> Vec<f64> {
+    let mut at: Vec<f64> = Vec::with_capacity(angles.len());
+    for &angle in angles {
+        at.push(
+            at.last()
+                .map_or(angle, |before| kinematics::angle::beside(*before, angle)),
+        );
+    }
+    at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crank_comes_round_one_way() {
+        let way = turning(&[350.0, 10.0, 40.0], None);
+        assert_eq!(way.at, [350.0, 370.0, 400.0]);
+        assert_eq!(way.turns_back, None);
+        let way = turning(&[10.0, 350.0, 300.0], None);
+        assert_eq!(way.at, [10.0, -10.0, -60.0]);
+        // Three places are always passed one way.
+        assert_eq!(turning(&[0.0, 200.0, 100.0], None).turns_back, None);
+        // Four need not be.
+        assert_eq!(
+            turning(&[0.0, 200.0, 100.0, 150.0], None).turns_back,
+            Some(3)
+        );
+        let wished = turning(&[0.0, 10.0], Some(Sense::Clockwise));
+        assert_eq!(wished.at, [0.0, -350.0]);
+    }
+
+    #[test]
+    fn in_any_order_it_takes_the_least_turn() {
+        assert_eq!(
+            anyhow(&[0.0, 200.0, 100.0, 150.0]),
+            [0.0, 200.0, 100.0, 150.0]
+        );
+        assert_eq!(anyhow(&[10.0, 350.0, 20.0]), [10.0, -10.0, 20.0]);
+        assert_eq!(anyhow(&[350.0, 10.0, 300.0]), [350.0, 370.0, 300.0]);
+        assert_eq!(anyhow(&[40.0]), [40.0]);
+        assert!(anyhow(&[]).is_empty());
+    }
+
+    #[test]
+    fn what_goes_back_by_rounding_stands() {
+        let way = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
+        assert_eq!(way.turns_back, None);
+        assert!((way.at[3] - 90.0).abs() < 1e-9, "{way:?}");
+        assert_eq!(turns_back(&[0.0, 1.0, 1.0 - 1e-12, 2.0]), None);
+        assert_eq!(turns_back(&[0.0, 1.0, 0.9, 2.0]), Some(2));
+    }
+
+    #[test]
+    fn a_given_way_is_taken_as_it_is() {
+        assert_eq!(
+            given(&[0.0, 250.0, 500.0], None)[1..],
+            [Some(250.0), Some(500.0)]
+        );
+        let within = given(&[350.0, 370.0, 430.0], Some((-30.0, 60.0)));
+        assert_eq!(within, [Some(-10.0), Some(10.0), None]);
+    }
+
+    #[test]
+    fn a_rocker_stays_between_its_limits() {
+        let at = swinging(&[350.0, 10.0, 100.0], (-30.0, 60.0));
+        assert_eq!(at, [Some(-10.0), Some(10.0), None]);
+    }
+}
