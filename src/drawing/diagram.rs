@@ -299,7 +299,7 @@ impl DiagramSheet {
         self.name(seat, "of-arc", &arc.name);
     }
 
-    /// Returns the place farthest from everything drawn already; of nearly equal places the first.
+    /// Returns the place farthest from everything drawn already; the first of nearly equal places.
     fn freest(&self, seats: Vec<Vec2>) -> Vec2 {
         let room = |seat: &Vec2| {
             let away = self.taken.iter().map(|t| (*t - *seat).norm());

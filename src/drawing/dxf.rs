@@ -23,7 +23,7 @@ pub(super) struct DxfDocument {
 }
 
 impl DxfDocument {
-    /// Adds a layer, named `wish` as far as DXF allows. Names differ in more than case.
+    /// Adds a layer, with the requested name as far as DXF allows. Names differ in more than case.
     pub(super) fn layer(&mut self, wish: &str) -> DxfLayer {
         let allowed = |c: char| {
             if c.is_ascii_alphanumeric() || "_-$".contains(c) {

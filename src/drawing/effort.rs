@@ -6,8 +6,8 @@ use crate::study::motor::Duty;
 
 /// Number of points of the curve.
 const POINTS: u32 = 720;
-/// The fraction of the cycle next to a dead point that is not shown, because the torque may grow
-/// without bound there.
+/// The fraction of the cycle left out next to a dead point, because the torque may grow without
+/// bound there.
 const BESIDE: f64 = 0.02;
 
 /// Returns the plot of a cycle. `coordinate` is the name and the unit of the driver's coordinate,

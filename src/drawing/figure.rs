@@ -48,7 +48,7 @@ pub enum Role {
     Acceleration,
     /// A force or a moment, and its size.
     Force,
-    /// A part that is selected elsewhere: in a list, in a table.
+    /// A part selected elsewhere: in a list, in a table.
     Lit,
     /// A name.
     Label,

@@ -1,7 +1,7 @@
 //! Draws the forces on the linkage as arrows with their sizes: loads, joint and guide reactions,
 //! and the driving force or moment.
 //!
-//! Forces that are not shown, or that equilibrium leaves undetermined, have no arrow. If a pin
+//! Hidden forces, and forces that equilibrium leaves undetermined, have no arrow. If a pin
 //! joins two bodies and carries no load, one arrow shows the force on the link that comes first.
 
 use super::bounds::Bounds;
@@ -28,7 +28,7 @@ pub(super) struct ForceArrows {
 /// The fraction of the longest arrow below which an arrow gets no size.
 const TELLING: f64 = 0.05;
 
-/// The fraction below which a moment counts as zero: of the largest moment, or of the largest force
+/// The fraction below which a moment counts as zero, relative to the largest moment, or to the largest force
 /// times the size of the whole drawing.
 const NO_MOMENT: f64 = 1e-9;
 

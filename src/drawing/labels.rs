@@ -29,7 +29,7 @@ struct LabelSeat {
     col: i32,
     row: i32,
     align: Align,
-    /// The seat's own cost, without the cost of what the label hides.
+    /// The seat's own cost, without the cost of the cells that a label hides.
     cost: i32,
 }
 
@@ -231,7 +231,7 @@ fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     (point.0 + seat.col - back, point.1 + seat.row)
 }
 
-/// Returns the cost of what a label hides at a place. Returns `None` if it cannot be there: outside
+/// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there: outside
 /// the raster, or on a bar, a mark or another name.
 fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     let end = col + width(text);

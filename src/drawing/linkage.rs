@@ -12,7 +12,7 @@ use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Known, State};
 use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
 
-/// The parts of a linkage that are shown in addition to its links and joints.
+/// Parts of a linkage to show in addition to its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layers {
     /// Supports and hatching.
@@ -39,7 +39,7 @@ impl Default for Layers {
     }
 }
 
-/// Builds the figure of a scene in a state; of the ground alone if there is no assembly.
+/// Builds the figure of a scene in a state; only the ground if there is no assembly.
 #[must_use]
 pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;

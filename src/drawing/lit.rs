@@ -1,4 +1,4 @@
-//! Highlighting of a part that is selected elsewhere: wider bars, a filled mark, the name in
+//! Highlighting of a part selected elsewhere: wider bars, a filled mark, the name in
 //! brackets, and the text colour.
 
 use crate::quantity::Subject;

@@ -145,7 +145,7 @@ impl Overlay {
     }
 
     /// Adds the overlay to the figure of the linkage in a state. Arrows keep their size on a
-    /// drawing that is enlarged by `zoom`. The overlay of a scene with another number of points is
+    /// drawing enlarged by `zoom`. The overlay of a scene with another number of points is
     /// left out.
     pub fn add_to(
         &self,

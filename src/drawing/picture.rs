@@ -1,4 +1,4 @@
-//! Draws a figure as an SVG document: the same shapes, window and label places as in cells.
+//! Draws a figure as an SVG document, with the shapes, window and label places used for cells.
 //!
 //! The document is as large as the window's cells, with eight user units per column.
 
