@@ -1,6 +1,6 @@
 //! The classical Runge-Kutta method of fourth order.
 
-/// Integrates unknowns that are known by their changes alone; the caller keeps the state.
+/// Integrates unknowns known by their changes alone; the caller keeps the state.
 ///
 /// An angle therefore need not be a number: the caller may keep a unit vector and rotate it.
 #[derive(Clone, Debug, Default)]

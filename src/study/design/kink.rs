@@ -28,8 +28,8 @@ pub(super) enum KinkLook {
 }
 
 impl KinkLook {
-    /// Samples slopes around a design that satisfies the constraints, at a distance `beside`
-    /// relative to the ranges.
+    /// Samples slopes around a design that satisfies the constraints, at a given distance relative
+    /// to the ranges.
     pub(super) fn at(judge: &mut Judge, here: &JudgedDesign, beside: f64) -> KinkLook {
         let part = DIFFERENCE * beside;
         let Some(own) = judge.slopes(here, part, true) else {

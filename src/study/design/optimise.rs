@@ -16,8 +16,8 @@ use crate::parallel;
 /// Designs per generation for each variable value, and their minimum.
 const FOR_EACH: usize = 12;
 const FEWEST: usize = 24;
-/// The weight of the difference of two designs that is added to a third, and the crossover
-/// probability of each number.
+/// The weight of the difference of two designs in a trial design, and the crossover probability of
+/// each number.
 const WEIGHT: f64 = 0.7;
 const CROSSING: f64 = 0.9;
 /// The spread of a generation, relative to the bounds, below which the search has converged.

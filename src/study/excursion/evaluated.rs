@@ -8,8 +8,8 @@ use crate::solver::{Condition, GroupId, Range, Solver};
 /// The best transmission angle, in degrees.
 const BEST: f64 = 90.0;
 
-/// Cycle figures that are computed together, for one mechanism or for many with the same parts.
-/// Their requirements are determined once.
+/// Cycle figures computed together, for one mechanism or for many with the same parts. Their
+/// requirements are determined once.
 #[derive(Clone, Debug)]
 pub struct CycleFigures {
     figures: Vec<CycleFigure>,

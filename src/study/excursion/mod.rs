@@ -164,7 +164,7 @@ impl Excursion {
         self.ratio == Err(NoFigure::Stands)
     }
 
-    /// Analyses quantities over the motion; those that are solved alike share the samples.
+    /// Analyses quantities over the motion; those with equal solver settings share the samples.
     #[must_use]
     pub fn of_all(
         solver: &Solver,

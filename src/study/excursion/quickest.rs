@@ -198,7 +198,7 @@ impl MotionSampler {
 
 impl MotionSampler {
     /// Refines the place of the largest slope to full precision: the zero of the second slope, if
-    /// that is known.
+    /// known.
     fn settled(&mut self, column: usize, [low, high]: [f64; 2], found: (f64, f64)) -> (f64, f64) {
         let ends = [low, high].map(|at| Some((at, self.degree(column, 2, at)?)));
         let [Some(a), Some(b)] = ends else {

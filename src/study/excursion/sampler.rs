@@ -238,7 +238,7 @@ impl MotionSampler {
     }
 
     /// Returns a quantity with its slope; NaN if missing. A direction is unwrapped to the value
-    /// nearest to `beside`.
+    /// nearest to a reference value.
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.cut(column) {

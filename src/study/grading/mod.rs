@@ -37,7 +37,7 @@ pub struct AskedFigure {
 #[derive(Clone, Debug)]
 pub struct AnswerKey {
     /// The required values, positions first, then velocities, then accelerations; then further
-    /// values that are judged.
+    /// values to judge.
     pub figures: Vec<AskedFigure>,
     /// The number of required values.
     pub asked: usize,

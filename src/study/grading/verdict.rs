@@ -52,8 +52,7 @@ impl FigureVerdict {
         )
     }
 
-    /// Returns the rank of a verdict: of several interpretations of an answer the lowest rank is
-    /// chosen.
+    /// Returns the rank of a verdict. The interpretation with the lowest rank is chosen.
     pub(super) fn rank(self) -> u8 {
         match self {
             FigureVerdict::Right => 0,
