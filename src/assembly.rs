@@ -114,7 +114,8 @@ impl Scene {
     /// Resolves named choices to elements of the plan.
     ///
     /// # Errors
-    /// The first choice that does not fit any group, independent of the lengths.
+    /// Returns an error for the first choice that does not fit any group, independent of the
+    /// lengths.
     pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(ElementId, Pick)>, Misread> {
         let groups = || plan.groups.iter().filter(|g| g.has_choices());
         let mut picks: Vec<(ElementId, Pick)> = Vec::new();

@@ -1,6 +1,6 @@
-//! Draws arrows in character cells. As on paper, a velocity has one head, an acceleration two heads
-//! and a dashed shaft, and a force a closed head, so that the kinds differ without colour. An arrow
-//! that is too long for its place has a shaft broken in the middle.
+//! Draws arrows in character cells, as on paper. A velocity has one head, an acceleration two heads
+//! and a dashed shaft, and a force a closed head. The kinds therefore differ without colour. An
+//! arrow that is too long for its place has a shaft broken in the middle.
 
 use super::dashes;
 use super::figure::Role;

@@ -204,7 +204,7 @@ mod tests {
         assert_eq!(octant(0b1111_1110), '\u{1cde5}');
     }
 
-    /// Every block is the one that others wrote down for the same parts.
+    /// Returns `true` if every block equals the one that others list for its parts.
     #[cfg(feature = "tui")]
     #[test]
     fn all_blocks_are_those_of_a_table_made_by_others() {

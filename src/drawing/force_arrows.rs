@@ -220,7 +220,7 @@ mod tests {
         })
     }
 
-    /// What is added to the figure of the linkage.
+    /// Returns the shapes added to the figure of the linkage.
     fn added(stage: &DrawingStage, state: &State) -> Vec<Shape> {
         let mut figure = Figure::new();
         forces(stage).add_to(&mut figure, &stage.scene, &stage.solver, state, 1.0);

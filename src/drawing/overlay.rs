@@ -251,7 +251,7 @@ mod tests {
     use crate::quantity::DriverStand;
     use crate::solver::Range;
 
-    /// Of everything that there is.
+    /// Requests all parts of an overlay.
     fn everything(stage: &DrawingStage) -> Wanted {
         let points = usual_arrows(&stage.scene.mechanism);
         Wanted {

@@ -346,7 +346,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
-    /// A preset with everything that can be shown of it, `zoom` times as large.
+    /// Returns the document of a preset with all layers and overlays, enlarged by `zoom`.
     fn document(text: &str, title: &str, zoom: f64) -> String {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -375,7 +375,7 @@ mod tests {
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }
 
-    /// Every element is closed, and nothing in it but what XML allows.
+    /// Returns `true` if every element is closed, and the document contains only permitted XML.
     fn is_well_formed(document: &str) -> bool {
         let mut open = Vec::new();
         let mut rest = document;

@@ -79,9 +79,9 @@ pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
     scene.vectors.iter().map(role).collect()
 }
 
-/// Returns the link that a subject belongs to: the link itself, the link with both ends of a
-/// vector, the link that carries a guide, or a point's only link. Returns `None` for subjects of
-/// several links or of the frame.
+/// Returns the link that a subject belongs to: the link itself, or a point's only link. For a
+/// vector, it is the link with both ends, and for a slide, the link that carries the guide. Returns
+/// `None` for subjects of several links or of the frame.
 pub(super) fn link_of(mechanism: &Mechanism, subject: Subject) -> Option<LinkId> {
     match subject {
         Subject::Link(link) | Subject::Joint(link, _) => Some(link),

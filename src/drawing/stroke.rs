@@ -92,8 +92,8 @@ struct LineFunction {
     rate: f64,
 }
 
-/// An offset in cells. Places exactly between two strokes are common, because ends lie on the
-/// middles of cells; the offset moves all of them to the same side despite rounding errors.
+/// An offset in cells that moves all ambiguous places to one side despite rounding errors. Places
+/// exactly between two strokes are common, because ends lie on the middles of cells.
 const NUDGE: f64 = 1e-6;
 
 impl LineFunction {

@@ -335,7 +335,7 @@ mod tests {
     use crate::drawing::{Blocks, Figure, Reach, Shape, render};
     use std::collections::BTreeSet;
 
-    /// The rows of a role, counted from that of the way of a level guide with its block.
+    /// Returns the rows of a role, relative to the row of the path of a horizontal guide's block.
     fn rows(size: (u16, u16), glyphs: Glyphs, wanted: Role) -> BTreeSet<i32> {
         let (from, to) = (Vec2::ZERO, Vec2::new(30.0, 0.0));
         let reach = Reach::of_places(&[from, to, Vec2::new(0.0, 12.0)], &[from]);

@@ -17,7 +17,7 @@ pub enum ScriptLanguage {
     Matlab,
 }
 
-/// The frame of a script: the formulas of groups, and comments on its use.
+/// The frames of scripts: the formulas of groups, and the main program.
 const PYTHON: &str = include_str!("python.txt");
 const MATLAB: &str = include_str!("matlab.txt");
 

@@ -1,10 +1,10 @@
 //! Exports a scene as a script that computes its positions without krank.
 //!
 //! The script has the scene's lengths by name, a line for every group of the plan, and the formulas
-//! of these groups: intersections of two circles, of a circle and a line, and of two lines, and the
-//! direction of an arm that slides through a pin. Coupled groups are closed by Newton's method from
-//! the scene's start. Places are complex numbers, so that Python and MATLAB differ in punctuation
-//! only. The solver contributes nothing but the side of each group.
+//! of these groups. The formulas are intersections of two circles, of a circle and a line, and of
+//! two lines, and the direction of an arm that slides through a pin. Coupled groups are closed by
+//! Newton's method from the scene's start. Places are complex numbers, so that Python and MATLAB
+//! differ in punctuation only. The solver contributes only the side of each group.
 
 mod closure;
 mod dialect;

@@ -143,7 +143,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    // Terms of what is given.
+    // Terms of known parts.
 
     pub(super) fn point(&self, point: PointId) -> ScriptTerm {
         ScriptTerm::of(self.names.point(point))

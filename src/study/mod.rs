@@ -66,8 +66,8 @@ const SAMPLES: usize = 21;
 const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
 /// Steps of an integration per 360 degrees.
 const STEPS: [u16; 3] = [36, 360, 3600];
-/// The number of cycles before an integration's error is measured, by the maximum number of
-/// unknowns. Each step has a cost per unknown, and a study should take some seconds.
+/// The number of cycles of an integration, by the maximum number of unknowns. The error is measured
+/// in the last cycle. Each step has a cost per unknown, and a study should take some seconds.
 const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (20, 100)];
 const FEWEST_CYCLES: u16 = 10;
 /// The number of cycles of a mechanism with few unknowns.
@@ -402,9 +402,9 @@ impl std::fmt::Debug for Study {
 /// Steps of one pass. Newton's method, started at the previous position, has a degree to cover.
 const PASS: u32 = 360;
 
-/// Returns the positions in the order of visit: several passes in steps of a degree, or of a 360th
-/// of the range, each slightly offset from the previous one. Between limits the passes alternate in
-/// direction.
+/// Returns the positions in the order of visit. There are several passes in steps of a degree, or
+/// of a 360th of the range, each slightly offset from the previous one. Between limits the passes
+/// alternate in direction.
 fn places(range: Range, positions: u32) -> Vec<f64> {
     let passes = positions.div_ceil(PASS).max(1);
     let share = |k: u32, pass: u32, offset: f64| {

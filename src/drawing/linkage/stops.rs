@@ -110,7 +110,7 @@ mod tests {
     use crate::scene::Scene;
     use crate::solver::{Order, Solver};
 
-    /// The lines of the guides' kind in the figure of a slider-crank at 60 deg.
+    /// Returns the lines with the guides' role in the figure of a slider-crank at 60 deg.
     fn lines(limits: &str) -> Vec<[Vec2; 2]> {
         let text = format!(
             "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\nr2 = {{ from = \"A\", \

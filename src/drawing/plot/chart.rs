@@ -298,8 +298,8 @@ mod tests {
         }
     }
 
-    /// The figures that were measured for the four-bar of the lectures in section 8 of the notes on
-    /// numerics.
+    /// Returns the chart of the values measured for the lectures' four-bar, from section 8 of the
+    /// notes on numerics.
     fn measured() -> Chart {
         let data = [
             ('a', 57.0, 3.0e-16, true),

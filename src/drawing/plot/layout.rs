@@ -23,8 +23,8 @@ const MOST_LONGER: f64 = 0.4;
 const LONGER: f64 = 0.15;
 /// Number of round steps to try, from the first that fits.
 const TRIED: usize = 3;
-/// Relative tolerances. A range smaller than `FLAT` times its values has no ticks; an end that
-/// misses a value by less than `ROUNDED` of the range misses it by rounding only.
+/// Relative tolerances. A range smaller than `FLAT` times its values has no ticks. An end that
+/// misses a value by less than `ROUNDED` of the range misses it by a rounding error.
 const FLAT: f64 = 1e-12;
 const ROUNDED: f64 = 1e-9;
 /// Minimum rows from one label to the next, and maximum number of labels of an axis.

@@ -399,9 +399,9 @@ impl PlotPainter<'_> {
     }
 }
 
-/// Returns the places where the text of an extremum hides nothing. First come places close to it,
-/// then places in its row after the flat part of the curve, and then places inside the arch, up to
-/// `DEEPEST` rows `inwards`.
+/// Returns the places where the text of an extremum hides nothing. Places close to it come first.
+/// Then come places in its row after the flat part of the curve. The last ones are inside the arch,
+/// up to `DEEPEST` rows `inwards`.
 fn seats<'r>(
     raster: &'r Raster,
     (col, row): (i32, i32),

@@ -8,9 +8,9 @@ use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
 
-/// Computes cycle figures of one design after another. A design that differs in lengths alone, with
-/// a driver that turns fully and far from any limit, is changed in place; any other is opened like
-/// any scene.
+/// Computes cycle figures of one design after another. A design is changed in place if it differs
+/// in lengths alone, and if its driver turns fully and far from any limit. Any other design is
+/// opened like any scene.
 #[derive(Clone, Debug)]
 pub struct DesignFigures {
     space: DesignSpace,
@@ -81,7 +81,7 @@ impl DesignFigures {
     /// its absence.
     ///
     /// # Errors
-    /// If there is no such design.
+    /// Returns an error if there is no such design.
     pub fn of(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
         if let Some(found) = self.quickly(numbers) {
             return Ok(found);
@@ -95,7 +95,7 @@ impl DesignFigures {
     /// a turn between designs.
     ///
     /// # Errors
-    /// If there is no such design.
+    /// Returns an error if there is no such design.
     pub fn in_row(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
         let mut found = self.of(numbers)?;
         self.seams.count(&mut found);

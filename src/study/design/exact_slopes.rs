@@ -9,9 +9,9 @@ use super::DesignFigures;
 use crate::quantity::Sensitivity;
 
 impl DesignFigures {
-    /// Returns the derivatives of each figure by the variable numbers. Returns `None` if a figure
-    /// has none: if a design is not changed in place, or if a figure is not a difference of a
-    /// column at some places, such as a time ratio or a transmission angle.
+    /// Returns the derivatives of each figure by the variable numbers. Returns `None` if a design
+    /// is not changed in place, or if a figure has another form than a difference of a column at
+    /// some places. Examples are a time ratio and a transmission angle.
     pub(super) fn exact_slopes(&mut self, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
         let (solver, lengths) = self.in_place(numbers)?;
         let figures = self.cycle_figures();

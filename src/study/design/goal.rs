@@ -68,7 +68,7 @@ impl Goal {
     /// Parses a goal. The number may have a unit and is converted to the figure's unit.
     ///
     /// # Errors
-    /// If the text is not a goal.
+    /// Returns an error if the text is not a goal.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<Goal, MistypedGoal> {
         let senses = [GoalSense::AtLeast, GoalSense::AtMost, GoalSense::Equal];
         let found = senses.into_iter().find_map(|sense| {

@@ -1,7 +1,7 @@
 //! Optimality at a kink of the optimized figure, such as the minimum of several angles where two
 //! are equal; the figure has no slope there. A design is a local optimum if zero lies in the convex
-//! hull of the slopes from all sides (Goldstein's condition, with the gradient sampling of Burke,
-//! Lewis and Overton).
+//! hull of the slopes from all sides. This is Goldstein's condition, with the gradient sampling of
+//! Burke, Lewis and Overton.
 
 use super::hold::{Holds, multipliers};
 use super::judge::{Judge, JudgedDesign};

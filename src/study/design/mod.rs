@@ -93,7 +93,7 @@ impl DesignSpace {
     /// Creates a space of the values named by axes.
     ///
     /// # Errors
-    /// A message if there is no such value, or if two axes name one value.
+    /// Returns a message if there is no such value, or if two axes name one value.
     pub fn of_axes(
         scene: &Scene,
         solver: &Solver,
@@ -147,8 +147,8 @@ impl DesignSpace {
     /// Opens the design with these numbers.
     ///
     /// # Errors
-    /// If the numbers do not give a valid scene, or if it does not assemble as the given scene
-    /// does.
+    /// Returns an error if the numbers do not give a valid scene, or if the new scene does not
+    /// assemble as the given one does.
     pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
         let text = self.text(numbers);
         let scene = Scene::parse(&text, self.scene.origin())
@@ -176,8 +176,9 @@ impl DesignSpace {
 }
 
 impl Design {
-    /// Returns `true` if the motion is of the same kind as that of another solver: both have the
-    /// same period, or both have limits, and both stop at the same ends of the same limits.
+    /// Returns `true` if the motion is of the same kind as that of another solver. Both must have
+    /// the same period, or both must have limits. Both must also stop at the same ends of the same
+    /// limits.
     #[must_use]
     pub fn moves_like(&self, other: &Solver) -> bool {
         let stops = |motion: &Motion| {

@@ -49,8 +49,8 @@ pub struct BestDesign {
     pub generations: u32,
     /// `true` if the last generation converged to one point.
     pub settled: bool,
-    /// `true` if no small step that keeps the constraints improves the design, to first order; at a
-    /// kink of the figure, according to the slopes from all sides.
+    /// `true` if no small step that keeps the constraints improves the design, to first order. At a
+    /// kink of the figure, the slopes from all sides decide.
     pub stationary: bool,
 }
 

@@ -95,7 +95,7 @@ impl DesignRun<'_> {
     /// Passes the rows to `take` in order, some at a time; an error of `take` ends the run.
     ///
     /// # Errors
-    /// The error of `take`.
+    /// Returns the error of `take`.
     pub fn each<E>(&self, take: &mut dyn FnMut(Vec<DesignRow>) -> Result<(), E>) -> Result<(), E> {
         let chunks = self
             .designs

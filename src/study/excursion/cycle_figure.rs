@@ -95,7 +95,7 @@ impl CycleFigure {
     /// Parses a cycle figure: `C.x.stroke`, `transmission.C`, `range.low`, `C.x@60`.
     ///
     /// # Errors
-    /// If the name is unknown; the error holds the most similar one.
+    /// Returns an error if the name is unknown; the error holds the most similar one.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<CycleFigure, UnknownCycleFigure> {
         let name = text.trim();
         let (source, unit) = of_whole(name, catalogue)

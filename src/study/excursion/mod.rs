@@ -85,7 +85,7 @@ pub enum NoFigure {
     Rests,
     /// The driver moves to and fro along the same path, so both directions take equal times.
     ThereAndBack,
-    /// The driver does not move, so rates are zero or undefined.
+    /// The driver's speed is zero, so rates do not exist.
     DriverStands,
     /// The driver turns back before a full cycle.
     DriverTurnsBack,
@@ -127,7 +127,7 @@ pub const USUAL_DWELL: f64 = 0.01;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Excursion {
     /// The minimum. An oscillating direction, or a sum of directions, is counted without jumps by
-    /// full turns, from its maximum as it is in a state; its minimum may therefore be negative.
+    /// full turns, from its maximum as it is in a state. Its minimum may therefore be negative.
     pub least: FigurePlace,
     /// The maximum.
     pub greatest: FigurePlace,
@@ -150,7 +150,7 @@ impl Excursion {
     /// Returns the stroke; for a direction the swing.
     ///
     /// # Errors
-    /// If a direction makes full turns.
+    /// Returns an error if a direction makes full turns.
     pub fn stroke(&self) -> Result<f64, NoFigure> {
         match self.revolutions == 0.0 {
             true => Ok(self.greatest.value - self.least.value),

@@ -152,7 +152,7 @@ impl MotionSampler {
     }
 
     /// Returns the second-order rate that would result if the largest first slope arose over a
-    /// radian of the driver, or over its whole travel; 0 for a rate without a second slope.
+    /// radian of the driver, or over its whole travel. Returns 0 for a rate without a second slope.
     fn rate_of_steady(&self, sampled: &SampledFigure, rate: RateSum) -> f64 {
         let slopes = sampled.by_degree[1].iter();
         let steepest = slopes

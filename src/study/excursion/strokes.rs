@@ -19,7 +19,7 @@ pub struct TimeRatio {
     /// The ratio of the slow to the quick way, at least 1.
     pub value: f64,
     /// The driver's travel during the slow and the quick way, in degrees or in the scene's length
-    /// unit; times in s if the driver's speed is not constant.
+    /// unit. These are times in s if the driver's speed is not constant.
     pub ways: [f64; 2],
     /// `true` if `ways` are times.
     pub are_times: bool,

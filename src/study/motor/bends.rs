@@ -1,5 +1,6 @@
-//! Finds the coordinates at which nonlinear springs have kinks or jumps: gas springs at the lengths
-//! of their knots, and torsion springs opposite their free angle, where the angle wraps around.
+//! Finds the coordinates at which nonlinear springs have kinks or jumps. Gas springs have kinks at
+//! the lengths of their knots, and torsion springs jump opposite their free angle, where the angle
+//! wraps around.
 
 use crate::angle::{TURN, unit};
 use crate::numeric::roots;

@@ -44,11 +44,12 @@ pub struct Duty {
 }
 
 impl Duty {
-    /// Analyses a cycle: the period of the motion and of the loads, the range to and fro, or the
-    /// part of the motion between two coordinates to and fro.
+    /// Analyses a cycle: the period of the motion and of the loads, or the range to and fro. With
+    /// `between`, it is the part of the motion between two coordinates to and fro.
     ///
     /// # Errors
-    /// If the scene has no loads, springs or masses, or if forces are not shown in a state.
+    /// Returns an error if the scene has no loads, springs or masses, or if forces are not shown in
+    /// a state.
     pub fn new(
         mechanism: &Mechanism,
         solver: &Solver,

@@ -109,8 +109,8 @@ impl Mark {
 }
 
 /// Returns the coordinates at which a load has a kink or jumps, in no particular order. These are
-/// knots over the driver's coordinate, the begin, kinks and end of a press load, kinks of springs,
-/// and change points, where joint forces have no limit.
+/// knots over the driver's coordinate, and the begin, kinks and end of a press load. Kinks of
+/// springs follow, and change points, where joint forces have no limit.
 pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
     let mut marks = Vec::new();
     let motion = solver.motion();
@@ -174,8 +174,8 @@ fn begins_anew(mechanism: &Mechanism) -> bool {
     profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one())
 }
 
-/// Returns the driver's coordinates at which a load has a kink or jumps within the range of the
-/// motion, or within as many periods as the loads need to repeat.
+/// Returns the driver's coordinates within a range at which a load has a kink or jumps. The range
+/// is that of the motion, or as many periods as the loads need to repeat.
 pub(in crate::study) fn bends_within(solver: &Solver, range: Range) -> Vec<f64> {
     let mechanism = solver.mechanism();
     let (low, high) = range.ends();

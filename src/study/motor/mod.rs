@@ -1,5 +1,5 @@
-//! Analyses the driver over a cycle: the torque at its worst instant, its mean and work, a flywheel
-//! for it, the forces on the ground, and the ram of a press.
+//! Analyses the driver over a cycle: its torque at the worst instant, its mean and its work.
+//! Further results are a flywheel, the forces on the ground, and the ram of a press.
 //!
 //! ```text
 //! course     the driver's way through one cycle: round, or there and back

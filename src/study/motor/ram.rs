@@ -108,7 +108,7 @@ impl Ram {
     /// Analyses a slide over the motion.
     ///
     /// # Errors
-    /// If the slide cannot be a ram.
+    /// Returns an error if the slide cannot be a ram.
     pub fn new(
         mechanism: &Mechanism,
         solver: &Solver,
@@ -193,9 +193,9 @@ impl Ram {
         self.ways[0] / self.ways[1]
     }
 
-    /// Returns the ram's state at a height above the bottom (in the scene's length unit): where it
-    /// last passes while closing, and where it first passes while opening. Returns `None` if it
-    /// does not reach the height next to the bottom.
+    /// Returns the ram's state at a height above the bottom, in the scene's length unit, twice:
+    /// where it last passes while closing, and where it first passes while opening. Returns `None`
+    /// if it does not reach the height next to the bottom.
     pub fn at_height(&mut self, height: f64) -> Option<[Passing; 2]> {
         if !(0.0..=self.stroke).contains(&height) {
             return None;

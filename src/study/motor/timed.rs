@@ -227,8 +227,9 @@ impl TimedDuty {
     /// Analyses the period of a motion over time.
     ///
     /// # Errors
-    /// If the scene has no loads, springs or masses, if the motion leaves the mechanism's range, if
-    /// forces are not shown, or if the torque does not exist.
+    /// Returns an error if the scene has no loads, springs or masses, or if forces are not shown.
+    /// Also returns one if the motion leaves the mechanism's range, or if the torque does not
+    /// exist.
     pub fn new(clock: &Clock, solver: &Solver) -> Result<TimedDuty, NoTimedDuty> {
         if !solver.has_forces() {
             return Err(NoTimedDuty::NothingActs);

@@ -90,7 +90,7 @@ impl ToleranceStudy {
     /// Creates an analysis of values of a scene.
     ///
     /// # Errors
-    /// If an analysis is impossible, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
     pub fn new(
         scene: &Scene,
         solver: &Solver,

@@ -47,7 +47,7 @@ impl WholeTolerance {
     /// Creates an analysis of figures of a solver's mechanism.
     ///
     /// # Errors
-    /// If an analysis is impossible, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
     pub fn new(
         solver: &Solver,
         tolerances: &Tolerances,
