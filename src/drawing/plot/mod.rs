@@ -88,7 +88,8 @@ pub struct PlotCurve {
     pub turns: Vec<CurveTurn>,
     /// `true` to draw points only, as for the curve of another scene.
     pub is_dotted: bool,
-    /// The role of a link, if the curve has the hue of one; `None` for the panel's default roles.
+    /// The role of a link, or of a band's curve; `None` for the default role at this place in the
+    /// panel.
     pub link: Option<Role>,
     /// The offsets of the band, if the curve is the two edges of one.
     pub band: Option<PlotBand>,

@@ -102,8 +102,8 @@ pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> 
     all.iter().map(|m| least(m).unwrap_or(0.0)).collect()
 }
 
-/// Rates in [`ZERO`, `SMALL`) of the largest rate are too small for an exercise; smaller ones count
-/// as 0.
+/// Rates from `ZERO` to `SMALL`, relative to the largest one, are too small for an exercise;
+/// smaller ones count as 0.
 const SMALL: f64 = 0.01;
 const ZERO: f64 = 1e-12;
 

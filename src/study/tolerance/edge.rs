@@ -17,8 +17,9 @@ const LARGEST_BASE: f64 = 1e-2;
 /// The relative measure of the last surface, where values without a pole are as accurate as at the
 /// edge.
 const AT_EDGE: f64 = 1e-13;
-/// The minimum growth of a pole from surface to surface, which is tenfold; a term proportional to
-/// the root of the measure shrinks tenfold.
+/// The growth of a value's steps from surface to surface that identifies a pole. The steps of a
+/// pole grow at least tenfold; those of a term proportional to the root of the measure shrink
+/// tenfold.
 const GROWN: f64 = 4.0;
 /// Number of steps on the first surface, and on the others, which start near their best machine.
 const FIRST_STEPS: usize = 24;
