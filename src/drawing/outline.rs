@@ -80,7 +80,7 @@ pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2
     bare
 }
 
-/// Returns the lines of a link that are not edges of its hull.
+/// Returns the lines of a link in addition to its hull's outline; for collinear points, all lines.
 fn struts(corners: &[Vec2], points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     match *corners {
         [] | [_] => Vec::new(),

@@ -10,7 +10,8 @@ use crate::solver::Range;
 /// recognized.
 const TOWARDS: u32 = 32;
 const SEEN: u32 = 12;
-/// Minimum growth of a quantity over these bisections at a pole; a root would grow less.
+/// Minimum growth of a quantity over these bisections at a pole; even an inverse square root grows
+/// more.
 const GROWN: f64 = 4096.0;
 const GROWN_SOON: f64 = 8.0;
 /// Bisection depths near a place; at a pole the quantity grows by a minimum factor from each to the

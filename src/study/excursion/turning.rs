@@ -16,8 +16,8 @@ const BISECTIONS: u32 = 60;
 /// Bisections of a stretch between two samples.
 const HALVINGS: u32 = 10;
 /// Maximum sum of the slopes at both ends, relative to the mean slope, for which the cubic counts
-/// as monotonic. The limit is 4 for equal slopes (Fritsch and Carlson 1980); at 3 the slope
-/// half-way is 3/4 of the mean.
+/// as monotonic. A sum of 4 is also monotonic for equal slopes (Fritsch and Carlson 1980). At 3 the
+/// slope half-way is 3/4 of the mean.
 const ONE_WAY: f64 = 3.0;
 
 /// All extrema of a quantity.
