@@ -114,8 +114,8 @@ impl Role {
         )
     }
 
-    /// Returns the role of the area between the edges of a part; `None` for parts that are not
-    /// links.
+    /// Returns the role of the area between the edges of a part; `None` except for links and the
+    /// driver.
     pub(super) fn of_plate(self) -> Option<Role> {
         match self {
             Role::Link(hue) => Some(Role::Plate(hue)),

@@ -78,7 +78,7 @@ impl Animation {
     }
 
     /// Returns the delay of the next picture in hundredths of a second. The exact duration need not
-    /// be an integer; rounding keeps the sum of all delays exact.
+    /// be an integer; the rounding errors do not accumulate.
     fn next_delay(&mut self) -> u16 {
         let until = |count: u32| count * HUNDREDTHS / u32::from(self.rate.max(1));
         let delay = until(self.count + 1) - until(self.count);

@@ -119,7 +119,8 @@ impl Decades {
     }
 }
 
-/// Rows of a chart without its points: the title above, the axis and its labels below.
+/// Number of rows in addition to those of the points: the title above, the axis and its labels
+/// below.
 const FRAME_ROWS: i32 = 3;
 /// Minimum number of rows and of columns of a chart's points.
 const LEAST: i32 = 2;

@@ -134,8 +134,8 @@ impl MotionSampler {
         }
     }
 
-    /// Returns the range of the motion; for forces, the number of periods until the loads repeat
-    /// too.
+    /// Returns the range of the motion; for forces, as many periods of it as the loads need to
+    /// repeat.
     pub(super) fn range(&self) -> Range {
         self.range
     }

@@ -107,8 +107,8 @@ pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> 
 const SMALL: f64 = 0.01;
 const ZERO: f64 = 1e-12;
 
-/// Returns `true` if all rates exist at a place and none is nearly zero. An exercise asks for no
-/// rounding errors and is not at a dead point.
+/// Returns `true` if all rates exist at a place, and none is nearly but not exactly zero. Such a
+/// rate would consist of rounding errors, or occur near a dead point of a rocker.
 pub(super) fn is_lively(solver: &Solver, at: f64, work: &mut Workspace) -> bool {
     let condition = solver.solve(at, Order::Acceleration, work);
     if condition != crate::solver::Condition::Ok {

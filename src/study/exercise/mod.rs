@@ -1,8 +1,8 @@
 //! Exercises: a scene with random dimensions, equal for equal seeds on every machine.
 //!
-//! The exercise moves like the original scene. It has equal groups, an equal class, a crank that
-//! turns fully if the original did, and an equal assembly. Its position is well away from dead
-//! points and change points.
+//! The exercise moves like the original scene. It has the same groups and class, a crank that turns
+//! fully if the original did, and the same assembly. Its position is well away from dead points and
+//! change points.
 
 mod agreeable;
 mod dimensions;

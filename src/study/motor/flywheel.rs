@@ -21,8 +21,8 @@ pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
     fluctuation.is_finite().then_some(fluctuation)
 }
 
-/// The coefficient above which the fluctuation is a rough estimate: energy and speed are
-/// proportional for small fluctuations only.
+/// The coefficient above which the fluctuation is a rough estimate: changes of energy and speed are
+/// proportional only for small fluctuations.
 pub const SMALL_FLUCTUATION: f64 = 0.2;
 
 /// The largest possible fluctuation: (max - min) / mean is 2 if the minimum is 0 and the driver
@@ -48,7 +48,7 @@ pub struct MotorFit {
     /// The driver's speed against the motor's.
     pub speed: Option<MotorDemand>,
     /// The gear that the motor's excess speed allows, without losses; `None` if the motor is not
-    /// faster than the driver.
+    /// faster than the driver, or if its torques are unknown.
     pub geared: Option<Geared>,
     /// `true` if the torque is unbounded, so that no motor can be assessed.
     pub is_unbounded: bool,

@@ -109,8 +109,8 @@ impl Mark {
 }
 
 /// Returns the coordinates at which a load has a kink or jumps, in no particular order. These are
-/// knots over the driver's coordinate, and the begin, kinks and end of a press load. Kinks of
-/// springs follow, and change points, where joint forces have no limit.
+/// knots over the driver's coordinate, and the begin, kinks and end of a press load. They include
+/// kinks of springs, and change points, where joint forces have no limit.
 pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
     let mut marks = Vec::new();
     let motion = solver.motion();

@@ -23,7 +23,7 @@ pub struct WorstCase {
 pub enum WorstKind {
     /// All corners of the box of lengths; a check inside found no larger deviation.
     Corners,
-    /// Ball arithmetic over all lengths, which contains all values, and the worst case may be
+    /// Ball arithmetic over all lengths. The limits contain all values; the worst case may be
     /// further inside.
     Enclosed,
     /// A search: the value is not monotonic along a length, so the worst case may be inside the
