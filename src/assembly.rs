@@ -1,4 +1,4 @@
-//! Assemblies by name: which group a person means, and what is picked for it.
+//! Assemblies by name: finds the groups of named choices, and writes the start of an assembly.
 
 use crate::nearest::did_you_mean;
 use crate::scene::{Precision, Scene};
@@ -8,39 +8,39 @@ use crate::{ElementId, PointId, Slider, Vec2};
 use std::fmt;
 use std::str::FromStr;
 
-/// `C=-`: an assembly for the group of this name.
+/// A named choice of an assembly, such as `C=-`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wish {
-    /// What names the group.
+    /// The group's name.
     pub group: String,
-    /// What is picked for it.
+    /// The choice.
     pub pick: Pick,
 }
 
-/// Why an assembly cannot be asked for so.
+/// The error for an invalid choice of an assembly.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Misread {
-    /// Not of the form.
+    /// The text does not have the right form.
     #[error("{}", words().how_wishes_are_written())]
     Form,
-    /// No group has this name.
+    /// There is no group of this name.
     #[error("{}", words().no_group_with_choice(name, mend))]
     Unknown {
-        /// What was written.
+        /// The name in the text.
         name: String,
-        /// The name that was probably meant, or all there are.
+        /// The probable name, or all names.
         mend: String,
     },
-    /// A number for a dyad, or a sign for a coupled group.
+    /// The choice is a number for a dyad, or a sign for a coupled group.
     #[error("{}", words().chosen_by(name, options))]
     Kind {
         /// The group.
         name: String,
-        /// What it is chosen by.
+        /// The valid choices.
         options: String,
     },
-    /// The same group twice.
+    /// The group occurs twice.
     #[error("{}", words().group_given_twice(name))]
     Twice {
         /// The group.
@@ -75,7 +75,7 @@ impl fmt::Display for Wish {
     }
 }
 
-/// A pick as it is written: `+`, `-` or a number.
+/// Formats a choice: `+`, `-` or a number.
 #[must_use]
 pub fn pick_text(pick: Pick) -> String {
     match pick {
@@ -85,11 +85,12 @@ pub fn pick_text(pick: Pick) -> String {
     }
 }
 
-/// Names of groups that are listed where none is near.
+/// Maximum number of group names in a message.
 const LISTED: usize = 12;
 
 impl Scene {
-    /// The name of a group of the plan: that of its point, or of a link where it has none.
+    /// Returns the name of a group of the plan: that of its point, or that of a link if the point
+    /// has none.
     #[must_use]
     pub fn group_name(&self, group: &Group) -> &str {
         let link = || group.links.first().map_or("", |&l| self.link_name(l));
@@ -100,7 +101,7 @@ impl Scene {
         }
     }
 
-    /// A point's name, or that of the sliding link whose hidden origin it is.
+    /// Returns a point's name, or that of the sliding link whose hidden origin it is.
     fn name_or_slider(&self, point: PointId) -> Option<&str> {
         let slides = self.mechanism.slides().iter();
         let mut slid = slides.filter_map(|slide| match slide.slider {
@@ -110,10 +111,11 @@ impl Scene {
         self.point_name(point).or_else(|| slid.next())
     }
 
-    /// The groups that are meant, as the solver takes them.
+    /// Resolves named choices to elements of the plan.
     ///
     /// # Errors
-    /// The first wish that no group can fulfil, whatever its numbers.
+    /// Returns an error for the first choice that does not fit any group, independent of the
+    /// lengths.
     pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(ElementId, Pick)>, Misread> {
         let groups = || plan.groups.iter().filter(|g| g.has_choices());
         let mut picks: Vec<(ElementId, Pick)> = Vec::new();
@@ -140,11 +142,12 @@ impl Scene {
         Ok(picks)
     }
 
-    /// The scene's text with the `[start]` of the assembly that this solver follows. The driver opens
-    /// where it did, or at `at` where the motion does not come there or it tells too little.
+    /// Returns the scene's text with the `[start]` of the assembly that this solver follows. The
+    /// driver's start is kept, or becomes `at` if the motion does not reach it or if it does not
+    /// determine the assembly.
     ///
-    /// Nothing is given that was not read back, opened, and found to be that assembly; `None` where that
-    /// could not be had.
+    /// The result has been parsed, opened and compared with that assembly; `None` if every attempt
+    /// failed.
     #[must_use]
     pub fn with_start_of(&self, solver: &Solver, at: f64) -> Option<String> {
         let opening = self.mechanism.driver().start;
@@ -158,7 +161,7 @@ impl Scene {
         .find_map(|(at, precision)| self.started(solver, at, precision))
     }
 
-    /// The same, opened at one coordinate.
+    /// Returns the text with the `[start]` at one coordinate, checked likewise.
     fn started(&self, solver: &Solver, at: f64, precision: Precision) -> Option<String> {
         let mut state = solver.state();
         if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
@@ -175,13 +178,13 @@ impl Scene {
         same.then_some(text)
     }
 
-    /// The points that tell the assemblies apart, and those that `[start]` names already.
+    /// Returns the points that distinguish assemblies, and those that `[start]` names already.
     fn telling(&self, plan: &Plan, state: &State) -> Vec<(PointId, Vec2)> {
         let mut points: Vec<PointId> = self.mechanism.start().iter().map(|s| s.0).collect();
         for group in plan.groups.iter().filter(|g| g.has_choices()) {
             let named = |p: &PointId| self.point_name(*p).is_some();
             let placed = group.points.iter().copied().filter(named);
-            // A centre of mass tells where nothing else does.
+            // A centre of mass is used only if the group has no other named point.
             let (centres, joints): (Vec<_>, Vec<_>) = placed.partition(|&p| self.is_com(p));
             let told = match group.kind {
                 GroupKind::Coupled { .. } => usize::MAX,
@@ -205,7 +208,7 @@ impl Scene {
         links.any(|link| link.com == Some(point))
     }
 
-    /// Whether two states are the same but for rounding.
+    /// Returns `true` if two states are equal up to rounding errors.
     pub(crate) fn agree(&self, one: &State, other: &State) -> bool {
         let (one, other) = (one.known(), other.known());
         let points = || self.mechanism.point_ids();
@@ -214,8 +217,9 @@ impl Scene {
     }
 }
 
-/// Two states whose points differ by less than this part of the largest coordinate are the same: far
-/// more than a coupled group's rounding, far less than two assemblies that a person could tell apart.
+/// The distance of points below which two states are equal, relative to the largest coordinate. It
+/// is far above a coupled group's rounding errors, and far below the difference of two visibly
+/// different assemblies.
 const SAME: f64 = 1e-9;
 
 fn suits(pick: Pick, group: &Group) -> bool {

@@ -1,6 +1,6 @@
-//! What a terminal can show, judged from the environment alone: in one place, for the workbench and
-//! for messages. Nothing is asked of the terminal itself: many never answer, and a slow one answers
-//! into the shell.
+//! Detects the capabilities of a terminal from the environment alone, for the workbench and for
+//! messages. The terminal itself is not queried: many never answer, and a slow one answers into the
+//! shell.
 
 #[cfg(feature = "tui")]
 mod still;
@@ -11,21 +11,21 @@ pub use still::{PictureChoice, PictureProtocol};
 use crate::drawing::Glyphs;
 use crate::wording::words;
 
-/// How many colours may be used.
+/// The colours that may be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Colours {
-    /// None; bold and reverse remain.
+    /// Monochrome, with bold and reverse.
     None,
-    /// The 16 names of the terminal's own palette.
+    /// The 16 colours of the terminal's own palette.
     Sixteen,
-    /// The fixed palette of 256.
+    /// The fixed palette of 256 colours.
     Indexed,
-    /// Any colour.
+    /// All colours (24 bits).
     True,
 }
 
 impl Colours {
-    /// As the options and the configuration name it.
+    /// Returns the name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl Colours {
         }
     }
 
-    /// The next more, and after all of them none.
+    /// Returns the next larger set of colours; the largest is followed by none.
     #[must_use]
     pub(crate) fn next(self) -> Self {
         match self {
@@ -48,52 +48,52 @@ impl Colours {
     }
 }
 
-/// What the terminal can show.
+/// The capabilities of a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Capability {
-    /// The characters that are safe.
+    /// The safe characters.
     pub(crate) glyphs: Glyphs,
-    /// The colours that are safe.
+    /// The safe colours.
     pub(crate) colours: Colours,
-    /// Whether it is an emulator that ignores a private mode it does not know: synchronised frames
-    /// and bracketed paste are switched on only there.
+    /// `true` for emulators that ignore unknown private modes; only these use synchronized output
+    /// and bracketed paste.
     pub(crate) modern: bool,
 }
 
-/// What TERM says of the terminal.
+/// The kind of a terminal according to TERM.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TerminalKind {
-    /// It says nothing.
+    /// TERM is not set or names no terminal.
     Unknown,
-    /// It cannot place its cursor.
+    /// A terminal without cursor addressing.
     Dumb,
-    /// A real terminal of old, or something that is as modest.
+    /// A hardware terminal, or one with similar capabilities.
     Old,
-    /// The console of Linux: UTF-8, but fonts with few characters.
+    /// The Linux console: UTF-8, but fonts with few characters.
     Console,
-    /// An emulator with a window of its own.
+    /// A terminal emulator in a window.
     Emulator,
 }
 
-/// The variables that name the locale, in the order in which POSIX has them override each other.
+/// The variables of the locale, in the order of precedence of POSIX.
 const LOCALE: [&str; 3] = ["LC_ALL", "LC_CTYPE", "LANG"];
 
-/// The environment, as far as it tells about the terminal, and what follows from it.
+/// The environment's variables about the terminal, from which its capabilities are detected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Judgement {
     term: String,
-    /// The variable that decides, and what it says.
+    /// The decisive variable and its value.
     locale: Option<(&'static str, String)>,
     no_color: Option<String>,
     colorterm: Option<String>,
-    /// What TERM_PROGRAM says.
+    /// The value of TERM_PROGRAM.
     program: Option<String>,
-    /// Whether tmux, screen or zellij stands between.
+    /// `true` inside of tmux, screen or zellij.
     multiplexed: bool,
 }
 
-/// Families of terminals that are no emulators with a window of their own, by the word that their names begin
-/// with (the descriptions of ncurses): `linux-16color` is a console, and `vte-256color` no VT100.
+/// Families of terminals other than emulators, by the first word of their names in the descriptions
+/// of ncurses: `linux-16color` is a console, and `vte-256color` not a VT100.
 const FAMILIES: [(&str, TerminalKind); 28] = [
     ("ansi", TerminalKind::Old),
     ("pcansi", TerminalKind::Old),
@@ -125,14 +125,14 @@ const FAMILIES: [(&str, TerminalKind); 28] = [
     ("unknown", TerminalKind::Unknown),
 ];
 
-/// What kind of terminal has this name.
+/// Returns the kind of a terminal by its name.
 fn kind_of(term: &str) -> TerminalKind {
-    // Multiplexers tell in what they run: `screen.linux`.
+    // Multiplexers name the outer terminal: `screen.linux`.
     let (outer, inner) = term.split_once('.').unwrap_or((term, ""));
     if ["screen", "tmux"].contains(&outer) && kind_of(inner) == TerminalKind::Console {
         return TerminalKind::Console;
     }
-    // A number behind the word tells one of the family from others.
+    // A number after the word distinguishes members of a family.
     let word = term.split(|c: char| !c.is_ascii_alphabetic()).next();
     let word = word.unwrap_or_default();
     match FAMILIES.iter().find(|(family, _)| *family == word) {
@@ -142,12 +142,12 @@ fn kind_of(term: &str) -> TerminalKind {
     }
 }
 
-/// What was found, and from what it follows.
+/// A detected capability, and its reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Detected<T> {
-    /// What was found.
+    /// The capability.
     pub(crate) value: T,
-    /// Why, in a few words.
+    /// The reason, in a few words.
     pub(crate) why: String,
 }
 
@@ -157,7 +157,7 @@ fn found<T>(value: T, why: impl Into<String>) -> Detected<T> {
 }
 
 impl Judgement {
-    /// Reads the environment through `env`; a variable that is empty is not set.
+    /// Reads the environment through `env`; an empty variable counts as unset.
     pub(crate) fn of(env: impl Fn(&str) -> Option<String>) -> Self {
         let given = |name: &str| env(name).filter(|value| !value.is_empty());
         let locale = |name| given(name).map(|value| (name, value));
@@ -173,12 +173,12 @@ impl Judgement {
         }
     }
 
-    /// What TERM says.
+    /// Returns the kind of terminal according to TERM.
     pub(crate) fn kind(&self) -> TerminalKind {
         kind_of(&self.term)
     }
 
-    /// Whether the locale's characters are UTF-8.
+    /// Returns `true` if the locale's encoding is UTF-8.
     pub(crate) fn is_utf8(&self) -> bool {
         let locale = self.locale.as_ref().map(|(_, value)| value);
         locale.is_some_and(|value| {
@@ -187,7 +187,7 @@ impl Judgement {
         })
     }
 
-    /// The characters to draw with.
+    /// Detects the characters to draw with.
     pub(crate) fn glyphs(&self) -> Detected<Glyphs> {
         if !self.is_utf8() {
             return found(Glyphs::Ascii, words().locale_not_utf8());
@@ -202,7 +202,7 @@ impl Judgement {
         }
     }
 
-    /// The colours to draw with.
+    /// Detects the colours to draw with.
     pub(crate) fn colours(&self) -> Detected<Colours> {
         if self.no_color.is_some() {
             return found(Colours::None, words().no_color_set());
@@ -233,8 +233,8 @@ impl Judgement {
         }
     }
 
-    /// What the workbench may use, where nobody wishes otherwise; `None` where no cursor can be
-    /// placed, and so there is no screen to draw on.
+    /// Returns the capabilities, with `glyphs` and `colours` as overrides. Returns `None` if the
+    /// terminal has no cursor addressing, and so no screen to draw on.
     pub(crate) fn capability(
         &self,
         glyphs: Option<Glyphs>,
@@ -248,7 +248,7 @@ impl Judgement {
         (self.kind() != TerminalKind::Dumb).then_some(capability)
     }
 
-    /// What was read: each variable and what it says, or that it is not set.
+    /// Returns the variables and their values; `None` for unset ones.
     pub(crate) fn variables(&self) -> [(&'static str, Option<&str>); 5] {
         let (name, locale) = match &self.locale {
             Some((name, value)) => (*name, Some(value.as_str())),

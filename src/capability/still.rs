@@ -1,33 +1,33 @@
-//! How a terminal is sent a still picture, judged from the environment too.
+//! Detects the picture protocol of a terminal from the environment.
 
 use super::{Detected, Judgement, TerminalKind, found};
 use crate::wording::words;
 
-/// A way in which terminals take pictures.
+/// A terminal protocol for pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureProtocol {
-    /// That of kitty.
+    /// The kitty graphics protocol.
     Kitty,
-    /// That of iTerm2.
+    /// The inline images protocol of iTerm2.
     Iterm,
-    /// Sixels, as the VT340 had them.
+    /// Sixels, as in the VT340.
     Sixel,
 }
 
-/// How pictures are to be sent.
+/// The selection of a picture protocol.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PictureChoice {
-    /// As the environment says.
+    /// The protocol detected from the environment.
     #[default]
     Auto,
-    /// In this way.
+    /// This protocol.
     By(PictureProtocol),
-    /// Not at all.
+    /// Pictures are disabled.
     Never,
 }
 
 impl PictureChoice {
-    /// All of them.
+    /// All selections.
     pub const ALL: [PictureChoice; 5] = [
         PictureChoice::Auto,
         PictureChoice::By(PictureProtocol::Kitty),
@@ -36,7 +36,7 @@ impl PictureChoice {
         PictureChoice::Never,
     ];
 
-    /// As the options and the configuration name it.
+    /// Returns the name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl PictureChoice {
     }
 }
 
-/// Emulators by how their TERM, or their TERM_PROGRAM, begins.
+/// Prefixes of TERM and TERM_PROGRAM that identify emulators with pictures.
 const TERMS: [(&str, PictureProtocol); 6] = [
     ("xterm-kitty", PictureProtocol::Kitty),
     ("xterm-ghostty", PictureProtocol::Kitty),
@@ -67,7 +67,7 @@ const PROGRAMS: [(&str, PictureProtocol); 5] = [
 ];
 
 impl Judgement {
-    /// How pictures are sent: as is wished, or as the environment says for certain.
+    /// Returns the picture protocol: the selected one, or the one detected with certainty.
     pub(crate) fn pictures(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
         match cfg!(feature = "pictures") {
             true => self.pictures_wished(wish),
@@ -88,7 +88,7 @@ impl Judgement {
         if self.kind() != TerminalKind::Emulator {
             return found(None, words().no_pictures_there(term));
         }
-        // What a multiplexer hands on of the terminal behind it may be that of another session.
+        // A multiplexer may pass on variables of another session's terminal.
         let multiplexed = ["screen", "tmux"].iter().any(|m| term.starts_with(m));
         if self.multiplexed || multiplexed {
             return found(None, words().pictures_behind_multiplexer());

@@ -1,6 +1,6 @@
-//! Arrows in cells. A velocity has one head, an acceleration two and a dashed shaft, a force a closed one, as on paper, so
-//! that no colour is needed to tell them apart; the shaft of one that is too long for its place is
-//! broken in the middle.
+//! Draws arrows in character cells, as on paper. A velocity has one head, an acceleration two heads
+//! and a dashed shaft, and a force a closed head. The kinds therefore differ without colour. An
+//! arrow that is too long for its place has a shaft broken in the middle.
 
 use super::dashes;
 use super::figure::Role;
@@ -10,12 +10,12 @@ use super::stroke;
 use super::symbol::cell_of;
 use crate::Vec2;
 
-/// Shorter than this, in widths of a cell, an arrow would be a head without a shaft.
+/// Minimum arrow length, in cell widths. A shorter arrow would be a head without a shaft.
 const SHORTEST: f64 = 1.0;
-/// The part of the shaft that is left out where it is broken.
+/// The gap in a broken shaft: start and end as fractions of the length.
 const BREAK: (f64, f64) = (0.4, 0.65);
 
-/// Where the shaft's pieces begin and end, as shares of its length.
+/// Returns the start and end of each piece of the shaft, as fractions of its length.
 pub(super) fn pieces(cut: bool) -> &'static [(f64, f64)] {
     if cut {
         &[(0.0, BREAK.0), (BREAK.1, 1.0)]
@@ -24,7 +24,7 @@ pub(super) fn pieces(cut: bool) -> &'static [(f64, f64)] {
     }
 }
 
-/// Draws an arrow between two places in cell coordinates, on cells `aspect` times as high as wide.
+/// Draws an arrow between two points in cell coordinates. Cells are `aspect` times as high as wide.
 pub(super) fn draw(
     raster: &mut Raster,
     glyphs: Glyphs,
@@ -53,7 +53,7 @@ pub(super) fn draw(
         _ => None,
     };
     if let Some(glyph) = before {
-        // The cell before, along the longer side.
+        // The cell before the tip, along the longer axis.
         let cells = step.x.abs().max(step.y.abs()).max(1.0);
         let (before, above) = cell_of(to - step * (1.0 / cells));
         if (before, above) != cell_of(from) {
@@ -62,8 +62,9 @@ pub(super) fn draw(
     }
 }
 
-/// How much of a step from a place in the raster stays inside; all of one from outside, for nobody sees
-/// where it begins. A tip that is not seen would leave an arrow without a head.
+/// Returns the fraction of a step that stays inside the raster, so that the arrow's head stays
+/// visible. A step that begins outside counts in full, because its visible part has no apparent
+/// beginning.
 fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
     let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
     let begins_inside = (0.0..size.x).contains(&from.x) && (0.0..size.y).contains(&from.y);
@@ -71,7 +72,7 @@ fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
         return 1.0;
     }
     let share = |from: f64, step: f64, size: f64| {
-        // To the middle of the outermost cell.
+        // Up to the middle of the outermost cell.
         let room = if step > 0.0 {
             size - 0.5 - from
         } else {
@@ -86,7 +87,7 @@ fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
     share(from.x, step.x, size.x).min(share(from.y, step.y, size.y))
 }
 
-/// The head of an arrow of this direction on the screen, y downwards.
+/// Returns the head glyph for a direction on the screen, y downwards.
 fn head(direction: Vec2) -> char {
     if direction.x.abs() >= direction.y.abs() {
         if direction.x > 0.0 { '>' } else { '<' }
@@ -97,7 +98,7 @@ fn head(direction: Vec2) -> char {
     }
 }
 
-/// An arrow to the right, so many cells long, for a legend.
+/// Returns a horizontal arrow to the right for a legend, `cells` cells long.
 pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
     let shaft = match glyphs {
         Glyphs::Ascii => '-',

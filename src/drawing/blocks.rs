@@ -1,12 +1,12 @@
-//! From dots of Braille to pieces of cells. A drawing is made in dots, 2 x 4 to a cell, and each cell then
-//! gets the block that comes nearest: octants are the same grid, sextants have three rows, quadrants two.
+//! Converts Braille dots to block characters. A drawing is made in dots, 2 x 4 to a cell; each cell
+//! then gets the nearest block. Octants have the same grid, sextants three rows, quadrants two.
 
 use super::figure::Role;
 use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
 
-/// Pieces of a cell that a font may have.
+/// Block characters, by the grid they divide a cell into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blocks {
     /// 2 x 2: most fonts (Unicode 1.0 and 3.2).
@@ -17,10 +17,10 @@ pub enum Blocks {
     Octants,
 }
 
-/// The plate of a link: a light ground for what is drawn with whole blocks.
+/// The glyph for a link's plate: light shading behind solid blocks.
 const PLATE: char = '\u{2591}';
 
-/// Puts blocks in the place of dots.
+/// Replaces Braille dots by blocks.
 pub(super) fn settle(raster: &mut Raster, glyphs: Glyphs) {
     let Glyphs::Blocks(blocks) = glyphs else {
         return;
@@ -31,7 +31,7 @@ pub(super) fn settle(raster: &mut Raster, glyphs: Glyphs) {
                 continue;
             };
             let is_plate = matches!(cell.role, Role::Plate(_) | Role::DriverPlate);
-            // Of a plate what lies behind it is seen through, a trace or a ghost.
+            // A plate is transparent: traces and ghosts behind it show through.
             let through = if is_plate {
                 dots & !plate_dots(col)
             } else {
@@ -45,29 +45,30 @@ pub(super) fn settle(raster: &mut Raster, glyphs: Glyphs) {
     }
 }
 
-/// The dots that a plate has in a cell of this column, in any row: one.
+/// Returns the dots that a plate sets in a cell of this column: one dot, the same in any row.
 fn plate_dots(col: i32) -> u8 {
     let dots = (0..4).flat_map(|row| (0..2).map(move |side| (row, side)));
     let set = dots.filter(|&(row, side)| pattern::is_of_plate(2 * col + side, row));
     set.map(|(row, side)| 1 << (2 * row + side)).sum()
 }
 
-/// The dots of a character of Braille, row by row from the top, the left one first.
+/// Returns the dots of a Braille character as bits, row by row from the top, left dot first; `None`
+/// for any other character.
 fn dots_of(glyph: char) -> Option<u8> {
     let pattern = u32::from(glyph).checked_sub(0x2800).filter(|p| *p < 256)?;
-    // Braille counts down the columns, and its fourth row came later.
+    // Braille counts down the columns, and its fourth row was added later.
     const ROWS: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
     let bit = |k: usize| u8::from(pattern & ROWS[k] != 0) << k;
     Some((0..8).map(bit).sum())
 }
 
-/// The four quarters of a cell, by the bits upper left, upper right, lower left, lower right.
+/// The quadrant characters, indexed by the bits upper left, upper right, lower left, lower right.
 const QUADRANTS: [char; 16] = [
     ' ', '\u{2598}', '\u{259d}', '\u{2580}', '\u{2596}', '\u{258c}', '\u{259e}', '\u{259b}',
     '\u{2597}', '\u{259a}', '\u{2590}', '\u{259c}', '\u{2584}', '\u{2599}', '\u{259f}', '\u{2588}',
 ];
 
-/// Octants that had a character before there were octants, and are no quadrants.
+/// Octants that are not quadrants and had a character before Unicode 16.
 const OLDER: [(u8, char); 10] = [
     (0b0000_0001, '\u{1cea8}'),
     (0b0000_0010, '\u{1ceab}'),
@@ -81,15 +82,15 @@ const OLDER: [(u8, char); 10] = [
     (0b1111_1100, '\u{2586}'),
 ];
 
-/// The first of the octants; they are numbered by their bits, older characters left out.
+/// The first octant; octants are numbered by their bits, skipping older characters.
 const FIRST_OCTANT: u32 = 0x1cd00;
-/// The same of the sextants.
+/// The first sextant; sextants are numbered by their bits, skipping older characters.
 const FIRST_SEXTANT: u32 = 0x1fb00;
 
 impl Blocks {
-    /// The block for these dots.
+    /// Returns the block that is nearest to these dots.
     fn glyph(self, dots: u8) -> char {
-        // A row of a coarser grid is set where one of the dots in it is.
+        // A row of a coarser grid is set if any dot in it is set.
         let row = |row: u8| dots >> (2 * row) & 3;
         match self {
             Blocks::Quadrants => quadrant(row(0) | row(1), row(2) | row(3)),
@@ -103,9 +104,9 @@ const fn quadrant(upper: u8, lower: u8) -> char {
     QUADRANTS[(upper | lower << 2) as usize]
 }
 
-/// By the bits of its six parts, row by row.
+/// Returns the sextant for the bits of its six parts, row by row.
 fn sextant(parts: u8) -> char {
-    // Halves and the whole were there before.
+    // Halves and the full block already had characters.
     const LEFT: u8 = 0b01_01_01;
     const RIGHT: u8 = 0b10_10_10;
     match parts {
@@ -120,7 +121,7 @@ fn sextant(parts: u8) -> char {
     }
 }
 
-/// By the bits of its eight parts.
+/// The octant characters, indexed by the bits of their eight parts, row by row.
 const OCTANTS: [char; 256] = octants();
 
 const fn octants() -> [char; 256] {
@@ -141,7 +142,7 @@ const fn octants() -> [char; 256] {
     octants
 }
 
-/// The character that an octant had before: that of the quarters that it is made of, or one of the others.
+/// Returns the character that an octant had before Unicode 16: a quadrant, or an entry of `OLDER`.
 const fn older(dots: usize) -> Option<char> {
     let rows = [dots & 3, dots >> 2 & 3, dots >> 4 & 3, dots >> 6 & 3];
     if rows[0] == rows[1] && rows[2] == rows[3] {
@@ -203,7 +204,7 @@ mod tests {
         assert_eq!(octant(0b1111_1110), '\u{1cde5}');
     }
 
-    /// Every block is the one that others wrote down for the same parts.
+    /// Returns `true` if every block equals the one that others list for its parts.
     #[cfg(feature = "tui")]
     #[test]
     fn all_blocks_are_those_of_a_table_made_by_others() {

@@ -1,8 +1,8 @@
-//! A box in the world.
+//! An axis-aligned box in the world.
 
 use crate::Vec2;
 
-/// A box in world units; empty until something is included.
+/// An axis-aligned box in world units; empty until a point is included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The lower left corner.
@@ -21,7 +21,7 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    /// Grows to hold `point`, if it is finite.
+    /// Grows the box to contain `point`, if that is finite.
     pub fn include(&mut self, point: Vec2) {
         if point.is_finite() {
             self.low = Vec2::new(self.low.x.min(point.x), self.low.y.min(point.y));
@@ -29,7 +29,7 @@ impl Bounds {
         }
     }
 
-    /// Both boxes' box.
+    /// Returns the smallest box that contains both boxes.
     pub(super) fn with(mut self, other: Bounds) -> Bounds {
         if !other.is_empty() {
             self.include(other.low);
@@ -38,7 +38,8 @@ impl Bounds {
         self
     }
 
-    /// The part inside another box: where both lie apart, the nearest edge of that.
+    /// Clamps the box to another box. If the boxes do not overlap, the nearest edge of `other`
+    /// remains.
     pub(super) fn within(self, other: Bounds) -> Bounds {
         if self.is_empty() || other.is_empty() {
             return self;
@@ -55,7 +56,8 @@ impl Bounds {
         }
     }
 
-    /// From this box a share of the way to another; where one is empty, the other.
+    /// Interpolates linearly between this box and another by `share`; if one is empty, returns the
+    /// other.
     pub(super) fn towards(self, other: Bounds, share: f64) -> Bounds {
         if self.is_empty() || other.is_empty() {
             return self.with(other);
@@ -66,13 +68,13 @@ impl Bounds {
         }
     }
 
-    /// Whether nothing was included.
+    /// Returns `true` if no point was included.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.low.x > self.high.x
     }
 
-    /// Width and height; zero if empty.
+    /// Returns the width and height; zero if empty.
     #[must_use]
     pub fn size(&self) -> Vec2 {
         if self.is_empty() {
@@ -82,7 +84,7 @@ impl Bounds {
         }
     }
 
-    /// The middle; the origin if empty.
+    /// Returns the centre; the origin if empty.
     #[must_use]
     pub fn centre(&self) -> Vec2 {
         if self.is_empty() {

@@ -1,13 +1,13 @@
-//! The chart of a method's errors, iteration by iteration.
+//! Builds the chart of an iterative method's errors, iteration by iteration.
 
 use super::plot::{Chart, Datum, DecadeAxis};
 use crate::study::ErrorCurve;
 use crate::wording::words;
 
-/// Smaller errors, and none at all, stand here: below the rounding of one double.
+/// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
 const LEAST_ERROR: f64 = 1e-17;
 
-/// The chart of the errors of one or more groups. One curve alone is joined.
+/// Returns the chart of the errors of one or more groups. The points of a single curve are joined.
 #[must_use]
 pub fn convergence(curves: &[ErrorCurve]) -> Chart {
     let of = |curve: &ErrorCurve| {
@@ -22,7 +22,7 @@ pub fn convergence(curves: &[ErrorCurve]) -> Chart {
         data.collect::<Vec<_>>()
     };
     Chart {
-        // An axis of decades whose labels are their powers counts from nought, one by one.
+        // The axis counts iterations from 0: its decades are labelled by their exponents.
         x: DecadeAxis {
             title: words().iteration().into(),
             label: |power| power.to_string(),

@@ -1,15 +1,15 @@
-//! The places of a driver along its whole motion, at which what is drawn of that is solved.
+//! Samples the driver's whole motion for traces and arrow scales.
 
 use crate::quantity::{Clock, DriverStand};
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
 use std::f64::consts::PI;
 
-/// Places in a turn, or in a motion between limits: half a degree, at which the chords of a circle lie
+/// Samples per turn, or per motion between limits. Half a degree keeps the chords of a circle
 /// within 1e-5 of its radius.
 const SAMPLES: u32 = 720;
 
-/// The places of the driver along the motion, both ends included.
+/// Returns the driver's coordinates along the motion, both ends included.
 pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverStand> + use<> {
     let (low, high, count, closed) = ends(scene, solver);
     (0..=count).map(move |k| {
@@ -24,7 +24,8 @@ pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = Dri
     })
 }
 
-/// The same, or where the scene has a motion over time and that is meant, its moments.
+/// Returns the driver's coordinates along the motion. If `is_timed` and the scene has a motion over
+/// time, they are its moments, with their rates.
 pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Vec<DriverStand> {
     let clock = Clock::of(scene).filter(|_| is_timed && scene.motion.is_some());
     let Some(clock) = clock else {
@@ -43,7 +44,7 @@ pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Ve
     moments.collect()
 }
 
-/// Where the motion begins and ends, how many samples that is worth, and whether it closes.
+/// Returns where the motion begins and ends, its number of samples, and whether it closes.
 pub(super) fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
     let start = scene.mechanism.driver().start;
     match solver.motion().range {

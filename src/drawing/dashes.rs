@@ -1,8 +1,8 @@
-//! What tells lines apart without colour: which of them are broken, and how.
+//! Dash patterns, which distinguish lines without colour.
 
 use super::figure::Role;
 
-/// How much of a line is drawn, and how much is left out before it goes on.
+/// A dash pattern: the lengths drawn and left out in turn.
 #[derive(Clone, Copy)]
 pub(super) struct Dashes {
     drawn: i32,
@@ -14,14 +14,15 @@ impl Dashes {
         Dashes { drawn, left_out }
     }
 
-    /// Places are counted over the whole raster: while a line moves along itself, its dashes stand still.
+    /// Returns `true` if `place` lies in a gap. Places count over the whole raster, so that the
+    /// dashes of a line that moves along itself do not move.
     pub(super) fn is_gap(self, place: i32) -> bool {
         place.rem_euclid(self.drawn + self.left_out) >= self.drawn
     }
 }
 
-/// The dashes of a line of characters, in cells along its main axis; none where it is whole. The points of a ghost stand
-/// in every cell.
+/// Returns the dashes of a line of characters, in cells along its main axis; `None` for a solid
+/// line. A ghost's points fill every cell.
 pub(super) fn of_cells(role: Role) -> Option<Dashes> {
     match role {
         Role::Acceleration => Some(Dashes::new(2, 1)),
@@ -30,8 +31,9 @@ pub(super) fn of_cells(role: Role) -> Option<Dashes> {
     }
 }
 
-/// The same of a line of dots, of which a cell has so many along it. In a small window bars are lines of dots too, and
-/// without colour a ghost must be none of them: single dots, near enough to be traced by eye. Echoes are dashes.
+/// Returns the dashes of a line of dots, with `in_cell` dots per cell along it; `None` for a solid
+/// line. In a small window bars are lines of dots too, so a ghost must look different without
+/// colour: single dots, close enough for the eye to follow. Echoes are dashes.
 pub(super) fn of_dots(role: Role, in_cell: i32) -> Option<Dashes> {
     match role {
         Role::Acceleration => Some(Dashes::new(2 * in_cell, in_cell)),

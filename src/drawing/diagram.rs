@@ -1,5 +1,5 @@
-//! Vectors to scale: the polygon that a loop's vectors close, head to tail, and velocities or accelerations
-//! from one pole.
+//! Draws vectors to scale: the closed polygon of a loop's vectors, head to tail, and velocities or
+//! accelerations from one pole.
 
 use super::figure::{Figure, Role, Shape};
 use super::reach::Reach;
@@ -15,60 +15,60 @@ pub struct VectorDiagram {
     pub arrows: Vec<DiagramArrow>,
     /// Angles at the tails of vectors.
     pub arcs: Vec<DiagramArc>,
-    /// In what the vectors are counted: `mm/s`.
+    /// The unit of the vectors, such as `mm/s`.
     pub unit: String,
 }
 
-/// A vector.
+/// A vector of a diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramArrow {
-    /// Its tail.
+    /// The tail.
     pub from: Vec2,
-    /// Its head.
+    /// The head.
     pub to: Vec2,
-    /// Its symbol.
+    /// The symbol.
     pub name: String,
-    /// What it is.
+    /// The vector's kind.
     pub kind: ArrowKind,
 }
 
-/// What a vector of a diagram is.
+/// The kind of a diagram's vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowKind {
     /// Known from the start.
     Given,
     /// Moved by the driver.
     Driven,
-    /// Found.
+    /// Computed.
     Sought,
-    /// A part of another vector.
+    /// A component of another vector.
     Part,
 }
 
 /// An angle, counter-clockwise from the x axis, at the tail of a vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramArc {
-    /// The tail.
+    /// The vector's tail.
     pub at: Vec2,
-    /// In degrees, from 0 to below 360.
+    /// The angle in degrees, in [0, 360).
     pub to: f64,
-    /// Its symbol.
+    /// The symbol.
     pub name: String,
 }
 
-/// The sheet in user units, and the margin around what is drawn; below is room for the scale.
+/// The sheet and the margin around the drawing, in user units; the scale bar takes the foot below.
 const SHEET: Vec2 = Vec2 { x: 640.0, y: 480.0 };
 const MARGIN: f64 = 56.0;
 const FOOT: f64 = 40.0;
 const HEAD: f64 = 10.0;
-/// The radius of an arc, and how far its name stands outside.
+/// The radius of an arc, and the distance of its name from it.
 const ARC: f64 = 20.0;
 const ASIDE: f64 = 13.0;
-/// Of a letter, on average.
+/// The average width of a letter.
 const LETTER: f64 = 7.0;
-/// A shorter arrow would be a head alone.
+/// Minimum arrow length. A shorter arrow would be a head alone.
 const SHORTEST: f64 = 2.0;
-/// Below the middle of a text, to its base line.
+/// Distance from the middle of a text down to its baseline.
 const HALF_TEXT: f64 = 4.5;
 
 const STYLE: StyleSheet = StyleSheet {
@@ -95,18 +95,18 @@ const STYLE: StyleSheet = StyleSheet {
 ",
 };
 
-/// Columns and rows of the diagram in characters, at most.
+/// Maximum columns and rows of the diagram in characters.
 const CHARACTERS: (u16, u16) = (76, 26);
 const CELL_ASPECT: f64 = 2.0;
 
 impl VectorDiagram {
-    /// Whether nothing is drawn.
+    /// Returns `true` if the diagram has no vectors.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.arrows.is_empty()
     }
 
-    /// Adds a vector; one of no length, beside the longest, is none.
+    /// Adds a vector. One that is not finite is left out.
     pub fn add(&mut self, from: Vec2, to: Vec2, name: impl Into<String>, kind: ArrowKind) {
         if from.is_finite() && to.is_finite() {
             let name = name.into();
@@ -119,7 +119,7 @@ impl VectorDiagram {
         }
     }
 
-    /// The picture.
+    /// Returns the diagram as a picture.
     #[must_use]
     pub fn artwork(&self, title: &str) -> Artwork {
         let scale = DiagramScale::of(self);
@@ -145,7 +145,7 @@ impl VectorDiagram {
         sheet.art
     }
 
-    /// The picture in characters, line by line.
+    /// Returns the diagram in characters, line by line.
     #[must_use]
     pub fn characters(&self) -> Vec<String> {
         let mut figure = Figure::new();
@@ -163,7 +163,7 @@ impl VectorDiagram {
                 role: Role::Label,
             });
         }
-        // Heads lie above the shafts of what follows.
+        // The heads are drawn last, above all shafts.
         for arrow in &self.arrows {
             let (middle, to) = ((arrow.from + arrow.to) * 0.5, arrow.to);
             figure.add(Shape::Arrow {
@@ -185,7 +185,7 @@ impl VectorDiagram {
     }
 }
 
-/// What was drawn in characters, without the blank lines before and behind it.
+/// Returns the lines of a text drawing, without blank lines at its start and end.
 pub(crate) fn lines_drawn(text: &str) -> Vec<String> {
     let lines = text.lines().map(|line| line.trim_end().to_owned());
     let mut lines: Vec<String> = lines.skip_while(String::is_empty).collect();
@@ -195,11 +195,11 @@ pub(crate) fn lines_drawn(text: &str) -> Vec<String> {
     lines
 }
 
-/// From the plane to the sheet.
+/// The transformation from the plane to the sheet.
 struct DiagramScale {
-    /// User units each.
+    /// User units on the sheet per unit of the plane.
     each: f64,
-    /// What lies at the upper left corner, inside of the margin.
+    /// The point of the plane at the upper left corner, inside the margin.
     corner: Vec2,
     height: f64,
 }
@@ -219,7 +219,7 @@ impl DiagramScale {
         } else {
             1.0
         };
-        // In the middle of the sheet's width.
+        // Centred in the sheet's width.
         let spare = (room.x / each - (high_x - low_x)) * 0.5;
         DiagramScale {
             each,
@@ -237,7 +237,7 @@ impl DiagramScale {
 struct DiagramSheet {
     art: Artwork,
     scale: DiagramScale,
-    /// Where something stands that no name should cover.
+    /// Occupied points, which names should not cover.
     taken: Vec<Vec2>,
 }
 
@@ -299,11 +299,11 @@ impl DiagramSheet {
         self.name(seat, "of-arc", &arc.name);
     }
 
-    /// The place that is farthest from all that stands already; of equals the first.
+    /// Returns the place farthest from everything drawn already; the first of nearly equal places.
     fn freest(&self, seats: Vec<Vec2>) -> Vec2 {
         let room = |seat: &Vec2| {
             let away = self.taken.iter().map(|t| (*t - *seat).norm());
-            // Beyond some letters all places are as good.
+            // Beyond some letters all places are equally good.
             away.fold(3.0 * ASIDE, f64::min)
         };
         let mut best = seats.first().copied().unwrap_or(Vec2::ZERO);
@@ -328,7 +328,7 @@ impl DiagramSheet {
         self.taken.push(at);
     }
 
-    /// What a length on the sheet means.
+    /// Draws the scale bar.
     fn foot(&mut self, unit: &str) {
         let Some(value) = round_length(100.0 / self.scale.each) else {
             return;
@@ -347,7 +347,7 @@ impl DiagramSheet {
     }
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is no longer.
+/// Returns the largest of 1, 2 and 5 times a power of ten that is at most `most`.
 fn round_length(most: f64) -> Option<f64> {
     let power = 10.0_f64.powf(most.log10().floor());
     let steps = [5.0, 2.0, 1.0].map(|step| step * power);

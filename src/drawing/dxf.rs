@@ -1,21 +1,21 @@
-//! A drawing for CAD: lines, circles and texts on named layers, as the DXF of AutoCAD R12.
+//! Writes a drawing for CAD: lines, circles and texts on named layers, as the DXF of AutoCAD R12.
 //!
-//! Everything reads it: no handles, no objects, a code and a value in turns. Numbers are written so that they read
-//! back to the same double; lengths are millimetres.
+//! CAD programs in general read R12: it has no handles and no objects, only codes and values in
+//! turn. Numbers are written so that they read back to the same double; lengths are millimetres.
 
 use crate::Vec2;
 use std::fmt::Write as _;
 
-/// R12 takes no longer name.
+/// The longest name that R12 allows, in characters.
 const LONGEST_NAME: usize = 31;
-/// Colours of layers: red, yellow, green, cyan, blue, magenta.
+/// The number of layer colours: red, yellow, green, cyan, blue, magenta.
 const COLOURS: usize = 6;
 
 /// A layer of a [`DxfDocument`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DxfLayer(usize);
 
-/// A document, filled entity by entity.
+/// A DXF document, filled entity by entity.
 #[derive(Debug, Default)]
 pub(super) struct DxfDocument {
     layers: Vec<String>,
@@ -23,7 +23,7 @@ pub(super) struct DxfDocument {
 }
 
 impl DxfDocument {
-    /// A new layer, called like that as far as DXF lets it: layers are told apart whatever their case.
+    /// Adds a layer, with the requested name as far as DXF allows. Names differ in more than case.
     pub(super) fn layer(&mut self, wish: &str) -> DxfLayer {
         let allowed = |c: char| {
             if c.is_ascii_alphanumeric() || "_-$".contains(c) {
@@ -60,14 +60,14 @@ impl DxfDocument {
         }
     }
 
-    /// A chain of straight lines; what is not finite breaks it.
+    /// Adds a chain of straight lines; points that are not finite break it.
     pub(super) fn chain(&mut self, layer: DxfLayer, course: &[Vec2]) {
         for run in course.split(|p| !p.is_finite()) {
             self.polyline(layer, run, false);
         }
     }
 
-    /// A closed outline.
+    /// Adds a closed outline.
     pub(super) fn outline(&mut self, layer: DxfLayer, corners: &[Vec2]) {
         self.polyline(layer, corners, true);
     }
@@ -102,7 +102,7 @@ impl DxfDocument {
         }
     }
 
-    /// A name; names are ASCII.
+    /// Adds a text, such as a name; names are ASCII.
     pub(super) fn text(&mut self, layer: DxfLayer, at: Vec2, height: f64, text: &str) {
         if at.is_finite() {
             self.begin("TEXT", layer);
@@ -118,7 +118,7 @@ impl DxfDocument {
         self.pair(8, &name);
     }
 
-    /// A place: the first of a line, or its other end.
+    /// Writes a point: the first of an entity, or the other end of a line.
     fn place(&mut self, which: u8, at: Vec2) {
         for (k, coordinate) in [at.x, at.y, 0.0].into_iter().enumerate() {
             self.pair(10 * (k as u8 + 1) + which, &decimal(coordinate));
@@ -129,7 +129,7 @@ impl DxfDocument {
         pair(&mut self.entities, code, value);
     }
 
-    /// The whole document, for what lies between these corners.
+    /// Returns the whole document; `low` and `high` are the corners of the drawing's extents.
     pub(super) fn text_of(&self, low: Vec2, high: Vec2) -> String {
         let mut text = String::new();
         let mut put = |code, value: &dyn std::fmt::Display| pair(&mut text, code, value);
@@ -137,7 +137,7 @@ impl DxfDocument {
         put(2, &"HEADER");
         put(9, &"$ACADVER");
         put(1, &"AC1009");
-        // Millimetres, and metric patterns of lines.
+        // Millimetres, and metric line patterns.
         put(9, &"$INSUNITS");
         put(70, &4);
         put(9, &"$MEASUREMENT");
@@ -183,12 +183,12 @@ impl DxfDocument {
     }
 }
 
-/// A code and its value, a line each.
+/// Appends a code and its value, one line each.
 fn pair(text: &mut String, code: u8, value: &dyn std::fmt::Display) {
     let _ = writeln!(text, "{code:>3}\n{value}");
 }
 
-/// The shortest decimal that reads back to the same double, without an exponent.
+/// Returns the shortest decimal that reads back to the same double, without an exponent.
 fn decimal(value: f64) -> String {
     let text = value.to_string();
     if text.contains('.') {

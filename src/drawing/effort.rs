@@ -1,15 +1,17 @@
-//! What the driver must do over a cycle, as a plot: its torque, with the worst instants marked.
+//! Plots the driver's torque or force over a cycle, with its extremes marked.
 
 use super::plot::{Axis, CurveTurn, Panel, Plot, PlotCurve};
 use crate::Vec2;
 use crate::study::motor::Duty;
 
-/// Points of the curve.
+/// Number of points of the curve.
 const POINTS: u32 = 720;
-/// Towards a dead point the torque may be beyond all bounds: so much of the way beside it is not shown.
+/// The fraction of the cycle left out next to a dead point, because the torque may grow without
+/// bound there.
 const BESIDE: f64 = 0.02;
 
-/// The plot of a cycle: `coordinate` is the name and the unit of the driver's, `effort` of what it does.
+/// Returns the plot of a cycle. `coordinate` is the name and the unit of the driver's coordinate,
+/// `effort` those of its torque or force.
 #[must_use]
 pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
     let [name, unit] = effort;
@@ -32,7 +34,7 @@ pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
         })
     });
     let turns: Vec<CurveTurn> = turns.collect();
-    // The line of no torque is always seen.
+    // The range always includes zero.
     let values = pieces.iter().flatten().map(|p| p[1]);
     let values = values.chain(turns.iter().map(|turn| turn.at.y));
     let (low, high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), v| {

@@ -1,28 +1,28 @@
-//! What is drawn, in world units: no cells, no glyphs.
+//! Shapes of a drawing in world units, independent of cells and glyphs.
 
 use crate::Vec2;
 use std::sync::Arc;
 
-/// What a shape, and later a cell, stands for: colours are chosen by it.
+/// The kind of part that a shape or a cell shows; colours are chosen by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Role {
-    /// Nothing is drawn.
+    /// An empty cell.
     #[default]
     Empty,
     /// The frame: supports and their hatching.
     Ground,
     /// A guide on the ground.
     Guide,
-    /// A moving link, with the number of its hue: below [`LINK_HUES`].
+    /// A moving link, with the number of its hue, below [`LINK_HUES`].
     Link(u8),
     /// The plate of a link of three or more joints, inside its edges.
     Plate(u8),
-    /// The driven link, or the cylinder that drives.
+    /// The driven link, or the driving cylinder.
     Driver,
-    /// The inside of these.
+    /// The inside of the driven link or the driving cylinder.
     DriverPlate,
-    /// Where the driver acts: the pins that it turns, or what it pushes.
+    /// A point where the driver acts: a pin that it turns, or the point that it pushes.
     DriverPin,
     /// A joint between moving links.
     Joint,
@@ -30,15 +30,15 @@ pub enum Role {
     GroundPin,
     /// A block that slides along a guide.
     Slider,
-    /// A point that merely rides on a link.
+    /// A coupler point: a point of a link that is not a joint.
     Rider,
     /// A centre of mass.
     CentreOfMass,
-    /// Where the linkage could be as well.
+    /// Another possible position of the linkage.
     Ghost,
-    /// Where the linkage comes by elsewhere in its motion.
+    /// The linkage at another place of its motion.
     Echo,
-    /// Where a point comes by over the whole motion.
+    /// The path of a point over the whole motion.
     Trace,
     /// A spring.
     Spring,
@@ -48,7 +48,7 @@ pub enum Role {
     Acceleration,
     /// A force or a moment, and its size.
     Force,
-    /// What is pointed at somewhere else: in a list, in a table.
+    /// A part selected elsewhere: in a list, in a table.
     Lit,
     /// A name.
     Label,
@@ -66,11 +66,12 @@ pub enum Role {
     Front,
 }
 
-/// As many hues as can be told apart at a glance, and from the driver's.
+/// Number of link hues that are distinguishable at a glance from each other and from the driver's
+/// hue.
 pub const LINK_HUES: u8 = 5;
 
 impl Role {
-    /// What the name of a part is written as that is drawn as this: letters take more contrast than bars do.
+    /// Returns the role of the name of a part with this role. Letters need more contrast than bars.
     #[must_use]
     pub fn of_name(self) -> Role {
         match self {
@@ -79,12 +80,13 @@ impl Role {
         }
     }
 
-    /// Whether it is a moving part of the linkage, which is drawn as wide as the window allows.
+    /// Returns `true` for a moving part of the linkage, which is drawn as wide as the window
+    /// allows.
     pub(super) fn is_body(self) -> bool {
         matches!(self, Role::Link(_) | Role::Driver | Role::Lit)
     }
 
-    /// Whether it is the mark of a point of the linkage.
+    /// Returns `true` for the mark of a point of the linkage.
     pub(super) fn is_mark(self) -> bool {
         matches!(
             self,
@@ -97,7 +99,7 @@ impl Role {
         )
     }
 
-    /// Whether it lies behind the linkage.
+    /// Returns `true` for parts that lie behind the linkage.
     pub(super) fn is_behind(self) -> bool {
         matches!(
             self,
@@ -112,7 +114,8 @@ impl Role {
         )
     }
 
-    /// What lies between the edges of a part that is drawn as this; nothing in what stands behind the linkage.
+    /// Returns the role of the area between the edges of a part; `None` except for links and the
+    /// driver.
     pub(super) fn of_plate(self) -> Option<Role> {
         match self {
             Role::Link(hue) => Some(Role::Plate(hue)),
@@ -128,48 +131,48 @@ impl Role {
 pub enum Shape {
     /// A straight line.
     Line {
-        /// Where it begins.
+        /// The first end.
         from: Vec2,
-        /// Where it ends.
+        /// The other end.
         to: Vec2,
-        /// What it stands for.
+        /// The part's role.
         role: Role,
     },
     /// A closed outline.
     Outline {
-        /// Its corners in order.
+        /// The corners in order.
         corners: Vec<Vec2>,
-        /// What it stands for.
+        /// The part's role.
         role: Role,
     },
-    /// What lies inside an outline: the plate of a link.
+    /// The inside of an outline: a link's plate.
     Plate {
         /// The corners in order.
         corners: Vec<Vec2>,
-        /// What it stands for.
+        /// The part's role.
         role: Role,
     },
     /// A spring.
     Spring {
-        /// Its one end.
+        /// The first end.
         from: Vec2,
-        /// Its other end.
+        /// The other end.
         to: Vec2,
     },
     /// A body wider than a line: the barrel of a cylinder.
     Barrel {
-        /// The middle of its one end.
+        /// The middle of the first end.
         from: Vec2,
-        /// The middle of its other end.
+        /// The middle of the other end.
         to: Vec2,
-        /// What it stands for.
+        /// The part's role.
         role: Role,
     },
-    /// A small mark: a joint, a rider, a centre of mass.
+    /// A small mark: a joint, a coupler point, a centre of mass.
     Mark {
-        /// Where.
+        /// The point.
         at: Vec2,
-        /// What it stands for; the glyph follows from it.
+        /// The part's role, which determines the glyph.
         role: Role,
     },
     /// The support under a ground pin, with its hatching.
@@ -177,60 +180,62 @@ pub enum Shape {
         /// The pin.
         at: Vec2,
     },
-    /// A guide that is fixed in the ground: two rails beside the way of its block where a window has room for them,
-    /// else the line of that way.
+    /// A guide fixed to the ground: two rails along the path of its block if the window is large
+    /// enough, or else one line.
     Guide {
-        /// Where it begins.
+        /// The first end.
         from: Vec2,
-        /// Where it ends.
+        /// The other end.
         to: Vec2,
-        /// [`Role::Guide`], or [`Role::Lit`].
+        /// [`Role::Guide`] or [`Role::Lit`].
         role: Role,
     },
-    /// Hatching along such a guide, to the right of its direction.
+    /// Hatching along a ground guide, to the right of its direction.
     Hatching {
-        /// Where the guide begins.
+        /// The guide's first end.
         from: Vec2,
-        /// Where it ends.
+        /// The guide's other end.
         to: Vec2,
     },
-    /// A block that slides; a pin in it is a mark of its own.
+    /// A sliding block, without the mark of its pin.
     Block {
-        /// Its middle.
+        /// The middle.
         at: Vec2,
         /// The direction of its guide.
         along: Vec2,
     },
-    /// Where a point comes by: a chain of straight lines, short enough to look like a curve.
+    /// The path of a point: a chain of straight lines, short enough to look like a curve.
     Trace {
-        /// Its corners; one that is not finite is a gap. Shared, for it is the same in every frame.
+        /// The corners; one that is not finite is a gap. Shared, because every frame has the same
+        /// path.
         course: Arc<[Vec2]>,
     },
     /// An arrow from a point.
     Arrow {
-        /// The point.
+        /// The tail.
         from: Vec2,
         /// The tip.
         to: Vec2,
-        /// [`Role::Velocity`], [`Role::Acceleration`] with its two heads, or [`Role::Force`] with its closed one.
+        /// [`Role::Velocity`], [`Role::Acceleration`] with two heads, or [`Role::Force`] with a
+        /// closed head.
         role: Role,
-        /// Whether it is shorter than what it stands for; its shaft is then broken.
+        /// `true` if the arrow is shorter than its vector to scale; its shaft is then broken.
         cut: bool,
     },
-    /// A moment about a place: an arrow around it.
+    /// A moment about a point: an arrow around it.
     Moment {
-        /// The place.
+        /// The point.
         at: Vec2,
-        /// Whether it turns counter-clockwise.
+        /// `true` if the moment is counter-clockwise.
         is_left: bool,
     },
-    /// A name beside a point.
+    /// A name next to a point.
     Label {
         /// The point.
         at: Vec2,
         /// The name.
         text: String,
-        /// Whose name it is.
+        /// The role of the named part.
         role: Role,
     },
 }
@@ -244,7 +249,7 @@ impl Shape {
             | Shape::Hatching { from, to }
             | Shape::Spring { from, to }
             | Shape::Arrow { from, to, .. } => from.is_finite() && to.is_finite(),
-            // Gaps are a part of it.
+            // A point that is not finite is a gap in the trace.
             Shape::Trace { .. } => true,
             Shape::Outline { corners, .. } | Shape::Plate { corners, .. } => {
                 corners.iter().all(|c| c.is_finite())
@@ -258,30 +263,31 @@ impl Shape {
     }
 }
 
-/// Shapes in world units, every one finite but for the gaps of traces.
+/// Shapes in world units; all are finite, except for the gaps of traces.
 ///
-/// Of two shapes of the same kind the later one lies on top; kinds are ordered by the painter:
-/// ghosts and traces below, then the ground, guides, plates, links, the driver, what is lit, arrows, marks, and names.
+/// If two shapes have the same kind, the later one lies on top. The renderer orders the kinds:
+/// ghosts and traces below, then the ground, guides, plates, links, the driver, highlighted parts,
+/// arrows, marks, and names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     shapes: Vec<Shape>,
 }
 
 impl Figure {
-    /// A figure of nothing.
+    /// Creates an empty figure.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a shape. One that is not finite is left out: there is no place to draw it.
+    /// Adds a shape; one that is not finite is ignored.
     pub fn add(&mut self, shape: Shape) {
         if shape.is_finite() {
             self.shapes.push(shape);
         }
     }
 
-    /// The shapes, in the order in which they were added.
+    /// Returns the shapes in the order in which they were added.
     #[must_use]
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes

@@ -1,7 +1,8 @@
-//! What acts on the linkage, as arrows with their sizes: loads, what joints and guides bear, and what the driver does.
+//! Draws the forces on the linkage as arrows with their sizes: loads, joint and guide reactions,
+//! and the driving force or moment.
 //!
-//! A force that is withheld, or that equilibrium leaves open, has none. Where a pin joins two bodies and nothing acts on
-//! it, one force stands for both: that on the link that comes first.
+//! Hidden forces, and forces that equilibrium leaves undetermined, have no arrow. If a pin
+//! joins two bodies and carries no load, one arrow shows the force on the link that comes first.
 
 use super::bounds::Bounds;
 use super::figure::{Figure, Role, Shape};
@@ -15,33 +16,33 @@ use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::{Body, Input, Mechanism, Vec2};
 
-/// Arrows of forces, if they are shown.
+/// The scale of the force arrows, if forces are shown.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ForceArrows {
-    /// Of newtons.
+    /// The scale of forces in newtons.
     scale: Option<ArrowScale>,
-    /// A smaller moment is what rounding leaves of one that is 0, in N m.
+    /// The threshold below which a moment is the rounding error of a zero, in N m.
     least_moment: f64,
 }
 
-/// A smaller part of the longest arrow is too short to tell its size.
+/// The fraction of the longest arrow below which an arrow gets no size.
 const TELLING: f64 = 0.05;
 
-/// A moment is none where it is so small a part of the longest force at the length of the whole, or of the largest
-/// moment.
+/// The fraction below which a moment counts as zero, relative to the largest moment, or to the largest force
+/// times the size of the whole drawing.
 const NO_MOMENT: f64 = 1e-9;
 
-/// What acts at a state.
+/// The forces and moments on the linkage in one state.
 #[derive(Default)]
 struct Found {
-    /// Where, and in N.
+    /// Points of application, and forces in N.
     forces: Vec<(Vec2, Vec2)>,
-    /// About which place, and in N m, counter-clockwise.
+    /// Points, and moments in N m, counter-clockwise.
     moments: Vec<(Vec2, f64)>,
 }
 
 impl ForceArrows {
-    /// To one scale over the whole motion; `tips` grows by where they come to.
+    /// Computes one scale for the whole motion; appends the extents of the arrows' tips to `tips`.
     pub(super) fn of(
         (scene, solver): (&Scene, &Solver),
         course: Vec<DriverStand>,
@@ -68,7 +69,7 @@ impl ForceArrows {
         }
     }
 
-    /// Adds those of a state that was solved to its forces.
+    /// Adds the arrows of a state with solved forces to a figure.
     pub(super) fn add_to(
         &self,
         figure: &mut Figure,
@@ -103,7 +104,7 @@ impl ForceArrows {
         }
     }
 
-    /// What the arrows mean on a drawing with this window.
+    /// Returns the legend entry of the arrows for a drawing with this window.
     pub(super) fn legend(&self, view: &WorldView, zoom: f64) -> Option<LegendEntry> {
         let scale = self.scale.filter(|scale| scale.most() > 0.0)?;
         let cells = view.cells_along(scale.per(zoom));
@@ -111,7 +112,7 @@ impl ForceArrows {
     }
 }
 
-/// What acts at a state, as far as it is known.
+/// Returns all known forces and moments in a state.
 fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> Found {
     let mut found = Found::default();
     joints(mechanism, state, &mut found);
@@ -128,7 +129,7 @@ fn joints(mechanism: &Mechanism, state: &State, found: &mut Found) {
             let is_told = match mechanism.partner(link, point) {
                 Some(Body::Link(other)) => link < other,
                 Some(Body::Ground) => true,
-                // The arrows of guides and of the driver tell it already.
+                // The arrows of guides and of the driver show this force already.
                 None => !mechanism.is_guided_alone(point),
             };
             let force = state.joint_force(link, point).filter(|_| is_told);
@@ -143,13 +144,13 @@ fn guides(mechanism: &Mechanism, state: &State, found: &mut Found) {
             let at = state.position(slide.slider.point());
             let force = travel.guide.perp() * normal;
             found.forces.extend(at.map(|at| (at, force)));
-            // What does not turn on its guide is held by it.
+            // A block that cannot turn on its guide passes a moment to it.
             found.moments.extend(at.zip(state.moment(id)));
         }
     }
 }
 
-/// What the driver does: about its pivot, or along its guide.
+/// Adds the driver's moment about its pivot, or its force along its guide.
 fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
     let Some(drive) = state.drive() else { return };
     match mechanism.driver().input {
@@ -165,7 +166,7 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
     }
 }
 
-/// A spring is drawn as one, and pulls at both ends alike.
+/// Adds the loads at points and on links. Springs are drawn as springs and get no arrows.
 fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Found) {
     for (load, acted) in mechanism.loads().iter().zip(solver.acted(state)) {
         if load.ends().is_some() {
@@ -189,7 +190,8 @@ fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Foun
     }
 }
 
-/// Three digits, as far as these stand behind the point.
+/// Formats a size with about three significant digits, in exponent notation below 1e-3 and from
+/// 1e7.
 pub(super) fn rounded(size: f64) -> String {
     if !(1e-3..1e7).contains(&size) {
         return format!("{size:.2e}");
@@ -218,7 +220,7 @@ mod tests {
         })
     }
 
-    /// What is added to the figure of the linkage.
+    /// Returns the shapes added to the figure of the linkage.
     fn added(stage: &DrawingStage, state: &State) -> Vec<Shape> {
         let mut figure = Figure::new();
         forces(stage).add_to(&mut figure, &stage.scene, &stage.solver, state, 1.0);

@@ -1,4 +1,4 @@
-//! A link cut free of all others, with what acts on it.
+//! Draws the free-body diagram of a link.
 
 use super::figure::{Figure, Role, Shape};
 use super::force_arrows::rounded;
@@ -9,23 +9,23 @@ use crate::scene::Scene;
 use crate::solver::State;
 use crate::{LinkId, Vec2};
 
-/// What acts on a link.
+/// A force or a couple on a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeForce {
-    /// What it is, in a word.
+    /// The name, one word.
     pub name: String,
-    /// Where it acts; a couple acts nowhere in particular.
+    /// The point of application; `None` for a couple.
     pub at: Option<Vec2>,
-    /// In N, in the ground's frame.
+    /// The force in N, in the ground's frame.
     pub force: Vec2,
-    /// In N m, counter-clockwise.
+    /// The couple in N m, counter-clockwise.
     pub couple: f64,
 }
 
 impl FreeForce {
-    /// `B 127 N`, `r4 35.1 N, 2.10 N m`.
+    /// Returns the label: `B 127 N`, `r4 35.1 N, 2.10 N m`.
     ///
-    /// What is too small to be drawn has no size either.
+    /// Sizes of parts too small to be drawn are left out.
     fn told(&self, [pushes, turns]: [bool; 2]) -> String {
         let sizes = [
             (pushes, self.force.norm(), "N"),
@@ -39,15 +39,17 @@ impl FreeForce {
     }
 }
 
-/// The longest arrow beside the link.
+/// Length of the longest arrow, as a fraction of the link's size.
 const LONGEST: f64 = 0.55;
-/// A shorter arrow would hide under the mark of its point.
+/// Minimum length of an arrow, as a fraction of the longest. A shorter arrow would be hidden under
+/// the mark of its point.
 const SHORTEST: f64 = 0.2;
-/// A smaller part of the largest force, or of the largest moment, is rounding or too short to be seen.
+/// The fraction of the largest force or moment below which a value is not drawn: rounding error, or
+/// too short to be visible.
 const SEEN: f64 = 1e-3;
 
-/// The figure of a link with the forces on it, the longest about half as long as the link, and all that it takes to
-/// show it; `None` without an assembly, and where nothing acts.
+/// Returns the figure of a link with the forces on it, and its extents. The longest arrow is about
+/// half as long as the link. Returns `None` without an assembly, and if no force acts.
 #[must_use]
 pub fn free_body(
     scene: &Scene,
@@ -91,7 +93,8 @@ pub fn free_body(
     Some((figure, reach))
 }
 
-/// Adds an arrow for every force and every couple; `places` grows by where they come to.
+/// Adds an arrow for every force and every couple; appends the outer ends of the arrows to
+/// `places`. Returns `None` if all forces are zero or if one is not finite.
 fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> Option<()> {
     let middle = places.iter().fold(Vec2::ZERO, |sum, &at| sum + at) / places.len() as f64;
     let size = places
@@ -112,7 +115,8 @@ fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> 
         if one.force.norm() > SEEN * most {
             let share = (one.force.norm() / most).max(SHORTEST);
             let arrow = one.force * (LONGEST * size * share / one.force.norm());
-            // What pushes into the link ends where it acts, and what pulls begins there: neither lies upon it.
+            // A force that pushes into the link ends at its point, and one that pulls begins there,
+            // so that neither covers the link.
             let pushes = arrow.dot(middle - at) > 0.0;
             outer = if pushes { at - arrow } else { at + arrow };
             let (from, to) = if pushes { (outer, at) } else { (at, outer) };

@@ -1,4 +1,5 @@
-//! The linkage where it is not: in another assembly, elsewhere in its motion, before an edit, or another one.
+//! Draws ghosts of the linkage: another assembly, other places in its motion, the linkage before an
+//! edit, or another linkage.
 
 use super::figure::{Figure, Role};
 use super::outline::{self, Corner};
@@ -7,12 +8,13 @@ use crate::Member;
 use crate::scene::Scene;
 use crate::solver::{Condition, State};
 
-/// Adds the links that are elsewhere in another state of the same scene, to be drawn below everything.
+/// Adds the links that have moved in another state of the same scene. Call it before all other
+/// shapes, so that the ghost lies below them.
 pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State) {
     add_moved(figure, scene, now, other, Role::Ghost);
 }
 
-/// Adds the links that are elsewhere in another state, as this role.
+/// Adds the links that have moved in another state, with the given role.
 pub(super) fn add_moved(
     figure: &mut Figure,
     scene: &Scene,
@@ -41,8 +43,9 @@ pub(super) fn add_moved(
     }
 }
 
-/// Adds what an edit has moved, as it was before it, to be drawn below everything: the scene and its state now, and
-/// before. Where the edit has made other points, all links are shown.
+/// Adds the links moved by an edit, as they were before it. `now` and `before` are the scene and
+/// its state after and before the edit. If the edit has changed the points or the unit, all links
+/// are added. Call it before all other shapes, so that the ghost lies below them.
 pub fn add_before(figure: &mut Figure, now: (&Scene, &State), before: (&Scene, &State)) {
     let points = |scene: &Scene| scene.mechanism.points().len();
     let is_alike = now.0.unit == before.0.unit && points(now.0) == points(before.0);
@@ -58,8 +61,9 @@ pub fn add_before(figure: &mut Figure, now: (&Scene, &State), before: (&Scene, &
     }
 }
 
-/// Adds the links of another scene, to be drawn below everything. `scale` is how many units of the
-/// figure one of the other's is; where it has no assembly, nothing is added.
+/// Adds all links of another scene; nothing if it has no assembly. `scale` converts a length in the
+/// other scene's unit to the figure's unit. Call it before all other shapes, so that the ghost lies
+/// below them.
 pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) {
     if state.condition() == Condition::NoAssembly {
         return;
@@ -78,5 +82,5 @@ pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) 
     }
 }
 
-/// What differs by less than this part of the largest coordinate is in the same place to any eye.
+/// The distance below which two places look the same, as a fraction of the largest coordinate.
 const SEEN: f64 = 1e-6;

@@ -1,13 +1,13 @@
-//! The hues of a drawing, and what is drawn in which: one table for every terminal, and for what is played in one.
+//! The hues of a drawing's roles: one table for all terminals and for recordings.
 
 use super::figure::Role;
 
-/// A hue that can be told from the others at a glance.
+/// A hue that is distinguishable from the others at a glance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Hue {
     Red,
     Orange,
-    /// Orange where it is written: one that draws well is too light for letters.
+    /// Orange for text: an orange for drawings is too light for letters.
     Brown,
     Yellow,
     Lime,
@@ -17,15 +17,15 @@ pub(crate) enum Hue {
     Blue,
     Violet,
     Magenta,
-    /// What is told quietly.
+    /// For parts in the background.
     Grey,
 }
 
-/// The hues of links, by their numbers: no neighbour of another is like it, and none like the driver's.
+/// The hues of links, by number. Neighbours differ clearly, and none is close to the driver's.
 const LINKS: [Hue; 5] = [Hue::Blue, Hue::Green, Hue::Violet, Hue::Orange, Hue::Teal];
 
 impl Hue {
-    /// That of a part of the drawing; `None` where it is drawn as text is written.
+    /// Returns the hue of a role; `None` for roles in the text colour.
     pub(crate) fn of(role: Role) -> Option<Hue> {
         Some(match role {
             Role::Link(hue) | Role::Plate(hue) => LINKS[usize::from(hue) % LINKS.len()],
@@ -53,8 +53,8 @@ impl Hue {
         })
     }
 
-    /// Its number in the fixed palette of 256. Of middle luminance: the contrasts against black and against white
-    /// are alike.
+    /// Returns the hue's number in the fixed palette of 256 colours. All have a middle luminance,
+    /// with similar contrast against black and white.
     pub(crate) fn on_any_ground(self) -> u8 {
         match self {
             Hue::Red => 131,
@@ -73,7 +73,7 @@ impl Hue {
     }
 }
 
-/// Whether a part of the drawing is bold.
+/// Returns `true` if a part of the drawing is bold.
 pub(crate) fn is_bold(role: Role) -> bool {
     let stands_out = matches!(role, Role::Velocity | Role::Force | Role::Lit | Role::Front);
     stands_out || role.is_mark()

@@ -1,4 +1,4 @@
-//! Names beside their points, out of the way of everything else.
+//! Places names next to their points, clear of everything else.
 
 use super::figure::{Figure, Role, Shape};
 use super::raster::{CharCell, Raster};
@@ -6,30 +6,30 @@ use super::symbol::cell_of;
 use super::view::WorldView;
 use crate::Vec2;
 
-/// Where the labels of a figure stood last; keep it from frame to frame.
+/// The places of a figure's labels in the last frame; keep it from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
     places: Vec<LabelPlace>,
 }
 
-/// What became of a label.
+/// The result of placing a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum LabelPlace {
-    /// It was not drawn yet.
+    /// Not placed yet.
     New,
-    /// There was no room.
+    /// Left out for lack of space.
     Hidden,
-    /// It stands on the seat of this index.
+    /// Placed on the seat with this index in `SEATS`.
     Seat(usize),
 }
 
 /// A place for a label, relative to its point.
 struct LabelSeat {
-    /// From the point's cell to the label's near end (or its middle, for `Align::Middle`).
+    /// Offset from the point's cell to the label's near end, or its middle for `Align::Middle`.
     col: i32,
     row: i32,
     align: Align,
-    /// What it costs by itself.
+    /// The seat's own cost, without the cost of the cells that a label hides.
     cost: i32,
 }
 
@@ -51,11 +51,12 @@ const fn seat(col: i32, row: i32, align: Align, cost: i32) -> LabelSeat {
     }
 }
 
-/// The seats next to a point and one column farther. Beyond them only names stand: they are known by their
-/// points, and no bar may be covered.
+/// Number of seats next to a point or one column farther. The seats after them are for names only:
+/// a name is recognized by its point, and must not cover a bar.
 const NEAR: usize = 14;
 
-/// Above right is where readers look first; sides next, then below; the outer ring if the inner is full.
+/// The seats: above right first, as readers look there first; then the sides, then below; the outer
+/// ring if the inner one is full.
 const SEATS: [LabelSeat; 22] = [
     seat(1, -1, Align::Start, 0),
     seat(-1, -1, Align::End, 1),
@@ -81,26 +82,28 @@ const SEATS: [LabelSeat; 22] = [
     seat(-5, 0, Align::End, 8),
 ];
 
-/// For each character that hides a piece of an arrow, which moves more than lines do.
+/// Cost per character that hides part of an arrow, which moves more than lines do.
 const OVER_ARROW: i32 = 5;
-/// For each character that hides a piece of the ground or of a guide.
+/// Cost per character that hides part of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
-/// For a mark right before or behind.
+/// Cost of a mark directly before or after the label.
 const TOUCHING: i32 = 5;
-/// For a line right before or behind.
+/// Cost of a line directly before or after the label.
 const BESIDE_LINE: i32 = 3;
-/// A label that would cost more is left out: it would hide more than it tells.
+/// Maximum cost of a label. A more expensive one is left out, because it would hide more than it
+/// shows.
 const TOO_MUCH: i32 = 16;
-/// The same where the names together are longer than the lines: only those that stand free help then.
+/// Maximum cost if the names together are longer than the lines: only names in free space help
+/// then.
 const TOO_MUCH_IN_A_CROWD: i32 = 3;
-/// A label moves only for a place that is better by more than this.
+/// Minimum gain in cost for which a label moves.
 const INERTIA: i32 = 6;
 
 impl Labels {
-    /// Draws the labels of a figure over a raster in which everything else is drawn.
+    /// Draws the labels of a figure over a raster that holds everything else.
     pub(super) fn place(&mut self, figure: &Figure, view: &WorldView, raster: &mut Raster) {
         let labels = names(figure);
-        // Sizes of forces come last, and no name goes for them.
+        // Sizes of forces are placed last and never displace a name.
         let own = labels.clone().filter(|(_, _, role)| *role != Role::Force);
         let length: usize = own.map(|(_, text, _)| text.len()).sum();
         let is_line = |cell: &&CharCell| cell.role.is_body();
@@ -129,8 +132,8 @@ impl Labels {
 }
 
 impl Labels {
-    /// The names of a figure that were placed, whose they are, and how many columns and rows from that point's
-    /// cell they begin.
+    /// Returns the placed names of a figure, their points, and the column and row offsets of their
+    /// first characters from the point's cell.
     pub(super) fn standing<'f>(
         &self,
         figure: &'f Figure,
@@ -148,7 +151,7 @@ impl Labels {
     }
 }
 
-/// The names of a figure, where they belong, and whose they are.
+/// Returns the labels of a figure: their points, texts and roles.
 fn names(figure: &Figure) -> impl Iterator<Item = (Vec2, &str, Role)> + Clone {
     figure.shapes().iter().filter_map(|shape| match shape {
         Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
@@ -156,7 +159,7 @@ fn names(figure: &Figure) -> impl Iterator<Item = (Vec2, &str, Role)> + Clone {
     })
 }
 
-/// Writes a name, with a blank before and behind where there is hatching.
+/// Writes a name, with a blank before and after it on hatching.
 fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     let mut end = col;
     for glyph in text.chars() {
@@ -183,7 +186,7 @@ fn best_place(
     if raster.cell(point.0, point.1).is_none() {
         return LabelPlace::Hidden;
     }
-    // One that was left out comes back only when there is clearly room for it.
+    // A hidden label returns only when there is clearly space for it, so that it does not flicker.
     let limit = if last == LabelPlace::Hidden {
         (limit - INERTIA).max(0)
     } else {
@@ -201,7 +204,8 @@ fn best_place(
         .map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
 }
 
-/// Where a text can stand beside a cell and hides nothing, by its first cell, the best place first.
+/// Returns the first cells of all places next to a cell where a text hides nothing, best place
+/// first.
 pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec<(i32, i32)> {
     let free = |seat: &&LabelSeat| {
         let (col, row) = origin(seat, point, text);
@@ -212,12 +216,12 @@ pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec
     seats.iter().map(|seat| origin(seat, point, text)).collect()
 }
 
-/// Characters, of which no name has more than a raster has columns and is still shown.
+/// Returns the number of characters, limited to the maximum number of columns of a raster.
 fn width(text: &str) -> i32 {
     text.chars().count().min(usize::from(u16::MAX)) as i32
 }
 
-/// The cell of the first character.
+/// Returns the cell of the label's first character.
 fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     let back = match seat.align {
         Align::Start => 0,
@@ -227,18 +231,19 @@ fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     (point.0 + seat.col - back, point.1 + seat.row)
 }
 
-/// What a label hides at a place; `None` where it cannot stand: outside, on a bar, on a mark, on another
-/// name.
+/// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there: outside
+/// the raster, or on a bar, a mark or another name.
 fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     let end = col + width(text);
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {
-            // Names stay where they are when ghosts and traces come and go.
+            // Free, so that names do not move when ghosts and traces appear or disappear.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
             Role::Velocity | Role::Acceleration => OVER_ARROW,
-            // Bars, marks and other names. A size that hid a piece of another force would be read as that of both.
+            // Bars, marks and other names. A size over part of another force would be read as the
+            // size of both.
             _ => return None,
         };
     }
@@ -250,7 +255,7 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             role if role.is_behind() && role != Role::Spring => 0,
             role if role.is_body() => BESIDE_LINE,
             Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => BESIDE_LINE,
-            // `B` beside `C` would read as one name.
+            // `B` next to `C` would read as one name.
             _ => return None,
         };
     }
@@ -259,13 +264,13 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
 
 #[cfg(test)]
 impl Labels {
-    /// How many labels stand elsewhere than `before`.
+    /// Returns the number of labels whose places differ from `before`.
     pub(super) fn moved_from(&self, before: &Labels) -> usize {
         let pairs = self.places.iter().zip(&before.places);
         pairs.filter(|(now, then)| now != then).count()
     }
 
-    /// How many are left out.
+    /// Returns the number of labels left out.
     pub(super) fn hidden(&self) -> usize {
         self.places
             .iter()

@@ -1,4 +1,4 @@
-//! What the arrows of a drawing mean, and what else is shown, in a line or two.
+//! Lays out the legend of a drawing: the scales of its arrows and other notes, in a line or two.
 //!
 //! ```text
 //! v 500 mm/s = ------>   a 5000 mm/s^2 = -- ->>   trace P
@@ -12,35 +12,36 @@ use crate::wording::words;
 /// An entry of a legend.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LegendEntry {
-    /// An arrow and what its length means.
+    /// An arrow and the value of its length.
     Arrow {
         /// [`Role::Velocity`], [`Role::Acceleration`] or [`Role::Force`].
         role: Role,
-        /// `v 500 mm/s`.
+        /// The value: `v 500 mm/s`.
         text: String,
-        /// Its length in widths of a cell.
+        /// The arrow's length in cell widths.
         cells: f64,
     },
-    /// Words.
+    /// A note in words.
     Note(String),
 }
 
 /// A piece of a legend's line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LegendPiece {
-    /// What is written.
+    /// The text.
     pub text: String,
-    /// What it stands for.
+    /// The role, which determines the colour.
     pub role: Role,
 }
 
-/// The arrow of a legend is at least so long; the next round value would be less than 2.5 times as long.
+/// Minimum length of a legend's arrow, in cell widths. The next round value is at most 2.5 times as
+/// long.
 const SHORTEST: f64 = 4.0;
-/// Between two entries.
+/// The separator between two entries.
 const GAP: &str = "   ";
 
 impl LegendEntry {
-    /// The arrow of a round value, where one unit is so many widths of a cell long.
+    /// Creates the arrow of a round value, with `cells_each` cell widths per unit.
     pub(super) fn arrow(role: Role, letter: &str, unit: &str, cells_each: f64) -> LegendEntry {
         let value = round_up(SHORTEST / cells_each);
         match value {
@@ -70,7 +71,8 @@ impl LegendEntry {
     }
 }
 
-/// The legend in lines of `width` characters, at most so many; what finds no room is left out.
+/// Lays out the legend in at most `most` lines of `width` characters; entries without space are
+/// left out.
 #[must_use]
 pub fn legend_lines(
     keys: &[LegendEntry],
@@ -99,7 +101,8 @@ pub fn legend_lines(
     lines
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is no smaller; `None` if that is no number.
+/// Returns the smallest of 1, 2 and 5 times a power of ten that is at least `value`; `None` if the
+/// result is not finite and positive.
 fn round_up(value: f64) -> Option<f64> {
     let power = 10.0_f64.powf(value.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * power);
@@ -107,7 +110,7 @@ fn round_up(value: f64) -> Option<f64> {
     least.filter(|v| v.is_finite() && *v > 0.0)
 }
 
-/// A round value without needless digits.
+/// Formats a round value without trailing zeros.
 fn plain(value: f64) -> String {
     if (1e-3..1e6).contains(&value) {
         let text = format!("{value:.4}");

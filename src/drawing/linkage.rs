@@ -1,4 +1,4 @@
-//! The figure of a scene in a state.
+//! Builds the figure of a scene in a state.
 
 mod stops;
 
@@ -12,7 +12,7 @@ use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Known, State};
 use crate::{Body, Input, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2};
 
-/// What of a linkage is shown beside its links and joints.
+/// Parts of a linkage to show in addition to its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layers {
     /// Supports and hatching.
@@ -23,7 +23,7 @@ pub struct Layers {
     pub links: bool,
     /// Centres of mass.
     pub centres: bool,
-    /// What is lit up, and named whatever else is.
+    /// The highlighted part, which is always named.
     pub lit: Option<Subject>,
 }
 
@@ -39,7 +39,7 @@ impl Default for Layers {
     }
 }
 
-/// Builds the figure of a scene in a state; of the ground alone where there is no assembly.
+/// Builds the figure of a scene in a state; only the ground if there is no assembly.
 #[must_use]
 pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;
@@ -61,7 +61,8 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     if assembled {
         sketch.springs();
         sketch.links();
-        // A joint at the same place is drawn over a centre of mass or a rider, as the pin of a block is.
+        // Drawn before the joints: a joint, or the pin of a block, covers a centre of mass or a
+        // coupler point at its place.
         sketch.marks(&[Role::CentreOfMass, Role::Rider]);
         sketch.slides();
         sketch.stops();
@@ -70,7 +71,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     }
     sketch.ground_pins();
     if assembled {
-        // Last of all: however small a window is, the driver is on top.
+        // Drawn last: the driver is on top even in the smallest window.
         sketch.driver_pins();
     }
     sketch.names(assembled);
@@ -78,11 +79,11 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
 }
 
 struct LinkageSketch<'a> {
-    /// By point.
+    /// Roles by point.
     roles: Vec<Role>,
-    /// By link, whatever is lit.
+    /// Roles by link, without highlighting.
     links: Vec<Role>,
-    /// A point, a link, a slide or the line between two points.
+    /// The highlighted point, link or slide, or the line between two points.
     lit: Option<Subject>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
@@ -109,7 +110,7 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// Hatching below a guide, or on the side of an upright one that lies away from the linkage.
+    /// Returns the hatching below a guide, or on the outer side of a steep one.
     fn hatching(&self, from: Vec2, to: Vec2) -> Shape {
         let along = to - from;
         let inwards = self.reach.bounds().centre() - from;
@@ -157,7 +158,7 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// The places of a link's points, the centre of mass left out.
+    /// Returns the corners of a link: its points without the centre of mass.
     fn body(&self, link: LinkId) -> Vec<Corner> {
         let link = self.mechanism.link(link);
         let solid = link.members.iter().filter(|m| link.com != Some(m.point));
@@ -194,7 +195,8 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// Whether an input acts at a point: on a pin that it turns, or on what it pushes.
+    /// Returns `true` if an input acts at a point: at a pin that it turns, or at the point that it
+    /// pushes.
     fn is_driven(&self, point: PointId) -> bool {
         self.input_at(point).is_some()
     }
@@ -225,14 +227,15 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// A place on the guide of a slide now, by the position counted from `through`.
+    /// Returns the current point on a slide's guide at a position counted from `through`.
     fn on_guide(&self, id: SlideId, position: f64) -> Vec2 {
         let travel = self.state.travel(id);
         let slider = self.mechanism.slide(id).slider.point();
         self.state.position(slider) + travel.guide * (position - travel.position)
     }
 
-    /// The guide of a moving link over the whole travel, and what joins it to the link's points.
+    /// Draws the guide on a moving link over the whole travel, and the line that joins it to the
+    /// link's points.
     fn slot(&mut self, id: SlideId, on: LinkId) {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
@@ -248,8 +251,8 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// Where the barrel of a cylinder ends, counted along its guide: at the link's point farthest out
-    /// that the rod never passes, or a little before the shortest stroke. None if there is no room.
+    /// Returns the position of a cylinder's mouth along its guide: the link's outermost point that
+    /// the rod never passes, or 0.85 of the shortest stroke. Returns `None` if there is no space.
     fn mouth(&self, id: SlideId, on: LinkId) -> Option<f64> {
         let (shortest, _) = self.reach.travel(id)?;
         let slide = self.mechanism.slide(id);
@@ -265,7 +268,7 @@ impl LinkageSketch<'_> {
         (mouth > 0.0).then_some(mouth)
     }
 
-    /// The barrel up to its mouth, and the rod from there to the point that it pushes.
+    /// Draws the barrel up to its mouth, and the rod from there to the pushed point.
     fn cylinder(&mut self, id: SlideId, on: LinkId, mouth: f64) {
         let (foot, rim) = (self.on_guide(id, 0.0), self.on_guide(id, mouth));
         let eye = self.state.position(self.mechanism.slide(id).slider.point());
@@ -285,7 +288,7 @@ impl LinkageSketch<'_> {
     fn join(&mut self, on: LinkId, from: Vec2, to: Vec2) {
         let along = to - from;
         let foot = |p: Vec2| {
-            // Of a guide of no length either end is the nearest point.
+            // On a guide of zero length either end is the nearest point.
             let share = (p - from).dot(along) / along.norm2().max(f64::MIN_POSITIVE);
             from + along * share.clamp(0.0, 1.0)
         };
@@ -317,7 +320,7 @@ impl LinkageSketch<'_> {
         self.figure.add(Shape::Mark { at, role });
     }
 
-    /// What a part is drawn as that is otherwise drawn as `role`.
+    /// Returns the highlight role if `part` is highlighted, or else `role`.
     fn lit_or(&self, role: Role, part: Subject) -> Role {
         match self.lit {
             Some(lit) if lit == part => Role::Lit,
@@ -325,8 +328,8 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// What is lit and is no part of the drawing otherwise: a vector from point to point, or that of a slide on a moving
-    /// link.
+    /// Draws a highlighted line that is not part of the drawing: a vector between two points, or
+    /// the vector of a slide on a moving link.
     fn lit_line(&mut self) {
         let ends = match self.lit {
             Some(Subject::Between(from, to)) => {
@@ -369,7 +372,7 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// The name of a part: if it is lit, between brackets, and whether it is wanted or not.
+    /// Adds the name of a part if it is wanted or highlighted; a highlighted name is in brackets.
     fn name(&mut self, part: Subject, is_wanted: bool, at: Vec2, name: &str, role: Role) {
         let (text, role) = match self.lit {
             Some(lit) if lit == part => (lit::bracketed(name), Role::Lit),

@@ -1,11 +1,11 @@
-//! What is lit up in a drawing because something else points at it: its bars are wider, its mark is full, its name
-//! stands between brackets, and its hue is that of the ink.
+//! Highlighting of a part selected elsewhere: wider bars, a filled mark, the name in
+//! brackets, and the text colour.
 
 use crate::quantity::Subject;
 use crate::{Input, Mechanism};
 
-/// The part of the drawing that shows a subject: a point, a link, a slide, or the line between two points. Nothing
-/// shows the frame as a whole.
+/// Returns the part of the drawing that shows a subject: a point, a link, a slide, or the line
+/// between two points. Returns `None` for the frame, which has no part of its own.
 pub(super) fn shown_as(subject: Subject, mechanism: &Mechanism) -> Option<Subject> {
     match subject {
         Subject::Point(_) | Subject::Link(_) | Subject::Slide(_) | Subject::Between(..) => {
@@ -20,7 +20,7 @@ pub(super) fn shown_as(subject: Subject, mechanism: &Mechanism) -> Option<Subjec
     }
 }
 
-/// A name as the cursor of the tables marks a figure.
+/// Formats a name in brackets, as the tables' cursor marks a value.
 pub(super) fn bracketed(name: &str) -> String {
     format!("[{name}]")
 }

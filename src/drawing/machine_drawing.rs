@@ -1,4 +1,4 @@
-//! A linkage as a drawing for CAD: a layer for every link, in millimetres whatever the scene's unit.
+//! Draws a linkage for CAD: one layer per link, always in millimetres.
 
 use super::dxf::{DxfDocument, DxfLayer};
 use super::outline::hull;
@@ -8,14 +8,15 @@ use crate::scene::{Scene, Unit};
 use crate::solver::{Known, State};
 use crate::{Body, Link, LinkId, Mechanism, PointId, SlideId, Vec2};
 
-/// The radius of a pin, and the height of letters, for the diagonal of all places that the linkage comes to.
+/// The radius of a pin, and the height of letters, as fractions of the diagonal of all the
+/// linkage's positions.
 const PIN: f64 = 0.008;
 const LETTERS: f64 = 0.02;
 
-/// The linkage in a state as DXF, with the traces that were asked for.
+/// Returns the linkage in a state as DXF, with the overlay's traces.
 ///
-/// Layers are called like the links; beside them there are `ground` (pivots and guides), `joints` (a circle for every
-/// pin, a point for what is none), `paths` and `names`.
+/// Each link has a layer of its name. Further layers are `ground` (pivots and guides), `joints` (a
+/// circle for every pin, a point for any other point), `paths` and `names`.
 #[must_use]
 pub fn machine_drawing(scene: &Scene, reach: &Reach, state: &State, overlay: &Overlay) -> String {
     let mut drawing = MachineDrawing {
@@ -54,9 +55,9 @@ struct MachineDrawing<'a> {
     mechanism: &'a Mechanism,
     reach: &'a Reach,
     state: Known<'a>,
-    /// Of the scene's unit of length.
+    /// Millimetres per unit of length of the scene.
     millimetres: f64,
-    /// Of all places that the linkage comes to, in the scene's unit.
+    /// The diagonal of all the linkage's positions, in the scene's unit.
     diagonal: f64,
     document: DxfDocument,
 }
@@ -70,7 +71,8 @@ impl MachineDrawing<'_> {
         self.on_paper(self.state.position(point))
     }
 
-    /// A line through the joints of a link, or its outline with the joints inside left to their circles.
+    /// Draws a line through the joints of a link, or its outline; joints inside it have only their
+    /// circles.
     fn link(&mut self, layer: DxfLayer, link: LinkId) {
         let link = self.mechanism.link(link);
         let members = link.members.iter().filter(|m| Some(m.point) != link.com);
@@ -81,7 +83,8 @@ impl MachineDrawing<'_> {
         }
     }
 
-    /// A pin is a circle, on the ground if it stands there; a centre of mass or another free point is a point.
+    /// Draws a pin as a circle, on the ground's layer if it is fixed, and a centre of mass or
+    /// another free point as a point.
     fn joint(&mut self, ground: DxfLayer, joints: DxfLayer, point: PointId) {
         let at = self.place(point);
         let radius = PIN * self.diagonal * self.millimetres;
@@ -99,7 +102,7 @@ impl MachineDrawing<'_> {
         self.document.text(layer, at, height, name);
     }
 
-    /// Every guide as far as its slide comes, on the layer of what carries it.
+    /// Draws every guide over the travel of its slide, on the layer of the body that carries it.
     fn guides(&mut self, ground: DxfLayer, links: &[(LinkId, DxfLayer)]) {
         for id in self.mechanism.slide_ids() {
             let Some(ends) = self.guide(id) else { continue };
@@ -126,7 +129,7 @@ impl MachineDrawing<'_> {
         }
     }
 
-    /// Where the origin of a link's frame lies.
+    /// Returns the origin of a link's frame.
     fn origin(&self, id: LinkId, link: &Link) -> Option<Vec2> {
         let member = link.members.first()?;
         let along = self.state.direction(id);

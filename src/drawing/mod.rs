@@ -1,11 +1,11 @@
-//! Linkages in characters: primitives in world units, a window on them, and cells.
+//! Draws linkages in characters: primitives in world units, a window on them, and cells.
 //!
-//! The way is short: [`linkage`] turns a scene in a state into a [`Figure`] (lines, marks, labels in
-//! the scene's length unit, y upwards), a [`WorldView`] says which cell a world point falls into, and
-//! [`render_into`] draws the figure into the cells of a [`Raster`] with one set of [`Glyphs`].
-//! An [`Overlay`] adds what belongs to the whole motion - traces, other positions, arrows to one scale -
-//! and [`svg`] draws the same figure in the same window as a document.
-//! Nothing here knows a terminal: a raster is printed as text, or copied cell by cell by whoever has one.
+//! [`linkage`] turns a scene in a state into a [`Figure`]: lines, marks and labels in the scene's
+//! length unit, y upwards. A [`WorldView`] maps world points to cells, and [`render_into`] draws
+//! the figure into the cells of a [`Raster`] with one set of [`Glyphs`]. An [`Overlay`] adds the
+//! parts that depend on the whole motion: traces, other positions, and arrows to one scale. [`svg`]
+//! draws the same figure in the same window as a document. This module does not depend on a
+//! terminal: a raster is printed as text, or copied cell by cell.
 //!
 //! ```
 //! use krank::drawing::{Glyphs, Layers, Reach, WorldView, linkage, render};

@@ -1,4 +1,4 @@
-//! How a rigid link of several points looks.
+//! Outlines of rigid links with several points.
 
 use super::figure::{Figure, Role, Shape};
 use crate::Vec2;
@@ -6,18 +6,18 @@ use crate::Vec2;
 /// A point of a link.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
-    /// Where it is.
+    /// The position.
     pub(super) at: Vec2,
-    /// Whether it sits in a sliding block.
+    /// `true` if the point is in a sliding block.
     pub(super) block: bool,
 }
 
-/// Flatter than this, in radians, a corner is none to the eye.
+/// The angle in radians below which a corner is invisible.
 const FLAT: f64 = 2e-4;
 
-/// Draws a link with its plate, if it has one: the line through its points where they lie on one, else their convex hull with a
-/// strut to each point inside. A link that slides on a point inside (a yoke) is drawn as arms from its
-/// block.
+/// Draws a link with its plate, if it has one. Collinear points give a line; other points give
+/// their convex hull, with a strut to each point inside. A link with a sliding block inside the
+/// hull (a yoke) is drawn as arms from the block.
 pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role, plate: Option<Role>) {
     let corners = hull(points.iter().map(|c| c.at).collect());
     let struts = struts(&corners, points);
@@ -34,7 +34,7 @@ pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role, plate: Op
     }
 }
 
-/// All lines of a link.
+/// Returns all lines of a link.
 fn lines(points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     let corners = hull(points.iter().map(|c| c.at).collect());
     let mut lines = struts(&corners, points);
@@ -49,7 +49,7 @@ fn lines(points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     lines
 }
 
-/// The parts of the line from `from` to `to` that no line of the link lies along.
+/// Returns the parts of the line from `from` to `to` that no line of the link covers.
 pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2)> {
     let along = to - from;
     let length = along.norm();
@@ -80,7 +80,7 @@ pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2
     bare
 }
 
-/// The lines of a link beside its hull.
+/// Returns the lines of a link in addition to its hull's outline; for collinear points, all lines.
 fn struts(corners: &[Vec2], points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     match *corners {
         [] | [_] => Vec::new(),
@@ -94,8 +94,8 @@ fn struts(corners: &[Vec2], points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     }
 }
 
-/// From point to point along a line: where the glyphs of joints stand a little beside it, they are
-/// still met.
+/// Returns the segments from point to point along a line. They still meet the glyphs of joints that
+/// lie slightly off the line.
 fn chain(points: &[Corner], from: Vec2, along: Vec2) -> Vec<(Vec2, Vec2)> {
     let mut row: Vec<Vec2> = points
         .iter()
@@ -108,7 +108,7 @@ fn chain(points: &[Corner], from: Vec2, along: Vec2) -> Vec<(Vec2, Vec2)> {
     row.windows(2).map(|w| (w[0], w[1])).collect()
 }
 
-/// From a block to all points, but not to those on the way to another.
+/// Returns the segments from a block to all points, except those that another segment passes.
 fn arms(block: Vec2, points: &[Corner]) -> Vec<(Vec2, Vec2)> {
     let tips = points.iter().map(|c| c.at - block);
     let passed = |tip: Vec2| {
@@ -142,8 +142,8 @@ fn nearest(corners: &[Vec2], to: Vec2) -> Vec2 {
     corners.iter().fold(corners[0], closer)
 }
 
-/// The corners of the convex hull (Andrew 1979), counter-clockwise, without points on its edges; two
-/// for points on a line.
+/// Returns the corners of the convex hull (Andrew 1979), counter-clockwise, without points on its
+/// edges; two corners for collinear points.
 pub(super) fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.retain(|p| p.is_finite());
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));

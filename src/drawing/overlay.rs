@@ -1,5 +1,5 @@
-//! What is shown of a whole motion beside the linkage as it is: traces, other positions, and arrows to
-//! one scale. The motion is solved once; every frame then draws from what was found.
+//! Computes the parts of a drawing that depend on the whole motion: traces, other positions, and
+//! arrows to one scale. The motion is solved once; every frame then draws from the result.
 
 use super::bounds::Bounds;
 use super::course::{course, ends, paced_course};
@@ -15,25 +15,25 @@ use crate::solver::{Condition, Known, Order, Solver, State, Workspace};
 use crate::{PointId, Vec2};
 use std::sync::Arc;
 
-/// What is wanted of the motion; nothing by default.
+/// The parts of an overlay to compute; none by default.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// The points that leave traces.
+    /// The points with traces.
     pub traces: Vec<PointId>,
-    /// The points whose velocities are shown.
+    /// The points with velocity arrows.
     pub velocities: Vec<PointId>,
-    /// The points whose accelerations are shown.
+    /// The points with acceleration arrows.
     pub accelerations: Vec<PointId>,
-    /// Whether loads and the forces at joints and guides are shown.
+    /// `true` to show loads and the forces at joints and guides.
     pub forces: bool,
-    /// How many positions of the linkage, spread over the motion, are shown.
+    /// Number of positions of the linkage to show, spread over the motion.
     pub ghosts: u16,
-    /// Whether the driver passes as the scene's motion over time says, if that has one.
+    /// `true` if the driver follows the scene's motion over time, if it has one.
     pub is_timed: bool,
 }
 
 impl Wanted {
-    /// Whether nothing is wanted.
+    /// Returns `true` if no part is requested.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let none = Wanted {
@@ -44,7 +44,7 @@ impl Wanted {
     }
 }
 
-/// What was found of a motion.
+/// The traces, positions and arrow scales of a motion.
 #[derive(Clone, Debug, Default)]
 pub struct Overlay {
     traces: Vec<Arc<[Vec2]>>,
@@ -52,11 +52,11 @@ pub struct Overlay {
     velocities: Arrows,
     accelerations: Arrows,
     forces: ForceArrows,
-    /// Where the tips of arrows come to, by the driver's coordinate.
+    /// The extents of the arrows' tips, with the driver's coordinate.
     tips: Vec<(f64, Bounds)>,
     /// The scene's unit of length.
     unit: &'static str,
-    /// Points of the mechanism: that of another one has others.
+    /// Number of points of the mechanism, to detect another scene.
     count: usize,
 }
 
@@ -64,12 +64,12 @@ pub struct Overlay {
 #[derive(Clone, Debug, Default)]
 struct Arrows {
     points: Vec<PointId>,
-    /// Of the scene's unit of length per second or per second squared.
+    /// The scale of the scene's unit of length per second or per second squared.
     scale: ArrowScale,
 }
 
 impl Overlay {
-    /// Follows the motion once, to the order that is needed, for what is wanted.
+    /// Computes the requested overlay: solves the motion once, to the required order.
     #[must_use]
     pub fn of(scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) -> Overlay {
         let mut overlay = Overlay {
@@ -91,7 +91,7 @@ impl Overlay {
         overlay
     }
 
-    /// The chains of straight lines that traces are, in world units.
+    /// Returns the traces as chains of straight lines, in world units.
     pub(super) fn traces(&self) -> &[Arc<[Vec2]>] {
         &self.traces
     }
@@ -138,15 +138,15 @@ impl Overlay {
         self.accelerations = arrows(&wanted.accelerations, &accelerations);
     }
 
-    /// The same reach with room for the tips of all arrows; `None` where there are none.
+    /// Returns the extents enlarged by the tips of all arrows; `None` if there are no arrows.
     #[must_use]
     pub fn reach(&self, reach: &Reach) -> Option<Reach> {
         (!self.tips.is_empty()).then(|| reach.with_arrows(&self.tips))
     }
 
-    /// Adds what was found to the figure of the linkage in a state. Arrows keep their size on a drawing
-    /// that is shown `zoom` times as large. What was found of another scene says nothing of this one, and
-    /// is left out where it cannot be meant.
+    /// Adds the overlay to the figure of the linkage in a state. Arrows keep their size on a
+    /// drawing enlarged by `zoom`. The overlay of a scene with another number of points is
+    /// left out.
     pub fn add_to(
         &self,
         figure: &mut Figure,
@@ -178,7 +178,7 @@ impl Overlay {
             .add_to(figure, Role::Velocity, state, zoom, velocities);
     }
 
-    /// What the arrows mean on a drawing with this window.
+    /// Returns the legend entries of the arrows on a drawing with this window.
     #[must_use]
     pub fn legend(&self, view: &WorldView, zoom: f64) -> Vec<LegendEntry> {
         let kinds = [
@@ -228,7 +228,7 @@ pub(super) fn has_rates(condition: Condition) -> bool {
     }
 }
 
-/// States spread evenly over the motion, from where the scene opens or from limit to limit.
+/// Returns states spread evenly over the motion, from the scene's start or from limit to limit.
 fn ghosts(scene: &Scene, solver: &Solver, count: u16) -> Vec<State> {
     let (low, high, _, closed) = ends(scene, solver);
     let steps = if closed { count } else { count.max(2) - 1 };
@@ -251,7 +251,7 @@ mod tests {
     use crate::quantity::DriverStand;
     use crate::solver::Range;
 
-    /// Of everything that there is.
+    /// Requests all parts of an overlay.
     fn everything(stage: &DrawingStage) -> Wanted {
         let points = usual_arrows(&stage.scene.mechanism);
         Wanted {

@@ -1,39 +1,39 @@
-//! Figures of dots: marks, blocks and plates where a window is large enough for them.
+//! Draws patterns of dots: marks, blocks, springs and plates in windows that are large enough.
 
 use super::figure::Role;
 use super::raster::{CharCell, Raster};
 use super::stroke::{self, FINE};
 use crate::Vec2;
 
-/// Squares of the radii of a mark, in dots: inside the first it is hollow, outside the second it ends.
+/// Squared radii of a mark, in dots: hollow inside the first, drawn up to the second.
 const HOLLOW: f64 = 4.0;
 const ROUND: f64 = 9.0;
-/// The same of the core of a ring, which leaves it open around.
+/// Squared radius of the core of a ring, with a gap around it.
 const CORE: f64 = 1.0;
-/// A disc is smaller than a ring: a rider is no joint.
+/// Squared radius of a disc, smaller than a ring because a coupler point is not a joint.
 const SMALL: f64 = 4.6;
-/// A mark reaches so many dots from its middle.
+/// Half the size of a mark, in dots.
 const REACH: i32 = 3;
 
-/// Half of a block, in dots along and across its guide.
+/// Half the size of a block, in dots, along and across its guide.
 pub(super) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
 
-/// Teeth of a spring.
+/// Number of teeth of a spring.
 const TEETH: u32 = 8;
-/// The part of a spring that is straight, at each end.
+/// The straight part at each end of a spring, as a fraction of its length.
 const STRAIGHT: f64 = 0.15;
 
-/// Farther than any raster reaches.
+/// A coordinate beyond any raster.
 const FAR: f64 = 1e6;
 
-/// The corner between four dots nearest to a place in cell coordinates, counted in dots; far outside for
-/// what is nowhere.
+/// Returns the corner between four dots that is nearest to a point in cell coordinates, counted in
+/// dots. A point that is not a number gives a corner far outside.
 pub(super) fn corner(at: Vec2) -> (i32, i32) {
     let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.round() as i32;
     (index(at.x * FINE.x), index(at.y * FINE.y))
 }
 
-/// The dots around a place, with the squares of their distances from it.
+/// Returns the dots around a point, with their squared distances from it.
 fn around(at: Vec2) -> impl Iterator<Item = (i32, i32, f64)> {
     let (x, y) = corner(at);
     let dots = (-REACH..REACH).flat_map(|dy| (-REACH..REACH).map(move |dx| (dx, dy)));
@@ -43,7 +43,7 @@ fn around(at: Vec2) -> impl Iterator<Item = (i32, i32, f64)> {
     })
 }
 
-/// A pin: a ring through which nothing is seen.
+/// Draws a pin: an opaque ring.
 pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, far) in around(at) {
         if far < HOLLOW {
@@ -54,21 +54,21 @@ pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
     }
 }
 
-/// A point that rides on a link.
+/// Draws a coupler point.
 pub(super) fn disc(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, _) in around(at).filter(|(_, _, far)| *far < SMALL) {
         stroke::dot(raster, x, y, role);
     }
 }
 
-/// What stands in the middle of a ring.
+/// Draws the core of a ring.
 pub(super) fn core(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, _) in around(at).filter(|(_, _, far)| *far < CORE) {
         stroke::dot(raster, x, y, role);
     }
 }
 
-/// A block around a place, along a direction of length one on the screen.
+/// Draws a block around a point. `along` is a unit vector on the screen.
 pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, role: Role) {
     let (x, y) = corner(at);
     let reach = (BLOCK.x + BLOCK.y) as i32;
@@ -85,8 +85,8 @@ pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, role: Role) {
     }
 }
 
-/// Fills a plate lightly: one dot of eight, at the same places wherever it is, so that little changes
-/// while it moves.
+/// Fills a plate with one dot in eight, at fixed places of the raster, so that little changes while
+/// it moves.
 pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
     let dots: Vec<Vec2> = corners
         .iter()
@@ -107,7 +107,7 @@ pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
         };
         let (from, to) = (from.max(0.0).ceil() as i32, to.min(columns).floor() as i32);
         for x in (from..to).filter(|&x| is_of_plate(x, y)) {
-            // That of a barrel comes after links: a cell of their bars stays theirs, and is not cleared for its edges.
+            // A barrel's plate is drawn after the links: cells of bars keep their dots.
             let is_bar = |cell: CharCell| cell.role.is_body();
             if !raster
                 .cell(x.div_euclid(2), y.div_euclid(4))
@@ -119,12 +119,12 @@ pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
     }
 }
 
-/// Whether a plate has a dot here, counted from the upper left.
+/// Returns `true` if a plate has a dot here, counted from the upper left.
 pub(super) fn is_of_plate(x: i32, y: i32) -> bool {
     y % 2 == 0 && x % 4 == y % 4
 }
 
-/// Where a level line enters and leaves a convex outline.
+/// Returns the x coordinates at which a horizontal line enters and leaves a convex outline.
 fn chord(corners: &[Vec2], y: f64) -> Option<(f64, f64)> {
     let ends = corners.iter().cycle().skip(1);
     let crossed = corners.iter().zip(ends).filter_map(|(a, b)| {
@@ -139,7 +139,8 @@ fn chord(corners: &[Vec2], y: f64) -> Option<(f64, f64)> {
     (around.0 <= around.1).then_some(around)
 }
 
-/// The corners of a spring from end to end, its teeth reaching so far to both sides.
+/// Returns the corners of a spring from end to end; `reach` is the height of its teeth to either
+/// side.
 pub(super) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2> {
     let along = b - a;
     let across = along.perp() * (reach / along.norm());

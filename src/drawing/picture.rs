@@ -1,6 +1,6 @@
-//! A figure as an SVG document: the same shapes, window and places of names as in cells.
+//! Draws a figure as an SVG document, with the shapes, window and label places used for cells.
 //!
-//! The document is as large as the window's cells would be: eight user units to a column.
+//! The document is as large as the window's cells, with eight user units per column.
 
 mod style;
 
@@ -19,7 +19,7 @@ use style::{STYLE, class};
 
 /// Width of a column in user units.
 pub const COLUMN: f64 = 8.0;
-/// Height of a line of the legend.
+/// Height of the legend's line.
 const LEGEND: f64 = 26.0;
 
 /// Sizes of symbols in user units.
@@ -27,24 +27,26 @@ const PIN: f64 = 4.5;
 const SUPPORT: f64 = 14.0;
 const TOOTH: f64 = 7.0;
 const BLOCK: Vec2 = Vec2 { x: 14.0, y: 8.0 };
-/// How far the rails of a guide lie from its middle.
+/// Distance of a guide's rails from its middle.
 const RAIL: f64 = BLOCK.y + 2.0;
 const BARREL: f64 = 6.0;
 const HEAD: f64 = 9.0;
 const MOMENT: f64 = 16.0;
 const SPRING: f64 = 7.0;
-/// A letter of a name at the most, and its height.
+/// Maximum width of a name's letter, and its height.
 const LETTER: f64 = 7.5;
 const LINE: f64 = 12.0;
 
-/// The figure in this window as a document of its own, with its legend below.
+/// Returns the figure in this window as a complete document, with its legend below. The reader's
+/// preference selects the background.
 #[must_use]
 pub fn svg(figure: &Figure, view: &WorldView, title: &str, legend: &[LegendEntry]) -> String {
     let labels = &mut Labels::default();
     svg_on(SvgGround::Preferred, figure, view, title, legend, labels)
 }
 
-/// The same on a ground, with names that keep their sides from one picture to the next.
+/// Returns the figure as a document on the given background; `labels` keeps the places of names
+/// from one picture to the next.
 #[must_use]
 pub fn svg_on(
     ground: SvgGround,
@@ -57,7 +59,7 @@ pub fn svg_on(
     artwork(figure, view, title, legend, labels).svg(ground)
 }
 
-/// The same as a picture for a page.
+/// Returns the figure as a picture for a page.
 #[must_use]
 pub fn artwork(
     figure: &Figure,
@@ -93,7 +95,7 @@ struct Picture<'a> {
 }
 
 impl Picture<'_> {
-    /// A world point in user units.
+    /// Converts a world point to user units.
     fn place(&self, point: Vec2) -> Vec2 {
         let at = self.view.cell(point);
         Vec2::new(at.x * self.cell.x, at.y * self.cell.y)
@@ -134,7 +136,7 @@ impl Picture<'_> {
             }
             Shape::Hatching { from, to } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
-                // User units count downwards, and so `perp` points to the right.
+                // User units count downwards, so `perp` points to the right.
                 let rail = unit(b - a).perp() * RAIL;
                 self.teeth(a + rail, b + rail);
             }
@@ -186,13 +188,13 @@ impl Picture<'_> {
         self.teeth(left, right);
     }
 
-    /// Hatching to the right of a direction on the drawing.
+    /// Draws hatching to the right of a direction on the drawing.
     fn teeth(&mut self, a: Vec2, b: Vec2) {
         let along = b - a;
         let unit = unit(along);
-        // User units count downwards, and so `perp` points to the right.
+        // User units count downwards, so `perp` points to the right.
         let tooth = (unit.perp() - unit) * (TOOTH * FRAC_1_SQRT_2);
-        // One that is far larger than the paper would have teeth without end.
+        // Limits the number of teeth of lines far larger than the paper.
         let most = (self.art.size().norm() * 4.0 / TOOTH).min(10_000.0);
         let count = (along.norm() / TOOTH).min(most).floor();
         let places = std::iter::successors(Some(1.0), |k| Some(k + 1.0));
@@ -239,11 +241,11 @@ impl Picture<'_> {
         }
     }
 
-    /// An arrow three quarters around a place.
+    /// Draws an arrow around three quarters of a circle.
     fn moment(&mut self, at: Vec2, is_left: bool) {
         let at = self.place(at);
         let sense = if is_left { 1.0 } else { -1.0 };
-        // User units count downwards: to the left is upwards on the paper.
+        // User units count downwards: counter-clockwise is upwards on the paper.
         let on_ring = |degrees: f64| {
             let v = crate::angle::unit(degrees) * MOMENT;
             at + Vec2::new(v.x * sense, -v.y)
@@ -257,8 +259,9 @@ impl Picture<'_> {
             .polyline([tip - back + side, tip, tip - back - side], "force head");
     }
 
-    /// Names stand where they would stand in cells, out of the way of everything else; but as far from their
-    /// points as there, not from the points' cells, so that they move with them and do not jump.
+    /// Draws the names on the sides chosen for cells, clear of everything else. Their offsets are
+    /// measured from the points, not from the points' cells, so that names move smoothly with their
+    /// points.
     fn names(&mut self, figure: &Figure, labels: &mut Labels) {
         let mut raster = Raster::new();
         render_into(figure, self.view, Glyphs::Braille, labels, &mut raster);
@@ -298,10 +301,10 @@ impl Picture<'_> {
     }
 }
 
-/// What a chain of lines may be off by, in user units, for fewer corners.
+/// Maximum deviation of a simplified chain of lines, in user units.
 const OFF: f64 = 0.1;
 
-/// The chain without the corners that no eye sees; gaps stay.
+/// Returns the chain without invisible corners; gaps are kept.
 fn fewer(places: &[Vec2]) -> Vec<Vec2> {
     let mut kept = Vec::new();
     for run in places.split(|p| !p.is_finite()) {
@@ -312,7 +315,7 @@ fn fewer(places: &[Vec2]) -> Vec<Vec2> {
         for to in 1..run.len() {
             let chord = run[to] - run[from];
             let near = |p: &Vec2| (*p - run[from]).cross(chord).abs() <= OFF * chord.norm();
-            // Where it turns back along the same line is a corner too.
+            // A reversal along the same line is a corner too.
             let goes_on = (run[to - 1] - run[from]).norm() <= chord.norm();
             if !(goes_on && run[from + 1..to].iter().all(near)) {
                 kept.push(run[from]);
@@ -325,13 +328,13 @@ fn fewer(places: &[Vec2]) -> Vec<Vec2> {
     kept
 }
 
-/// Lifts the pen.
+/// The point that interrupts a polyline.
 const GAP: Vec2 = Vec2 {
     x: f64::NAN,
     y: f64::NAN,
 };
 
-/// A unit vector; nowhere for one of no length.
+/// Returns the unit vector; not finite for a zero vector.
 fn unit(v: Vec2) -> Vec2 {
     v / v.norm()
 }
@@ -343,7 +346,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
-    /// A preset with everything that can be shown of it, `zoom` times as large.
+    /// Returns the document of a preset with all layers and overlays, enlarged by `zoom`.
     fn document(text: &str, title: &str, zoom: f64) -> String {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -372,7 +375,7 @@ mod tests {
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }
 
-    /// Every element is closed, and nothing in it but what XML allows.
+    /// Returns `true` if every element is closed, and the document contains only permitted XML.
     fn is_well_formed(document: &str) -> bool {
         let mut open = Vec::new();
         let mut rest = document;

@@ -1,12 +1,12 @@
-//! Which points are worth an arrow or a trace where nobody has said.
+//! Chooses the points that get arrows or traces by default.
 
 use crate::{Body, Mechanism, PointId, Slider};
 
-/// More traces, or arrows of one kind, could not be told from each other.
+/// Maximum numbers of traces, and of arrows of one kind; more would be indistinguishable.
 const MOST_TRACES: usize = 12;
 const MOST_ARROWS: usize = 40;
 
-/// Points that move and are no centres of mass: joints and riders.
+/// Returns the points that move and are not centres of mass: joints and coupler points.
 pub fn moving_points(mechanism: &Mechanism) -> impl Iterator<Item = PointId> {
     let mut moves: Vec<bool> = mechanism
         .points()
@@ -19,14 +19,14 @@ pub fn moving_points(mechanism: &Mechanism) -> impl Iterator<Item = PointId> {
     mechanism.point_ids().filter(move |id| moves[id.index()])
 }
 
-/// The points that get arrows: all that move, as far as they can be told apart.
+/// Returns the points with arrows by default: all moving points, up to a maximum.
 #[must_use]
 pub fn usual_arrows(mechanism: &Mechanism) -> Vec<PointId> {
     moving_points(mechanism).take(MOST_ARROWS).collect()
 }
 
-/// The points whose traces tell something: riders, and joints that lie on no link that the ground
-/// leads on a circle or along a line. Where there is none, all that move.
+/// Returns the points with informative traces: those that the ground does not lead on a circle or
+/// along a line. If there are none, returns all moving points.
 #[must_use]
 pub fn usual_traces(mechanism: &Mechanism) -> Vec<PointId> {
     let led = led_by_ground(mechanism);
@@ -42,7 +42,8 @@ pub fn usual_traces(mechanism: &Mechanism) -> Vec<PointId> {
     }
 }
 
-/// For every point whether it lies on a link with a ground pin, or slides along the ground.
+/// Returns, for every point, `true` if its link has a ground pin or slides along the ground, or if
+/// it slides along the ground itself.
 fn led_by_ground(mechanism: &Mechanism) -> Vec<bool> {
     let mut led = vec![false; mechanism.points().len()];
     for link in mechanism.links() {

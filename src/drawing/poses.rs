@@ -1,51 +1,52 @@
-//! Where the linkage stands along its motion, for a window that goes along with it.
+//! Extents of the linkage's poses along its motion, for a window that follows it.
 //!
-//! A window that follows every pose would shake; one that stands still makes a linkage small that needs
-//! much more room over its motion than at any one place of it. Here the window is a function of the
-//! driver's coordinate alone, so that the same place always looks the same whatever way led there: the
-//! mean of the rooms of all poses nearby, which hardly changes from place to place. What a pose needs beyond that
-//! is smoothed too: each place gets the most that any close by needs, and the mean of these is added.
+//! A window that follows every pose would shake. A fixed window makes a linkage small if its motion
+//! needs much more space than any single pose. Here the window depends on the driver's coordinate
+//! alone, so that each place looks the same however it was reached. Its extents are the mean over
+//! nearby poses, which changes slowly. The excess of poses beyond the mean is smoothed too: each
+//! place takes the maximum over close places, and the mean of these is added.
 //!
-//! Places lie evenly along a turn. Between two limits they lie closer towards these, as those of a point on
-//! a circle do that is seen from the side: the linkage itself is fastest there.
+//! Places are spaced evenly along a turn. Between two limits they are denser towards the limits,
+//! like the projection of evenly spaced points of a circle, because the linkage is fastest there.
 
 use super::bounds::Bounds;
 use crate::Vec2;
 use std::f64::consts::PI;
 
-/// Places along the motion.
+/// Number of places along the motion.
 const PLACES: usize = 120;
-/// So many places on either side are taken into the mean: 18 degrees of a turn.
+/// Number of places on either side in the mean: 18 degrees of a turn.
 const NEARBY: usize = 6;
-/// And so many into the mean of what poses need beyond that.
+/// Number of places on either side for the excess of poses beyond the mean.
 const CLOSE: usize = 3;
 
-/// The poses of a motion: how large they are, and a calm room for each.
+/// The poses of a motion: the extents of each, and smoothed extents for windows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Poses {
-    /// Where the motion begins, and how far it goes, in the driver's coordinate.
+    /// Start and length of the motion, in the driver's coordinate.
     start: f64,
     span: f64,
-    /// Whether its end is its beginning.
+    /// `true` if the motion ends where it begins.
     closed: bool,
-    /// The room of the pose at each place alone.
+    /// The extents of the single pose at each place.
     alone: Vec<Bounds>,
-    /// The room that the window is fitted to there.
+    /// The smoothed extents that the window is fitted to at each place.
     calm: Vec<Bounds>,
-    /// The tips of arrows at each place, where there are any.
+    /// The extents of arrow tips at each place; empty without arrows.
     tips: Vec<Bounds>,
 }
 
-/// What a window must have room for.
+/// The extents that a window must contain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PoseRoom {
     pub(super) linkage: Bounds,
-    /// The tips of arrows; empty where there are none.
+    /// The extents of arrow tips; empty without arrows.
     pub(super) tips: Bounds,
 }
 
 impl Poses {
-    /// Of the rooms of poses at coordinates from `start` on over `span`.
+    /// Computes smoothed extents from poses; `met` holds coordinates in the motion and their
+    /// extents.
     pub(super) fn new([start, span]: [f64; 2], closed: bool, met: &[(f64, Bounds)]) -> Poses {
         let mut poses = Poses {
             start,
@@ -69,7 +70,8 @@ impl Poses {
         });
         let alone: Vec<Bounds> = alone.collect();
         let means = poses.means(&alone, NEARBY);
-        // Between two places the rooms of both are mixed, and so each must hold every pose up to the other.
+        // Extents between two places are interpolated, so each must contain every pose up to the
+        // other.
         let held = poses.gathered(&met, 1.0).into_iter().zip(&alone);
         let beyond = held.zip(&means).map(|((held, alone), mean)| Bounds {
             low: (held.with(*alone).low - mean.low).map(|by| by.min(0.0)),
@@ -86,14 +88,14 @@ impl Poses {
         poses
     }
 
-    /// The same with room for the tips of arrows at these coordinates.
+    /// Adds the extents of arrow tips at these coordinates.
     pub(super) fn with_tips(mut self, tips: &[(f64, Bounds)]) -> Poses {
         if self.calm.is_empty() {
             return self;
         }
         let known = tips.iter().filter(|(_, room)| !room.is_empty());
         let known = known.filter_map(|&(at, room)| Some((self.place(at)?, room)));
-        // There may be hundreds of arrows at one coordinate: they make one room.
+        // One coordinate may have hundreds of arrows; their extents are united first.
         let mut met: Vec<(f64, Bounds)> = Vec::new();
         for (place, room) in known {
             match met.last_mut() {
@@ -106,7 +108,7 @@ impl Poses {
         self
     }
 
-    /// The same with room for something else at every place, by its coordinate.
+    /// Adds further extents at every place, as a function of the coordinate.
     pub(super) fn beside(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
         for place in 0..self.calm.len() {
             let there = other(self.coordinate(place as f64));
@@ -116,7 +118,7 @@ impl Poses {
         self
     }
 
-    /// At each place all that was met so near to it.
+    /// Returns for each place the union of the extents met within `near` places.
     fn gathered(&self, met: &[(f64, Bounds)], near: f64) -> Vec<Bounds> {
         let mut rooms = vec![Bounds::default(); PLACES + 1];
         for &(at, room) in met {
@@ -129,20 +131,20 @@ impl Poses {
         rooms
     }
 
-    /// At each place all that lies so many places from it.
+    /// Returns for each place the union of extents within `near` places.
     fn most(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
         let met = rooms.iter().enumerate();
         let met: Vec<(f64, Bounds)> = met.map(|(at, room)| (at as f64, *room)).collect();
         self.gathered(&met, near as f64)
     }
 
-    /// The means of rooms over so many places on either side.
+    /// Returns for each place the mean of extents over `near` places on either side.
     fn means(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
         let mean = |place| mean(rooms, place, near, self.closed);
         (0..=PLACES).map(mean).collect()
     }
 
-    /// How far two places are apart.
+    /// Returns the distance of two places, cyclic for a closed motion.
     fn far(&self, a: f64, b: f64) -> f64 {
         let apart = (a - b).abs();
         if self.closed {
@@ -152,7 +154,7 @@ impl Poses {
         }
     }
 
-    /// The place of a coordinate, between two of them as a rule.
+    /// Returns the fractional place of a coordinate; `None` if it is not finite.
     fn place(&self, at: f64) -> Option<f64> {
         let share = (at - self.start) / self.span;
         let share = if self.closed {
@@ -163,7 +165,7 @@ impl Poses {
         share.is_finite().then_some(share * PLACES as f64)
     }
 
-    /// The coordinate of a place.
+    /// Returns the coordinate of a place.
     fn coordinate(&self, place: f64) -> f64 {
         let share = place / PLACES as f64;
         let share = if self.closed {
@@ -174,7 +176,7 @@ impl Poses {
         self.start + self.span * share
     }
 
-    /// The room for a window at a coordinate; `None` where nothing is known of the motion.
+    /// Returns the extents for a window at a coordinate; `None` if no pose of the motion is known.
     pub(super) fn room(&self, at: f64) -> Option<PoseRoom> {
         let last = self.calm.len().checked_sub(1)?;
         let place = self.place(at)?;
@@ -195,7 +197,8 @@ impl Poses {
         })
     }
 
-    /// Some poses spread over the motion: the room of each alone, and the room for a window.
+    /// Returns a sample of poses spread over the motion: the extents of each alone, and those for a
+    /// window.
     pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseRoom)> {
         let rooms = self.calm.iter().enumerate().map(|(place, calm)| PoseRoom {
             linkage: *calm,
@@ -205,15 +208,15 @@ impl Poses {
     }
 }
 
-/// One place of so many tells what a window must do: 12 degrees of a turn.
+/// Every fourth place suffices to choose a window: 12 degrees of a turn.
 const SOME: usize = 4;
 
-/// The mean of the rooms around a place.
+/// Returns the mean of the extents around a place.
 fn mean(rooms: &[Bounds], place: usize, near: usize, closed: bool) -> Bounds {
     let (mut low, mut high, mut count) = (Vec2::ZERO, Vec2::ZERO, 0.0);
     for k in 0..=2 * near {
         let there = if closed {
-            // The last place is the first.
+            // The last place equals the first.
             Some((place + PLACES + k - near) % PLACES)
         } else {
             (place + k)

@@ -1,18 +1,18 @@
-//! Cells with a glyph and a role.
+//! Character cells with a glyph and a role.
 
 use super::figure::Role;
 
 /// A character cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CharCell {
-    /// What is seen.
+    /// The glyph.
     pub glyph: char,
-    /// What it belongs to.
+    /// The role of the part that it shows.
     pub role: Role,
 }
 
 impl CharCell {
-    /// A cell in which nothing is drawn.
+    /// An empty cell.
     pub const EMPTY: CharCell = CharCell {
         glyph: ' ',
         role: Role::Empty,
@@ -28,13 +28,13 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// A raster without a cell, to be rendered into.
+    /// Creates a raster without cells, to be rendered into.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Empties it to `cols` x `rows`, keeping the memory.
+    /// Clears the raster to `cols` x `rows`, keeping the memory.
     pub(super) fn reset(&mut self, cols: u16, rows: u16) {
         self.cols = cols;
         self.rows = rows;
@@ -43,30 +43,30 @@ impl Raster {
             .resize(usize::from(cols) * usize::from(rows), CharCell::EMPTY);
     }
 
-    /// Columns.
+    /// Returns the number of columns.
     #[must_use]
     pub fn cols(&self) -> u16 {
         self.cols
     }
 
-    /// Rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn rows(&self) -> u16 {
         self.rows
     }
 
-    /// The rows from the top, each of [`Raster::cols`] cells.
+    /// Returns the rows from the top, each of [`Raster::cols`] cells.
     pub fn lines(&self) -> impl Iterator<Item = &[CharCell]> {
         self.cells.chunks(usize::from(self.cols).max(1))
     }
 
-    /// The cell in a column and a row, if it lies inside.
+    /// Returns the cell in a column and a row; `None` outside.
     #[must_use]
     pub fn cell(&self, col: i32, row: i32) -> Option<CharCell> {
         self.index(col, row).map(|i| self.cells[i])
     }
 
-    /// Sets a cell; outside nothing happens.
+    /// Sets a cell; does nothing outside.
     pub(super) fn put(&mut self, col: i32, row: i32, glyph: char, role: Role) {
         if let Some(i) = self.index(col, row) {
             self.cells[i] = CharCell { glyph, role };
@@ -79,12 +79,12 @@ impl Raster {
             .then(|| usize::from(row) * usize::from(self.cols) + usize::from(col))
     }
 
-    /// The rows from the top, to be written over.
+    /// Returns the rows from the top, mutably.
     pub(super) fn lines_mut(&mut self) -> impl Iterator<Item = &mut [CharCell]> {
         self.cells.chunks_mut(usize::from(self.cols).max(1))
     }
 
-    /// The glyphs as lines of text, without the blanks at their ends.
+    /// Returns the glyphs as lines of text, without trailing blanks.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();

@@ -1,4 +1,4 @@
-//! Where a linkage gets to over its whole motion, sampled once.
+//! Computes the extents of a linkage over its whole motion, sampled once.
 
 use super::bounds::Bounds;
 use super::poses::Poses;
@@ -8,35 +8,34 @@ use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
 use std::cell::RefCell;
 
-/// How many steps the motion is followed in. In a motion of two turns they are 3 degrees;
-/// between two states a crank's pin then rises above both by less than 1e-3 of its radius, far less
-/// than a cell.
+/// Number of steps along the motion: 3 degrees in a motion of two turns. Between two states a
+/// crank's pin then rises above both by less than 1e-3 of its radius, far less than a cell.
 const SAMPLES: u16 = 240;
 
-/// The space that a linkage needs over its whole motion: views are fitted to it, and guides are drawn
-/// as long as it says.
+/// The extents of a linkage over its whole motion. Views are fitted to them, and they determine the
+/// length of guides.
 #[derive(Clone, Debug)]
 pub struct Reach {
-    /// All points in all states.
+    /// The extents of all points in all states.
     moving: Bounds,
-    /// Ground points.
+    /// The extents of the ground points.
     ground: Bounds,
-    /// The ends of the guides on the ground.
+    /// The extents of the ground's guides.
     guides: Bounds,
-    /// The tips of arrows.
+    /// The extents of arrow tips.
     arrows: Bounds,
-    /// Where the linkage stands along its motion.
+    /// The extents of the poses along the motion.
     poses: Poses,
-    /// How far each slide travels along its guide, in the scene's length unit.
+    /// The travel of each slide along its guide, in the scene's length unit.
     travel: Vec<Option<(f64, f64)>>,
     anchor: Vec2,
-    /// The length of the longest name.
+    /// The length of the longest name, in cells.
     name: f64,
-    /// How near windows go along, as it was found for each size.
+    /// The zoom of following windows, cached for each size.
     near: RefCell<Vec<Nearness>>,
 }
 
-/// Cells to keep free around a part.
+/// The cells to keep free around a part.
 #[derive(Clone, Copy)]
 pub(super) struct Margin {
     pub(super) left: f64,
@@ -45,14 +44,15 @@ pub(super) struct Margin {
     pub(super) below: f64,
 }
 
-/// Of so many sizes of windows it is known how near they go.
+/// Maximum number of window sizes in the cache.
 const MOST_SIZES: usize = 64;
 
-/// Longer names may be cut off at the edge rather than make the linkage small.
+/// Maximum name length that margins allow for. Longer names may be cut at the edge, rather than
+/// make the linkage small.
 const LONGEST_NAME: f64 = 4.0;
 
 impl Reach {
-    /// Follows the motion of a scene once.
+    /// Computes the extents of a scene, following its motion once.
     #[must_use]
     pub fn of(scene: &Scene, solver: &Solver) -> Reach {
         let mut reach = Reach::at_rest(scene);
@@ -69,7 +69,7 @@ impl Reach {
         reach
     }
 
-    /// The same with room for some more states.
+    /// Returns the extents enlarged by some more states.
     #[must_use]
     pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Reach {
         let mut room = Bounds::default();
@@ -84,7 +84,7 @@ impl Reach {
         reach
     }
 
-    /// The same, of which nothing is known yet.
+    /// Returns a copy with an empty cache.
     fn anew(&self) -> Reach {
         Reach {
             near: RefCell::default(),
@@ -92,8 +92,8 @@ impl Reach {
         }
     }
 
-    /// The same with room for the tips of arrows. They belong to the drawing, not to the linkage, and
-    /// so are no part of [`Reach::bounds`].
+    /// Returns the extents enlarged by arrow tips. They belong to the drawing, not to the linkage,
+    /// and are not part of [`Reach::bounds`].
     pub(super) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Reach {
         let mut reach = self.anew();
         let all = tips.iter().map(|(_, tips)| *tips);
@@ -102,7 +102,7 @@ impl Reach {
         reach
     }
 
-    /// The same with room for what is drawn at some places while the driver stands at `at`.
+    /// Returns the extents enlarged by some points drawn at the driver's coordinate `at`.
     #[must_use]
     pub fn with_places(&self, at: f64, places: impl IntoIterator<Item = Vec2>) -> Reach {
         let mut room = Bounds::default();
@@ -117,8 +117,8 @@ impl Reach {
         }
     }
 
-    /// The same with room for another scene where its driver stands as this one's does; `scale` is how many of this
-    /// one's units one of the other's is, of length and, where they are pushed, of their drivers.
+    /// Returns the extents enlarged by another scene at corresponding driver coordinates. `scale`
+    /// converts its lengths to this scene's unit, and `driver` its driver coordinate.
     #[must_use]
     pub fn beside(&self, other: &Reach, scale: f64, driver: f64) -> Reach {
         let scaled = |room: Bounds| Bounds {
@@ -157,7 +157,7 @@ impl Reach {
         }
     }
 
-    /// Makes room for a state, and says what room that is.
+    /// Enlarges the extents by a state, and returns the extents of the state alone.
     fn include(&mut self, scene: &Scene, state: &State) -> Bounds {
         let mut pose = Bounds::default();
         for point in scene.mechanism.point_ids() {
@@ -184,31 +184,33 @@ impl Reach {
         }
     }
 
-    /// The box around all points in all states.
+    /// Returns the box around all points in all states.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
         self.moving.with(self.ground).with(self.guides)
     }
 
-    /// How far a slide travels along its guide: the least and the largest position.
+    /// Returns the minimum and maximum position of a slide along its guide; `None` if it has no
+    /// position in any state.
     #[must_use]
     pub fn travel(&self, slide: SlideId) -> Option<(f64, f64)> {
         self.travel[slide.index()]
     }
 
-    /// A point of the frame that views put in the middle of a cell.
+    /// Returns a point of the frame that views place in the middle of a cell.
     pub(super) fn anchor(&self) -> Vec2 {
         self.anchor
     }
 
-    /// The parts that must be seen, with the cells that their names and symbols take.
+    /// Returns the extents that must be visible, with the cells for their names and symbols.
     pub(super) fn parts(&self) -> [(Bounds, Margin); 4] {
-        // Half a cell more than names and supports need: the window is moved by so much to rest on its anchor.
+        // Half a cell more than names and supports need, because the window moves by up to half a
+        // cell to align its anchor.
         self.parts_in([self.moving, self.guides, self.arrows], 0.5)
     }
 
-    /// The same of a window that goes along, for the part of the motion in this room, with the tips of its arrows.
-    /// Guides may end outside.
+    /// Returns the extents for a window that follows the linkage: those of one part of the motion
+    /// with its arrow tips. Guides may end outside.
     pub(super) fn parts_near(&self, room: Bounds, tips: Bounds) -> [(Bounds, Margin); 4] {
         self.parts_in([room, self.guides.within(room), tips], 0.0)
     }
@@ -228,12 +230,13 @@ impl Reach {
         ]
     }
 
-    /// Where the linkage stands along its motion.
+    /// Returns the extents of the poses along the motion.
     pub(super) fn poses(&self) -> &Poses {
         &self.poses
     }
 
-    /// How near a window goes along: it depends on its size alone, and is found once for each.
+    /// Returns the zoom of a following window from the cache, or computes and stores it. The zoom
+    /// depends on the window's size alone.
     pub(super) fn nearness(
         &self,
         is_it: impl Fn(&Nearness) -> bool,
@@ -244,7 +247,7 @@ impl Reach {
         }
         let found = find();
         let mut near = self.near.borrow_mut();
-        // A terminal that is drawn larger and smaller all day does not fill the memory.
+        // A terminal that is resized all day must not fill the memory.
         if near.len() >= MOST_SIZES {
             near.clear();
         }
@@ -253,7 +256,7 @@ impl Reach {
     }
 }
 
-/// Where the motion begins and ends, and whether its end is its beginning.
+/// Returns the start and end of the motion, and whether it is closed.
 fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, bool) {
     let start = scene.mechanism.driver().start;
     match solver.motion().range {
@@ -262,7 +265,7 @@ fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, bool) {
     }
 }
 
-/// The coordinates of the driver to look at.
+/// Returns the driver's coordinates to sample.
 fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
     (0..=SAMPLES).map(move |k| {
         let share = f64::from(k) / f64::from(SAMPLES);
@@ -277,7 +280,8 @@ fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
 }
 
 impl Reach {
-    /// Of points that do not move and of one that comes by these over a turn, without a linkage.
+    /// Creates the extents of fixed points and of one point that takes the places `moving` over a
+    /// turn, without a linkage.
     pub(crate) fn of_places(moving: &[Vec2], ground: &[Vec2]) -> Reach {
         let around = |points: &[Vec2]| {
             let mut bounds = Bounds::default();

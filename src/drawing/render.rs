@@ -1,4 +1,4 @@
-//! From a figure to cells.
+//! Renders a figure into cells.
 
 use super::arrow;
 use super::blocks::{self, Blocks};
@@ -10,22 +10,23 @@ use super::trace;
 use super::view::WorldView;
 use crate::Vec2;
 
-/// What a drawing is made of.
+/// The set of glyphs of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Glyphs {
-    /// Line art of 7-bit characters.
+    /// Line art in 7-bit characters.
     #[default]
     Ascii,
-    /// Box-drawing characters, as console fonts have them.
+    /// Box-drawing characters that console fonts have.
     Line,
-    /// Dots, 2 x 4 to a cell, with characters for the joints.
+    /// Braille dots, 2 x 4 per cell, with characters for the joints.
     Braille,
-    /// The same in pieces of a cell that leave no gaps, where the font has them: nothing tells whether it has.
+    /// Block characters without gaps between them. The font must have them, which cannot be
+    /// detected.
     Blocks(Blocks),
 }
 
 impl Glyphs {
-    /// All that there are.
+    /// All sets of glyphs.
     #[cfg(test)]
     pub(crate) const ALL: [Glyphs; 6] = [
         Glyphs::Ascii,
@@ -36,13 +37,13 @@ impl Glyphs {
         Glyphs::Blocks(Blocks::Octants),
     ];
 
-    /// Whether lines are made of dots, finer than cells.
+    /// Returns `true` if lines consist of dots finer than cells.
     pub(crate) fn is_dotted(self) -> bool {
         matches!(self, Glyphs::Braille | Glyphs::Blocks(_))
     }
 }
 
-/// Layers from the lowest to the highest.
+/// The layers from bottom to top.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PaintLayer {
     Ghosts,
@@ -100,10 +101,10 @@ fn layer(shape: &Shape) -> PaintLayer {
     }
 }
 
-/// Draws a figure into a raster of the view's size. The raster's memory is reused.
+/// Renders a figure into a raster of the view's size. The raster's memory is reused.
 ///
-/// `labels` remembers where each label stood, so that it does not change sides from frame to frame
-/// without need; a fresh one is right for a single picture.
+/// `labels` stores the place of each label, so that it changes sides from frame to frame only if
+/// necessary. A single picture needs a new one.
 pub fn render_into(
     figure: &Figure,
     view: &WorldView,
@@ -124,7 +125,7 @@ pub fn render_into(
     labels.place(figure, view, raster);
 }
 
-/// The shapes of a figure but for its names, from the lowest to the highest.
+/// Returns the shapes of a figure without its names, from bottom to top.
 pub(super) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
     let of = |current| move |shape: &&Shape| layer(shape) == current;
     LAYERS
@@ -132,7 +133,7 @@ pub(super) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
         .flat_map(move |current| figure.shapes().iter().filter(of(current)))
 }
 
-/// Draws a single picture.
+/// Renders a single picture.
 #[must_use]
 pub fn render(figure: &Figure, view: &WorldView, glyphs: Glyphs) -> Raster {
     let mut raster = Raster::new();
@@ -181,7 +182,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
             );
         }
         Shape::Moment { at, is_left } => symbols.moment(at, is_left),
-        // Names come last, when all that they must avoid is in place.
+        // Names are drawn last, when everything that they must avoid is in place.
         Shape::Label { .. } => {}
     }
 }

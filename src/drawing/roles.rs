@@ -1,11 +1,11 @@
-//! What points and links are drawn as.
+//! Assigns roles to points and links.
 
 use super::figure::{LINK_HUES, Role};
 use crate::quantity::Subject;
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::{Body, Input, Link, LinkId, Load, Mechanism, Point, SlideId};
 
-/// What each point is drawn as.
+/// Returns the role of each point.
 pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
     let role = |point: &Point| match (point.ground, point.links.len()) {
         (Some(_), 0) => Role::Ground,
@@ -17,7 +17,7 @@ pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
     for com in mechanism.links().iter().filter_map(|link| link.com) {
         roles[com.index()] = Role::CentreOfMass;
     }
-    // A spring stands on the ground as a link does, on a support.
+    // A spring is fixed to the ground like a link, by a support.
     for end in mechanism.loads().iter().filter_map(Load::ends).flatten() {
         let slot = &mut roles[end.index()];
         if *slot == Role::Ground {
@@ -26,7 +26,7 @@ pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
     }
     for slide in mechanism.slides() {
         let slot = &mut roles[slide.slider.point().index()];
-        // A ground point in a slot of a link is a pin like any other, and wants its support.
+        // A ground point in a slot of a link is a pin like any other, and needs its support.
         *slot = match *slot {
             Role::Ground | Role::GroundPin => Role::GroundPin,
             _ => Role::Slider,
@@ -35,13 +35,13 @@ pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
     roles
 }
 
-/// What each link is drawn as: the driven one, and each of the others in a hue that no link before it
-/// has that it is joined to, as far as there are so many. The order of the links alone decides, so that
-/// a link keeps its hue whatever its lengths become.
+/// Returns the role of each link: the driver, or a hue. A link gets a hue that differs from those
+/// of earlier links at its joints, as far as there are enough. Only the order of the links matters,
+/// so a link keeps its hue when lengths change.
 #[must_use]
 pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
     let mut next = 0;
-    // By point: so many links may share one that they are not gone through again for each of them.
+    // Stored per point, so that links that share a point are not searched again for each of them.
     let mut met = vec![[false; LINK_HUES as usize]; mechanism.points().len()];
     let role = |(id, link): (LinkId, &Link)| {
         if mechanism.is_turned(id) {
@@ -62,11 +62,12 @@ pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
         .collect()
 }
 
-/// What the link is drawn as that a vector of the tables belongs to, in their order.
+/// Returns, for each vector of the tables in their order, the role of its link; `None` for vectors
+/// without a link.
 #[must_use]
 pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
     let links = link_roles(&scene.mechanism);
-    // The rod of a cylinder that is pushed out: a block on the ground is driven too, and drawn as a block.
+    // The rod of a driving cylinder. A driven block on the ground is drawn as a block.
     let is_rod = |slide: SlideId| {
         let is_driven = scene.mechanism.is_pushed(slide);
         is_driven && scene.mechanism.slide(slide).on != Body::Ground
@@ -78,8 +79,9 @@ pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
     scene.vectors.iter().map(role).collect()
 }
 
-/// The link that a subject belongs to: the link itself, the one that has both ends of a vector or carries a guide, the
-/// one of a point that is on no other. None for what belongs to several, or to the frame.
+/// Returns the link that a subject belongs to: the link itself, or a point's only link. For a
+/// vector, it is the link with both ends, and for a slide, the link that carries the guide. Returns
+/// `None` for subjects of several links or of the frame.
 pub(super) fn link_of(mechanism: &Mechanism, subject: Subject) -> Option<LinkId> {
     match subject {
         Subject::Link(link) | Subject::Joint(link, _) => Some(link),

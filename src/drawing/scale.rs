@@ -1,35 +1,36 @@
-//! How long arrows are: one scale over the whole motion.
+//! Scales arrows by one factor over the whole motion.
 
 use super::bounds::Bounds;
 use super::reach::Reach;
 use crate::Vec2;
 
-/// The longest arrow for the diagonal of all places that the linkage comes to.
+/// The longest arrow as a fraction of the diagonal of all the linkage's positions.
 const LONGEST: f64 = 0.2;
 
-/// Close to a dead point rates and forces grow beyond all bounds. What exceeds the upper quartile of all by this factor
-/// is cut, so that the rest can still be seen.
+/// The factor by which the longest arrow may exceed the upper quartile; longer ones are cut. Rates
+/// and forces grow without bound close to a dead point, and would make the others invisible.
 const OUTSTANDING: f64 = 3.0;
 
 /// The scale of arrows of one kind.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ArrowScale {
-    /// What the longest arrow stands for.
+    /// The magnitude that the longest arrow shows.
     most: f64,
-    /// Units of length of the drawing for one of these.
+    /// The drawing's units of length per unit of the magnitude.
     per: f64,
 }
 
-/// Where the driver stands, where an arrow begins then, and what it stands for.
+/// The driver's coordinate, an arrow's tail there, and its vector.
 pub(super) type MovingArrow = (f64, Vec2, Vec2);
 
-/// How long the longest arrow is in the drawing of what needs this space.
+/// Returns the length of the longest arrow in a drawing of these extents.
 pub(super) fn longest(reach: &Reach) -> f64 {
     LONGEST * reach.bounds().size().norm()
 }
 
 impl ArrowScale {
-    /// At which the longest of these arrows of a whole motion is as long as it may be; `tips` grows by where they come to.
+    /// Computes the scale at which the longest of a motion's arrows has the length `longest`;
+    /// appends the arrows' tips to `tips`.
     pub(super) fn of_motion(
         arrows: &[MovingArrow],
         longest: f64,
@@ -50,27 +51,27 @@ impl ArrowScale {
         ArrowScale { most, per }
     }
 
-    /// Units of length for one of what the arrows stand for, on a drawing that is shown `zoom` times as large.
+    /// Returns the length of an arrow of magnitude 1, on a drawing enlarged by `zoom`.
     pub(super) fn per(self, zoom: f64) -> f64 {
         self.per / zoom
     }
 
-    /// What the longest arrow stands for.
+    /// Returns the magnitude that the longest arrow shows.
     pub(super) fn most(self) -> f64 {
         self.most
     }
 
-    /// The tip of the arrow of a rate or a force at a point, and whether it was cut.
+    /// Returns the tip of an arrow at a point, and `true` if it was cut.
     pub(super) fn tip(self, from: Vec2, size: Vec2, zoom: f64) -> (Vec2, bool) {
         let norm = size.norm();
-        // What rounding adds to the longest is no reason to break it.
+        // The rounding error of the longest arrow must not break it.
         let cut = norm > self.most * (1.0 + 1e-9);
         let shown = if cut { size * (self.most / norm) } else { size };
         (from + shown * self.per(zoom), cut)
     }
 }
 
-/// The largest of these, or where that stands out, so much as [`OUTSTANDING`] allows.
+/// Returns the largest size, limited to [`OUTSTANDING`] times the upper quartile.
 fn usual_most(mut sizes: Vec<f64>) -> f64 {
     sizes.retain(|size| size.is_finite());
     sizes.sort_by(f64::total_cmp);

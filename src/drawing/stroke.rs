@@ -1,10 +1,10 @@
-//! Straight lines in cells.
+//! Draws straight lines in cells.
 //!
-//! With characters a line is a chain of strokes that meet at the edges of their cells: `_` lies on the
-//! lower edge, `-` in the middle, `/` runs from corner to corner, `|` stands in the middle. Which one a
-//! cell gets is decided by where the line passes, not by the step from the last cell. The line runs
-//! between the middles of the cells of its ends, where the glyphs of joints stand: drawn from its true
-//! ends it would miss them by up to half a cell, and shiver while they stand still.
+//! With characters a line is a chain of strokes that meet at the edges of their cells. `_` lies on
+//! the lower edge, `-` in the middle, `/` runs from corner to corner, and `|` is in the middle. The
+//! glyph of a cell depends on where the line passes, not on the step from the last cell. The line
+//! runs between the middles of its end cells, where the glyphs of joints are. Drawn from its exact
+//! ends it would miss them by up to half a cell, and flicker while they stay in place.
 
 use super::dashes;
 use super::figure::Role;
@@ -12,8 +12,8 @@ use super::raster::Raster;
 use super::render::Glyphs;
 use crate::Vec2;
 
-/// From this slope (rows per column) on, a shallow line climbs by slashes; below it, by half rows.
-/// `__/__/` looks like a staircase below about a third, `__--` like a comb above it.
+/// The slope, in rows per column, from which a shallow line climbs by slashes; below it, by half
+/// rows. `__/__/` looks like a staircase below about a third, `__--` like a comb above it.
 const CLIMB: f64 = 0.36;
 
 /// Draws the line from `a` to `b`, in cell coordinates.
@@ -22,7 +22,7 @@ pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: 
         // Without attributes strokes have no weight.
         Glyphs::Ascii | Glyphs::Line if role == Role::Lit => points(raster, a, b, '#', role),
         Glyphs::Ascii if is_dotted(role) => points(raster, a, b, '.', role),
-        // Console fonts have it: it is in Latin-1.
+        // Console fonts have this glyph, because it is in Latin-1.
         Glyphs::Line if is_dotted(role) => points(raster, a, b, '\u{b7}', role),
         Glyphs::Ascii => strokes(raster, a, b, role, ('-', '|')),
         Glyphs::Line => strokes(raster, a, b, role, ('─', '│')),
@@ -30,7 +30,7 @@ pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: 
     }
 }
 
-/// The cells of the line from `a` to `b`, from the left, or from above if it is steep.
+/// Returns the cells of the line from `a` to `b`, from the left, or from above if it is steep.
 pub(super) fn cells(raster: &Raster, a: Vec2, b: Vec2) -> impl Iterator<Item = (i32, i32)> + use<> {
     let clipped = clip(middle_of_cell(a), middle_of_cell(b), raster);
     let course = clipped.map(|(a, b)| LineFunction::new(a, b));
@@ -44,18 +44,18 @@ fn middle_of_cell(p: Vec2) -> Vec2 {
     Vec2::new(p.x.floor() + 0.5, p.y.floor() + 0.5)
 }
 
-/// The part of the line inside the cells and one around them; `None` if there is none, or if an end is
-/// not finite.
+/// Returns the part of the line inside the raster enlarged by one cell on each side; `None` if it
+/// is empty, or if an end is not finite.
 pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
     let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
     let one = Vec2::new(1.0, 1.0);
     clip_to(a, b, [Vec2::ZERO - one, size + one])
 }
 
-/// The part of the line inside a box (Liang and Barsky 1984); `None` if there is none, or if an end is
-/// not finite.
+/// Returns the part of the line inside a box (Liang and Barsky 1984); `None` if it is empty, or if
+/// an end is not finite.
 pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2, Vec2)> {
-    // As most are.
+    // The most frequent case.
     let is_inside = |p: Vec2| low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
     if is_inside(a) && is_inside(b) {
         return Some((a, b));
@@ -80,20 +80,20 @@ pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2,
     (enter <= leave).then(|| (a + step * enter, a + step * leave))
 }
 
-/// A line as a function: of the column where it is shallow, of the row where it is steep.
+/// A line as a function of the column if it is shallow, or of the row if it is steep.
 #[derive(Clone, Copy)]
 struct LineFunction {
     steep: bool,
-    /// The smaller and the larger end along the main axis, and the other coordinate at the first.
+    /// The smaller and the larger end along the main axis, and the other coordinate at the smaller.
     from: f64,
     to: f64,
     side: f64,
-    /// Between -1 and 1.
+    /// The slope, in [-1, 1].
     rate: f64,
 }
 
-/// Places exactly between two strokes are common, since ends lie on middles of cells. This much, in
-/// cells, pushes all of them to the same side whatever the rounding.
+/// An offset in cells that moves all ambiguous places to one side despite rounding errors. Places
+/// exactly between two strokes are common, because ends lie on the middles of cells.
 const NUDGE: f64 = 1e-6;
 
 impl LineFunction {
@@ -117,7 +117,8 @@ impl LineFunction {
         }
     }
 
-    /// The columns (or rows) whose middle it passes; the one that it lies in if it passes none.
+    /// Returns the columns (or rows) whose middles the line passes, or else the one that contains
+    /// it.
     fn cells(&self) -> std::ops::RangeInclusive<i32> {
         let first = (self.from - 0.5).ceil() as i32;
         let last = (self.to - 0.5).floor() as i32;
@@ -128,7 +129,7 @@ impl LineFunction {
         only..=only
     }
 
-    /// The other coordinate at a place on the main axis.
+    /// Returns the other coordinate at a place on the main axis.
     fn at(&self, main: f64) -> f64 {
         self.side + self.rate * (main - self.from)
     }
@@ -137,12 +138,12 @@ impl LineFunction {
         self.at(f64::from(cell) + 0.5)
     }
 
-    /// Where it enters and leaves a column (or row).
+    /// Returns the coordinates where the line enters and leaves a column (or row).
     fn crossing(&self, cell: i32) -> (f64, f64) {
         (self.at(f64::from(cell)), self.at(f64::from(cell) + 1.0))
     }
 
-    /// Column and row from the coordinates along and across the line.
+    /// Returns column and row from the coordinates along and across the line.
     fn cell(&self, main: i32, side: i32) -> (i32, i32) {
         if self.steep {
             (side, main)
@@ -151,16 +152,16 @@ impl LineFunction {
         }
     }
 
-    /// `/` where a line runs down to the left, `\` where it runs down to the right.
+    /// Returns `/` for a line down to the left, `\` for one down to the right.
     fn slash(&self) -> char {
         if self.rate < 0.0 { '/' } else { '\\' }
     }
 
-    /// The stroke of a shallow line in one column.
+    /// Returns the row and the glyph of a shallow line in one column.
     ///
-    /// Nearly level, it is the nearest of `flat` in the middle of a row and `_` on its lower edge.
-    /// Else it joins the corners nearest to the line on both sides of the cell: by a slash, or by
-    /// `_` where they are level.
+    /// A nearly horizontal line has the nearest of `flat` in the middle of a row and `_` on its
+    /// lower edge. Any other line joins the nearest corners on both sides of the cell: by a slash,
+    /// or by `_` if they are at the same height.
     fn shallow(&self, col: i32, flat: char) -> (i32, char) {
         if self.rate.abs() < CLIMB {
             let halves = (self.middle(col) * 2.0).round() as i32;
@@ -179,10 +180,11 @@ impl LineFunction {
         }
     }
 
-    /// The stroke of a steep line in one row: a slash where it changes columns, else `upright`.
+    /// Returns the column and the glyph of a steep line in one row: a slash if it changes columns,
+    /// or else `upright`.
     ///
-    /// Up to half a column per row it changes where it really does, between the middles of two
-    /// columns. Beyond, slashes follow each other, and they must meet at corners.
+    /// Up to half a column per row, it changes at its exact crossing between the middles of two
+    /// columns. Above that, slashes follow each other and must meet at corners.
     fn steep(&self, row: i32, upright: char) -> (i32, char) {
         let (top, bottom) = self.crossing(row);
         let straight = self.middle(row).floor();
@@ -219,7 +221,7 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
     }
 }
 
-/// A line of points, which no colour needs to tell from one of strokes.
+/// Draws a line of points, which differs from a line of strokes without colour.
 fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char, role: Role) {
     let step = middle_of_cell(b) - middle_of_cell(a);
     let is_steep = step.y.abs() > step.x.abs();
@@ -236,13 +238,13 @@ fn is_dotted(role: Role) -> bool {
     matches!(role, Role::Ghost | Role::Echo)
 }
 
-/// The Braille pattern without a dot; the next 255 follow.
+/// The Braille pattern without dots; the other 255 patterns follow it.
 const BLANK: u32 = 0x2800;
 
 /// The bit of each dot of a Braille cell, by row and column.
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
-/// How many dots a cell has along x and along y.
+/// Number of dots of a cell along x and y.
 pub(super) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
 
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
@@ -256,7 +258,7 @@ fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
     }
 }
 
-/// A line so many dots wide.
+/// Draws a line `width` dots wide.
 pub(super) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) {
     let finer = |p: Vec2| Vec2::new(p.x * FINE.x, p.y * FINE.y);
     let Some((a, b)) = clip(a, b, raster) else {
@@ -275,8 +277,9 @@ pub(super) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) 
     }
 }
 
-/// The parts of cells that the line from `a` to `b` passes, where a cell has so many of them along x
-/// and y; counted over the whole raster, from the left, or from above if the line is steep.
+/// Returns the parts of cells that the line from `a` to `b` passes; a cell has `count` parts along
+/// x and y. Parts are counted over the whole raster and returned from the left, or from above if
+/// the line is steep.
 pub(super) fn parts(
     raster: &Raster,
     a: Vec2,
@@ -291,14 +294,14 @@ pub(super) fn parts(
     })
 }
 
-/// Sets one dot, counted over the whole raster, and keeps those that the cell has.
+/// Sets one dot, counted over the whole raster, and keeps the cell's other dots.
 pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
     let Some(old) = raster.cell(col, row) else {
         return;
     };
     let (in_row, in_col) = (y.rem_euclid(4) as usize, x.rem_euclid(2) as usize);
-    // What is solid hides what lies behind it: its edges stay clear.
+    // A solid part hides the parts behind it, so its edges stay clear.
     let hides = role.is_body() && old.role.is_behind();
     let kept = pattern(old.glyph).filter(|_| !hides);
     let pattern = BLANK + (kept.unwrap_or(0) | DOTS[in_row][in_col]);
@@ -307,23 +310,23 @@ pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     }
 }
 
-/// Takes one dot away, or a whole character, and gives the rest of its cell this role.
+/// Clears one dot, or a whole character, and gives the rest of its cell this role.
 pub(super) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
     let Some(old) = raster.cell(col, row).filter(|old| old.glyph != ' ') else {
         return;
     };
-    // The head of an arrow is one: it cannot be cleared by halves.
+    // Any other character, such as an arrow's head, is cleared as a whole.
     let kept = pattern(old.glyph).unwrap_or(0);
     let (in_row, in_col) = (y.rem_euclid(4) as usize, x.rem_euclid(2) as usize);
     let left = kept & !DOTS[in_row][in_col];
     if let Some(glyph) = char::from_u32(BLANK + left) {
-        // Nothing is a blank: fonts show the pattern without a dot in various ways.
+        // Fonts show the pattern without dots in various ways, so a blank replaces it.
         raster.put(col, row, if left == 0 { ' ' } else { glyph }, role);
     }
 }
 
-/// The dots of a character of Braille.
+/// Returns the dots of a Braille character; `None` for other characters.
 fn pattern(glyph: char) -> Option<u32> {
     u32::from(glyph).checked_sub(BLANK).filter(|&k| k < 256)
 }

@@ -1,5 +1,5 @@
-//! The symbols of kinematic sketches: supports, hatching, blocks, marks. Their size is counted in
-//! cells, so they stay readable at any scale.
+//! Draws the symbols of kinematic sketches: supports, hatching, blocks and marks. Their size is
+//! counted in cells, so they stay readable at any scale.
 
 use super::figure::Role;
 use super::pattern;
@@ -9,43 +9,44 @@ use super::stroke;
 use super::view::WorldView;
 use crate::Vec2;
 
-/// From this size on there is room for the triangle under a ground pin.
+/// Minimum number of rows for the triangle under a ground pin.
 const ROOMY_ROWS: u16 = 16;
 
-/// Cells from one stroke of hatching to the next.
+/// Distance of the strokes of hatching, in cells.
 const HATCHING: usize = 2;
 
-/// Half the width of a barrel, in widths of a cell, for each dot that a bar is wide, and one more.
+/// Half the width of a barrel, in cell widths per dot of a bar's width plus one.
 const BARREL: f64 = 0.25;
 
-/// Dots by which what is lit is wider.
+/// Additional width of a highlighted bar, in dots.
 const LIT: u8 = 2;
 
-/// How far from the middle of a guide its rails lie, in widths of a cell: beside the block.
+/// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
 
-/// How far the teeth of a spring reach, in widths of a cell.
+/// Height of a spring's teeth, in cell widths.
 const SPRING: f64 = 1.0;
 
-/// What the symbols are drawn with.
+/// The window, glyphs and raster that symbols are drawn with.
 pub(super) struct Symbols<'a> {
     pub(super) view: &'a WorldView,
     pub(super) glyphs: Glyphs,
     pub(super) raster: &'a mut Raster,
 }
 
-/// Farther than any raster reaches, and small enough to count on from there.
+/// A coordinate beyond any raster, and small enough for integer arithmetic.
 const FAR: f64 = 1e6;
 
-/// The cell that holds a place in cell coordinates; what lies far outside, or nowhere, is put to a
-/// cell that is outside still.
+/// Returns the cell that contains a point in cell coordinates. A far or undefined point gives a
+/// cell outside any raster.
 pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
     let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.floor() as i32;
     (index(at.x), index(at.y))
 }
 
 impl Symbols<'_> {
-    /// The support under a ground pin: a triangle and hatching, or hatching alone in a low window.
+    /// Draws the support under a ground pin: a triangle and hatching, or hatching alone in a low
+    /// window.
     pub(super) fn support(&mut self, at: Vec2) {
         let middle = self.view.cell(at);
         let (col, row) = cell_of(middle);
@@ -60,7 +61,7 @@ impl Symbols<'_> {
         self.stamp(col - 2, row + 1 + i32::from(roomy), "/////", Role::Ground);
     }
 
-    /// The same from lines, centred under what shows the pin.
+    /// Draws the support from lines, centred under the pin's mark.
     fn dotted_support(&mut self, middle: Vec2, roomy: bool) {
         let pin = self.pin_place(middle);
         let apex = Vec2::new(pin.x, pin.y + 0.4);
@@ -77,7 +78,8 @@ impl Symbols<'_> {
         }
     }
 
-    /// Where a pin is shown: in the middle of its cell if it is a character, else between four dots.
+    /// Returns the place of a pin's mark: between four dots if marks are made of dots, or else the
+    /// middle of its cell.
     fn pin_place(&self, at: Vec2) -> Vec2 {
         if self.has_large_marks() {
             let (x, y) = pattern::corner(at);
@@ -87,12 +89,12 @@ impl Symbols<'_> {
         }
     }
 
-    /// Whether marks are made of dots: beside wide bars a character would be lost.
+    /// Returns `true` if marks are made of dots: a character would be lost next to wide bars.
     fn has_large_marks(&self) -> bool {
         self.glyphs.is_dotted() && self.view.weight() > 2
     }
 
-    /// A straight piece of a link, as wide as there is room for it.
+    /// Draws a straight piece of a link, as wide as the window allows.
     pub(super) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
         if self.glyphs.is_dotted() && role.is_body() {
             let more = if role == Role::Lit { LIT } else { 0 };
@@ -112,7 +114,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// An arrow three quarters around a place.
+    /// Draws an arrow around three quarters of a circle.
     pub(super) fn moment(&mut self, at: Vec2, is_left: bool) {
         let (col, row) = cell_of(self.view.cell(at));
         let lines = if is_left {
@@ -125,8 +127,8 @@ impl Symbols<'_> {
         }
     }
 
-    /// A guide on the ground. Where blocks and pins are made of dots, its block slides between two rails: a line through
-    /// all three would be none of them.
+    /// Draws a guide on the ground. If blocks and pins are made of dots, it is two rails with the
+    /// block between them, because a single line through both would hide them.
     pub(super) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if !self.has_large_marks() {
@@ -138,16 +140,17 @@ impl Symbols<'_> {
         }
     }
 
-    /// A width of a cell to the right of a direction; of none that is nowhere.
+    /// Returns a vector of one cell width to the right of a direction; not finite for a direction
+    /// of zero length.
     fn beside(&self, a: Vec2, b: Vec2) -> Vec2 {
         let aspect = self.view.aspect();
         let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
-        // Rows count downwards, and so `perp` points to the right.
+        // Rows count downwards, so `perp` points to the right.
         let right = along.perp() / along.norm();
         Vec2::new(right.x, right.y / aspect)
     }
 
-    /// Short strokes beside a guide, on the right of its direction.
+    /// Draws short strokes along a guide, to the right of its direction.
     pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.has_large_marks() {
@@ -164,7 +167,7 @@ impl Symbols<'_> {
         } else {
             Vec2::new(0.0, along.x.signum())
         };
-        // Slashes beside a line of slashes would not be told from it.
+        // Slashes next to a line of slashes would be indistinguishable from it.
         let rising = along.x * along.y < 0.0;
         let glyph = if rising && along.x.abs() * 4.0 > along.y.abs() {
             '\\'
@@ -182,11 +185,11 @@ impl Symbols<'_> {
             return;
         };
         let aspect = self.view.aspect();
-        // In widths of a cell, so that a square is one on the screen.
+        // In cell widths, so that a square on the grid is a square on the screen.
         let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
         let length = along.norm();
         let unit = along / length;
-        // Rows count downwards, and so `perp` points to the right.
+        // Rows count downwards, so `perp` points to the right.
         let stroke = (unit.perp() - unit) * 1.3;
         let on_screen = |v: Vec2| Vec2::new(v.x, v.y / aspect);
         let spacing = HATCHING as f64;
@@ -197,8 +200,8 @@ impl Symbols<'_> {
         }
     }
 
-    /// A block on its guide. Of characters it is upright whatever its guide: brackets read as a block at
-    /// any angle, a turned box of so few cells does not.
+    /// Draws a block on its guide. In characters it is always horizontal: brackets read as a block
+    /// at any angle, a rotated box of so few cells does not.
     pub(super) fn block(&mut self, at: Vec2, along: Vec2) {
         let place = self.view.cell(at);
         if self.has_large_marks() {
@@ -213,14 +216,15 @@ impl Symbols<'_> {
         self.stamp(col - 1, row, "[ ]", Role::Slider);
     }
 
-    /// The plate of a link, its corners in cell coordinates. Of characters its edges are enough.
+    /// Draws the plate of a link; the corners are in cell coordinates. In characters its edges
+    /// suffice.
     pub(super) fn plate(&mut self, corners: &[Vec2], role: Role) {
         if self.glyphs.is_dotted() {
             pattern::plate(self.raster, corners, role);
         }
     }
 
-    /// A spring: a zigzag between two straight ends.
+    /// Draws a spring: a zigzag between two straight ends.
     pub(super) fn spring(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.glyphs.is_dotted() {
@@ -244,7 +248,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// A closed line through places in cell coordinates.
+    /// Draws a closed line through points in cell coordinates.
     pub(super) fn outline(&mut self, corners: &[Vec2], role: Role) {
         let ends = corners.iter().cycle().skip(1);
         for (&a, &b) in corners.iter().zip(ends) {
@@ -252,7 +256,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// The barrel of a cylinder.
+    /// Draws the barrel of a cylinder.
     pub(super) fn barrel(&mut self, from: Vec2, to: Vec2, role: Role) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         let glyph = match self.glyphs {
@@ -281,7 +285,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// A mark of one cell.
+    /// Draws the mark of a point, a single cell in characters.
     pub(super) fn mark(&mut self, at: Vec2, role: Role) {
         let place = self.view.cell(at);
         if self.has_large_marks() {
@@ -308,9 +312,9 @@ impl Symbols<'_> {
 
 fn glyph_of(role: Role) -> char {
     match role {
-        // A pin is a pin: what tells one on the ground is its support, as on paper.
+        // All pins look alike: a ground pin differs by its support, as on paper.
         Role::Joint | Role::GroundPin | Role::Slider => 'o',
-        // A ring with a core, where there are no colours and its bar is hidden between pins.
+        // A ring with a core, visible without colours even if its bar is hidden between pins.
         Role::DriverPin => '@',
         Role::Rider => '*',
         Role::Lit => '#',
@@ -318,7 +322,7 @@ fn glyph_of(role: Role) -> char {
         Role::Ghost | Role::Echo => '.',
         Role::Ground | Role::Guide | Role::Link(_) | Role::Driver => '+',
         Role::Label | Role::LinkName(_) | Role::Empty => '+',
-        // These are drawn by others.
+        // Other code draws these.
         Role::Plate(_) | Role::DriverPlate | Role::Spring | Role::Trace => '+',
         Role::Velocity | Role::Acceleration | Role::Force => '+',
         Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
@@ -331,7 +335,7 @@ mod tests {
     use crate::drawing::{Blocks, Figure, Reach, Shape, render};
     use std::collections::BTreeSet;
 
-    /// The rows of a role, counted from that of the way of a level guide with its block.
+    /// Returns the rows of a role, relative to the row of the path of a horizontal guide's block.
     fn rows(size: (u16, u16), glyphs: Glyphs, wanted: Role) -> BTreeSet<i32> {
         let (from, to) = (Vec2::ZERO, Vec2::new(30.0, 0.0));
         let reach = Reach::of_places(&[from, to, Vec2::new(0.0, 12.0)], &[from]);

@@ -1,4 +1,4 @@
-//! Pictures of whole motions: what must hold for every preset in every state.
+//! Tests properties of drawings that hold for every preset in every state.
 
 pub(in crate::drawing) mod stage;
 mod windows;
@@ -8,7 +8,7 @@ use crate::Vec2;
 use crate::solver::{Condition, Order, Range, State};
 use stage::DrawingStage;
 
-/// The linkage with all its names and centres.
+/// Returns the figure of a linkage with all names and centres of mass.
 fn whole(stage: &DrawingStage, state: &State) -> Figure {
     linkage(&stage.scene, &stage.reach, state, EVERYTHING)
 }
@@ -96,7 +96,7 @@ fn without_an_assembly_there_is_the_ground() {
     assert_eq!(figure.shapes().iter().filter(supports).count(), 2);
 }
 
-/// A four-bar of the same shape, `scale` times as large, with A at (x, y).
+/// Returns a four-bar of a fixed shape, enlarged by `scale`, with A at (x, y).
 fn four_bar(scale: f64, x: f64, y: f64) -> DrawingStage {
     let [a, b, c, d] = [100.0, 300.0, 250.0, 400.0].map(|length| length * scale);
     let (cx, cy) = (x + 310.0 * scale, y + 230.0 * scale);
@@ -134,7 +134,7 @@ fn size_and_place_do_not_show() {
     }
 }
 
-/// The corners of what is drawn in a role.
+/// Returns the corners of all shapes with a role.
 fn corners(figure: &Figure, wanted: impl Fn(Role) -> bool) -> Vec<Vec2> {
     let shapes = figure.shapes().iter();
     let corners = shapes.flat_map(|shape| match shape {

@@ -1,4 +1,5 @@
-//! Traces in cells: fine dots in Braille, elsewhere points in the upper and the lower half of a cell.
+//! Draws traces in cells: fine dots in Braille, or else points in the upper and the lower half of a
+//! cell.
 
 use super::figure::Role;
 use super::raster::Raster;
@@ -7,20 +8,20 @@ use super::stroke;
 use super::view::WorldView;
 use crate::Vec2;
 
-/// Characters tell two heights in a cell.
+/// Parts of a cell that characters can show: two halves.
 const HALVES: Vec2 = Vec2 { x: 1.0, y: 2.0 };
 const UPPER: char = '\'';
 const LOWER: char = '.';
 const BOTH: char = ':';
 
-/// Draws a chain of straight lines in world units; what is not finite is a gap.
+/// Draws a chain of straight lines in world units; a point that is not finite is a gap.
 pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course: &[Vec2]) {
     let mut places = course.iter().map(|&p| view.cell(p));
     let Some(mut last) = places.next() else {
         return;
     };
     for place in places {
-        // A line from or to nowhere has no parts.
+        // A line from or to a point that is not finite has no parts.
         match glyphs {
             Glyphs::Braille | Glyphs::Blocks(_) => {
                 for (x, y) in stroke::parts(raster, last, place, stroke::FINE) {
@@ -37,7 +38,7 @@ pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course
     }
 }
 
-/// Puts a point into the upper or the lower half of a cell, beside what is in the other.
+/// Puts a point into the upper or the lower half of a cell, keeping a trace in the other half.
 fn point(raster: &mut Raster, col: i32, half: i32) {
     let row = half.div_euclid(2);
     let (here, other) = if half.rem_euclid(2) == 0 {

@@ -1,14 +1,14 @@
-//! The chart of a study: time against error, a letter for every method.
+//! Builds the chart of a study of methods: time against error, one letter per method.
 
 use super::plot::{Chart, Datum, DecadeAxis};
 use crate::study::Findings;
 use crate::wording::words;
 
-/// Smaller errors, and none at all, stand here: below the rounding of one double.
+/// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
 const LEAST_ERROR: f64 = 1e-17;
 const NANOSECONDS: f64 = 1e9;
 
-/// The chart of what was found.
+/// Returns the chart of a study's findings.
 #[must_use]
 pub fn trade_off(findings: &Findings) -> Chart {
     let datum = |finding: &crate::study::Finding| {
@@ -33,7 +33,7 @@ pub fn trade_off(findings: &Findings) -> Chart {
     }
 }
 
-/// Ten to this power in nanoseconds, in the largest unit of which it is a whole number.
+/// Formats ten to this power of nanoseconds in the largest unit of which it is a whole number.
 fn time(power: i32) -> String {
     let (unit, power) = match power {
         ..0 => return format!("1e{power} ns"),

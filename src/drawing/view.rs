@@ -1,4 +1,4 @@
-//! The window: which cell a world point falls into.
+//! The window of a drawing: maps world points to cells.
 
 mod along;
 
@@ -7,9 +7,9 @@ use super::reach::{Margin, Reach};
 use crate::Vec2;
 pub(super) use along::Nearness;
 
-/// A window of `cols` x `rows` cells on the world, of true aspect.
+/// A window of `cols` x `rows` cells on the world, with the same scale along both axes.
 ///
-/// Cell coordinates run from the upper left corner, x to the right, y downwards; the cell in column
+/// Cell coordinates begin at the upper left corner, x to the right, y downwards. The cell in column
 /// `c` and row `r` covers `c..c + 1` and `r..r + 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldView {
@@ -17,29 +17,30 @@ pub struct WorldView {
     rows: u16,
     /// Cells per unit of length, along x and along y.
     scale: Vec2,
-    /// The world point that lies at `pin`.
+    /// The world point at `pin`.
     centre: Vec2,
-    /// Where `centre` lies, in cell coordinates.
+    /// The position of `centre`, in cell coordinates.
     pin: Vec2,
-    /// A world point that stands in the middle of a cell; none in a window that goes along with the
-    /// linkage: it would go from cell to cell instead of calmly.
+    /// A world point in the middle of a cell. `None` in a window that follows the linkage, where it
+    /// would jump from cell to cell.
     anchor: Option<Vec2>,
 }
 
-/// How high a cell is for its width in most fonts.
+/// The height of a cell divided by its width in most fonts.
 pub(super) const CELL_ASPECT: f64 = 2.0;
 
-/// Columns, and rows, below which the margins shrink with the window.
+/// The columns and rows below which the margins shrink with the window.
 const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 
-/// Rows that a drawing of its own has at least.
+/// Minimum number of rows of a separate drawing.
 const LOWEST: u16 = 8;
 
 impl WorldView {
-    /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
+    /// Returns the largest window with equal scales that contains the whole `reach` with its labels
+    /// and supports.
     ///
-    /// `aspect` is the height of a cell for its width; 2 is right for most terminals, and stands in
-    /// for anything that is not a positive number.
+    /// `aspect` is the height of a cell divided by its width; 2 suits most terminals and replaces a
+    /// value that is not positive and finite.
     #[must_use]
     pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> WorldView {
         let mut view = WorldView::around(
@@ -53,7 +54,7 @@ impl WorldView {
         view
     }
 
-    /// The same window with a point in its middle.
+    /// Returns the window moved so that a point is in its middle.
     #[must_use]
     pub fn centred_on(&self, point: Vec2) -> WorldView {
         if !point.is_finite() {
@@ -67,7 +68,8 @@ impl WorldView {
         }
     }
 
-    /// The largest window of true aspect that holds these parts with the cells around them.
+    /// Returns the largest window with equal scales that contains these parts with the cells around
+    /// them.
     fn around(
         parts: &[(Bounds, Margin); 4],
         centre: Vec2,
@@ -90,7 +92,7 @@ impl WorldView {
             before: m.left * shrink.x,
             after: m.right * shrink.x,
         });
-        // Rows count downwards, so the world's y axis is turned over here.
+        // Rows count downwards, so the world's y axis is flipped here.
         let vertical = parts.map(|(b, m)| AxisSpan {
             low: centre.y - b.high.y,
             high: centre.y - b.low.y,
@@ -119,21 +121,22 @@ impl WorldView {
         }
     }
 
-    /// The lowest window up to `most` rows in which the drawing is as large as in that one; windows of so many
-    /// rows are given.
+    /// Returns the lowest window of at most `most` rows in which the drawing has the same size as
+    /// with `most` rows. `of_rows` returns the window with a number of rows.
     #[must_use]
     pub fn snug(most: u16, of_rows: impl Fn(u16) -> WorldView) -> WorldView {
         let highest = of_rows(most);
-        // A rounding error makes no drawing smaller.
+        // A rounding error does not count as a smaller drawing.
         let least = highest.scale.x * (1.0 - 1e-9);
         let mut lower = (LOWEST..most).map(of_rows);
         lower.find(|view| view.scale.x >= least).unwrap_or(highest)
     }
 
-    /// The same window `zoom` times as large about its middle, and then moved over the world by `shift`.
+    /// Returns the window enlarged by `zoom` about its middle, then moved over the world by
+    /// `shift`.
     ///
-    /// Without a zoom and a shift it is the window as it is. Factors that are not positive and finite, and
-    /// shifts that are not finite, stand for none.
+    /// Without a zoom and a shift it is unchanged. Factors that are not positive and finite count
+    /// as 1, and shifts that are not finite as zero.
     #[must_use]
     pub fn zoomed(&self, zoom: f64, shift: Vec2) -> WorldView {
         let zoom = if zoom > 0.0 && zoom.is_finite() {
@@ -153,26 +156,26 @@ impl WorldView {
             pin: middle,
             ..*self
         };
-        // What was put under a pointer stays there.
+        // After a shift, the point under the mouse pointer must stay there.
         if shift == Vec2::ZERO {
             zoomed.rest();
         }
         zoomed
     }
 
-    /// The middle of the window, in cell coordinates.
+    /// Returns the middle of the window, in cell coordinates.
     fn middle(&self) -> Vec2 {
         Vec2::new(f64::from(self.cols), f64::from(self.rows)) * 0.5
     }
 
-    /// The world point that lies at a place in cell coordinates.
+    /// Returns the world point at a place in cell coordinates.
     #[must_use]
     pub fn world(&self, cell: Vec2) -> Vec2 {
         let offset = cell - self.pin;
         self.centre + Vec2::new(offset.x / self.scale.x, -offset.y / self.scale.y)
     }
 
-    /// Moves the window by less than a cell so that its anchor lies in the middle of one: ground pins
+    /// Moves the window by less than a cell so that its anchor is in the middle of one. Ground pins
     /// and guides through it are then drawn along the middle of their row.
     fn rest(&mut self) {
         let Some(anchor) = self.anchor else { return };
@@ -183,25 +186,25 @@ impl WorldView {
         }
     }
 
-    /// Columns of the window.
+    /// Returns the number of columns.
     #[must_use]
     pub fn cols(&self) -> u16 {
         self.cols
     }
 
-    /// Rows of the window.
+    /// Returns the number of rows.
     #[must_use]
     pub fn rows(&self) -> u16 {
         self.rows
     }
 
-    /// The height of a cell for its width.
+    /// Returns the height of a cell divided by its width.
     #[must_use]
     pub fn aspect(&self) -> f64 {
         self.scale.x / self.scale.y
     }
 
-    /// How many dots wide a link is drawn: a line of dots in a small window, a bar in a large one.
+    /// Returns the width of a link in dots: a line of dots in a small window, a bar in a large one.
     pub(super) fn weight(&self) -> u8 {
         match self.rows.min(self.cols / 2) {
             ..=9 => 1,
@@ -210,13 +213,13 @@ impl WorldView {
         }
     }
 
-    /// How many columns a length in the world takes that lies level.
+    /// Returns the number of columns of a horizontal length in the world.
     #[must_use]
     pub fn cells_along(&self, length: f64) -> f64 {
         length * self.scale.x
     }
 
-    /// Where a world point lies, in cell coordinates.
+    /// Returns the position of a world point in cell coordinates.
     #[must_use]
     pub fn cell(&self, point: Vec2) -> Vec2 {
         let offset = point - self.centre;
@@ -227,7 +230,8 @@ impl WorldView {
     }
 }
 
-/// What must lie inside along one axis: a stretch of the world with cells before and after it.
+/// A span that must lie inside along one axis: a stretch of the world with cells before and after
+/// it.
 #[derive(Clone, Copy)]
 struct AxisSpan {
     low: f64,
@@ -236,7 +240,8 @@ struct AxisSpan {
     after: f64,
 }
 
-/// The largest scale at which all spans fit into `cells`: every end must fit with every beginning.
+/// Returns the largest scale at which all spans fit into `cells`: every end must fit with every
+/// beginning.
 fn largest_scale(spans: &[AxisSpan], cells: f64) -> f64 {
     let mut scale = f64::INFINITY;
     for first in spans {
@@ -251,7 +256,8 @@ fn largest_scale(spans: &[AxisSpan], cells: f64) -> f64 {
     scale
 }
 
-/// Where the world's centre lies so that the spans and their margins stand in the middle of `cells`.
+/// Returns the place of the world's centre at which the spans and their margins are centred in
+/// `cells`.
 fn middle(spans: &[AxisSpan], cells: f64, scale: f64) -> f64 {
     let mut start = f64::INFINITY;
     let mut end = f64::NEG_INFINITY;

@@ -1,4 +1,4 @@
-//! What is coupled: unknowns of several links at once, and what must vanish for them to fit.
+//! Closes coupled groups in a script: several links with common unknowns and residuals.
 
 use super::placement::{ScriptPlacement, ScriptStep};
 use super::terms::{ScriptTerm, number};
@@ -7,40 +7,40 @@ use crate::{Body, Input, LinkId, PointId, SlideId, Slider};
 
 /// A coupled group, closed by Newton's method.
 pub(super) struct Closure {
-    /// What the unknowns are called together.
+    /// The name of the list of unknowns.
     pub(super) name: String,
-    /// Where the scene opens.
+    /// The unknowns at the scene's start.
     pub(super) seeds: Vec<f64>,
-    /// What must vanish.
+    /// The residuals.
     pub(super) misfits: Vec<ScriptMisfit>,
 }
 
-/// What must vanish.
+/// A residual of a closure.
 pub(super) enum ScriptMisfit {
-    /// Both coordinates of it.
+    /// A complex term, whose both parts must be zero.
     Both(ScriptTerm),
-    /// A number.
+    /// A real term, which must be zero.
     One(ScriptTerm),
 }
 
-/// How a body stands, in terms of the unknowns.
+/// The pose of a link, in terms of the unknowns.
 #[derive(Clone)]
 struct Stance {
-    /// A point of it that its others are seen from, and where that is.
+    /// A reference point of the link and its place, from which the other points are computed.
     seen_from: Option<(PointId, ScriptTerm)>,
     direction: ScriptTerm,
 }
 
-/// The unknowns of a group while they are gathered.
+/// The unknowns of a group.
 struct Unknowns {
     stances: Vec<(LinkId, Stance)>,
-    /// Pins that no link of the group carries.
+    /// Pins that are not on any link of the group.
     pins: Vec<(PointId, ScriptTerm)>,
     seeds: Vec<f64>,
 }
 
 impl ScriptPlacement<'_> {
-    /// Closes what is left of a group.
+    /// Closes the rest of a group by Newton's method.
     pub(super) fn close_coupled(&mut self, links: &[LinkId], points: &[PointId]) {
         let unknowns = self.unknowns(links, points, "z");
         if unknowns.seeds.is_empty() {
@@ -70,7 +70,7 @@ impl ScriptPlacement<'_> {
         }
     }
 
-    /// What is sought of the links that are not placed, in the elements of a list of this name.
+    /// Returns the unknowns of the unplaced links, as elements of the list `list`.
     fn unknowns(&self, links: &[LinkId], points: &[PointId], list: &str) -> Unknowns {
         let mut work = self.solver.state();
         let start = self.mechanism().driver().start;
@@ -160,7 +160,7 @@ impl ScriptPlacement<'_> {
                 Some((_, stance)) => Some(stance.direction.clone()),
                 None => self.direction(Body::Link(link)),
             });
-            // That of a link which is known already, or of two that follow each other, says nothing here.
+            // If both directions are known, or one follows the other, this equation is trivial.
             if let (Some(link), Some(from)) = (link, from) {
                 let wanted = from.times(self.bend(turned));
                 let off = format!("across({link}, {wanted})");
@@ -170,7 +170,7 @@ impl ScriptPlacement<'_> {
         misfits
     }
 
-    /// A place on a link, in terms of the unknowns.
+    /// Returns a place on a link, in terms of the unknowns.
     fn seen(&self, link: LinkId, stance: &Stance, place: ScriptTerm) -> ScriptTerm {
         match &stance.seen_from {
             None => place,

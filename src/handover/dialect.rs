@@ -1,4 +1,4 @@
-//! A placement in a language: what stands around its steps.
+//! Writes a placement in a script language: the parts around its steps.
 
 use super::closure::{Closure, ScriptMisfit};
 use super::placement::{Assignment, ScriptPlacement, ScriptStep};
@@ -8,23 +8,23 @@ use crate::wording::Words;
 use crate::{Input, LinkId, PointId};
 use std::fmt::Write as _;
 
-/// A language that a script can be written in.
+/// A script language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScriptLanguage {
     /// Python 3, without any package.
     Python,
-    /// MATLAB, and Octave.
+    /// MATLAB and Octave.
     Matlab,
 }
 
-/// The formulas of groups, and how a script is called.
+/// The frames of scripts: the formulas of groups, and the main program.
 const PYTHON: &str = include_str!("python.txt");
 const MATLAB: &str = include_str!("matlab.txt");
 
 impl ScriptLanguage {
     pub(super) const ALL: [ScriptLanguage; 2] = [ScriptLanguage::Python, ScriptLanguage::Matlab];
 
-    /// The element of a list, counted from 0.
+    /// Returns the element of a list; `index` counts from 0.
     pub(super) fn element(self, list: &str, index: usize) -> String {
         match self {
             ScriptLanguage::Python => format!("{list}[{index}]"),
@@ -61,19 +61,20 @@ impl ScriptLanguage {
     }
 }
 
-/// All that a script is written from.
+/// The parts of a script.
 pub(super) struct Writing<'a> {
     pub(super) scene: &'a Scene,
     pub(super) placement: &'a ScriptPlacement<'a>,
     pub(super) language: ScriptLanguage,
     /// The name of the file.
     pub(super) name: &'a str,
-    /// Where the driver goes.
+    /// The range of the driver's coordinate.
     pub(super) range: [f64; 2],
 }
 
 impl Writing<'_> {
-    /// The script: the frame of its language, with what is the scene's own in the place of `<<...>>`.
+    /// Returns the script: the frame of its language, with each `<<...>>` replaced by the scene's
+    /// own part.
     pub(super) fn text(&self, words: &dyn Words) -> String {
         let unit = self.scene.unit.symbol();
         let driver = match self.scene.mechanism.driver().input {
@@ -129,7 +130,7 @@ impl Writing<'_> {
         text
     }
 
-    /// The points that have a place: what moves and is no centre of mass.
+    /// Returns the points that the script places: moving points that are not centres of mass.
     fn points(&self) -> Vec<PointId> {
         let mechanism = &self.scene.mechanism;
         let moves = |p: &PointId| {
@@ -175,7 +176,7 @@ impl Writing<'_> {
         self.scene.link_name(link)
     }
 
-    /// The call that finds the unknowns; what it finds is where it begins the next time.
+    /// Returns the call that finds the unknowns; its result is the start of the next call.
     fn closure(&self, closure: &Closure, index: usize) -> String {
         let misfits: Vec<String> = closure.misfits.iter().map(|it| self.misfit(it)).collect();
         let misfits = misfits.join(", ");
@@ -199,7 +200,7 @@ impl Writing<'_> {
         }
     }
 
-    /// Where Newton's method begins, a list for every coupled group.
+    /// Returns the starts of Newton's method, one list per coupled group.
     fn seeds(&self) -> String {
         let closures = self.placement.steps.iter().filter_map(|step| match step {
             ScriptStep::Close(closure) => Some(closure),
@@ -214,7 +215,7 @@ impl Writing<'_> {
         lists.join(", ")
     }
 
-    /// From row to row.
+    /// Returns the step of the driver from row to row.
     fn step(&self) -> f64 {
         match self.scene.mechanism.driver().input {
             Input::Turn(_) => 1.0,
@@ -222,7 +223,7 @@ impl Writing<'_> {
         }
     }
 
-    /// How far the driver goes at once where something is coupled.
+    /// Returns the maximum step of the driver if a group is coupled.
     fn stride(&self) -> f64 {
         match self.scene.mechanism.driver().input {
             Input::Turn(_) => 1.0,

@@ -1,11 +1,11 @@
-//! What points, links and slides are called in a script.
+//! Names points, links and slides in a script.
 
 use super::dialect::ScriptLanguage;
 use crate::scene::Scene;
 use crate::{LinkId, PointId, SlideId};
 use std::collections::{HashMap, HashSet};
 
-/// Keywords of both languages, and constants that MATLAB and Octave know.
+/// The keywords of both languages, and constants of MATLAB and Octave.
 const KEYWORDS: [&str; 56] = [
     "and",
     "as",
@@ -65,11 +65,11 @@ const KEYWORDS: [&str; 56] = [
     "ans",
 ];
 
-/// Variables of the steps that are written for a scene.
+/// The variables of a scene's steps.
 const VARIABLES: [&str; 4] = ["q", "z", "seeds", "points"];
 
-/// Returns every name that the steps of a scene must not hide: keywords, and what the frame of either language defines,
-/// imports or calls.
+/// Returns every name that the steps of a scene must not hide: keywords, and names that the frame
+/// of either language defines, imports or calls.
 fn reserved() -> HashSet<String> {
     let frames = ScriptLanguage::ALL.into_iter();
     let used = frames.flat_map(|language| names_used(language.frame()));
@@ -88,7 +88,7 @@ fn names_used(frame: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Returns the identifiers of a line in ASCII, each with what follows it.
+/// Returns the ASCII identifiers of a line, each with the text after it.
 fn identifiers(line: &str) -> impl Iterator<Item = (&str, &str)> {
     let is_of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut next = 0;
@@ -100,13 +100,14 @@ fn identifiers(line: &str) -> impl Iterator<Item = (&str, &str)> {
     words.filter(|(word, _)| !word.is_empty())
 }
 
-/// MATLAB tells names apart by their first 63 characters; some are left for what tells two apart.
+/// Maximum length of a name. MATLAB distinguishes names by their first 63 characters; some are
+/// reserved for suffixes.
 const MAX_LENGTH: usize = 56;
 
-/// Parts of a slide.
+/// The parts of a slide.
 pub(super) const THROUGH: &str = "through";
 pub(super) const ALONG: &str = "along";
-/// Lists of an input that follows a table.
+/// The lists of an input that follows a table.
 pub(super) const TABLE: [&str; 3] = ["places", "values", "bends"];
 
 /// The identifiers of a scene.
@@ -141,7 +142,7 @@ impl Identifiers {
             let name = all.fresh(scene.slide_name(slide));
             all.slides.push(name);
         }
-        // After the names that people gave: those are kept.
+        // Parts come after the user's names, so that those are kept.
         for link in mechanism.link_ids() {
             for member in &mechanism.link(link).members {
                 let (link, point) = (
@@ -164,7 +165,7 @@ impl Identifiers {
         all
     }
 
-    /// Names a part of a link or slide like both, as near as that is free.
+    /// Names a part of a link or slide after both, or similarly if the name is in use.
     fn name_part(&mut self, owner: String, part: &str) {
         let name = self.fresh(&format!("{owner}_{part}"));
         self.parts.insert((owner, part.to_owned()), name);
@@ -176,7 +177,8 @@ impl Identifiers {
         name.cloned().unwrap_or_default()
     }
 
-    /// A name that nothing else has: letters, digits and `_`, as near to the wish as that allows.
+    /// Returns an unused name of letters, digits and `_`, as close as possible to the requested
+    /// one.
     pub(super) fn fresh(&mut self, wish: &str) -> String {
         let allowed = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let mut name: String = wish.chars().map(allowed).take(MAX_LENGTH).collect();

@@ -1,10 +1,10 @@
-//! A scene handed over to others: a script that works its positions out again, by itself.
+//! Exports a scene as a script that computes its positions without krank.
 //!
-//! The script has the lengths of the scene by name, a line for every group of the plan, and the formulas of these
-//! groups: where two circles meet, where a circle meets a line, where lines do, which way an arm points that slides
-//! through a pin. What is coupled is closed by Newton's method from where the scene opens. Places are complex
-//! numbers, so that Python and MATLAB differ in their punctuation only. Nothing of the solver is in it but which side
-//! each group lies on.
+//! The script has the scene's lengths by name, a line for every group of the plan, and the formulas
+//! of these groups. The formulas are intersections of two circles, of a circle and a line, and of
+//! two lines, and the direction of an arm that slides through a pin. Coupled groups are closed by
+//! Newton's method from the scene's start. Places are complex numbers, so that Python and MATLAB
+//! differ in punctuation only. The solver contributes only the side of each group.
 
 mod closure;
 mod dialect;
@@ -20,7 +20,8 @@ pub use dialect::ScriptLanguage;
 use dialect::Writing;
 use placement::ScriptPlacement;
 
-/// The script of a scene in the assembly that its solver has. `name` is that of its file, which MATLAB calls it by.
+/// Returns the script of a scene in the assembly of its solver. `name` is that of its file, which
+/// MATLAB also uses for the function.
 #[must_use]
 pub fn script(scene: &Scene, solver: &Solver, language: ScriptLanguage, name: &str) -> String {
     let placement = ScriptPlacement::of(scene, solver, language);

@@ -1,4 +1,4 @@
-//! How a script places points and links: a step for every closed form, in the order of the plan.
+//! Places points and links in a script: one step per closed form, in the order of the plan.
 
 mod meetings;
 
@@ -12,23 +12,23 @@ use crate::{
     Body, Input, InputLaw, InputTable, LinkId, Mechanism, Member, PointId, SlideId, Slider, Vec2,
 };
 
-/// A name and what it is worth.
+/// A name and its value.
 #[derive(Clone, Debug)]
 pub(super) struct Assignment {
     pub(super) name: String,
     pub(super) term: ScriptTerm,
 }
 
-/// What the script does for a state, in order.
+/// A step of the script for one state.
 pub(super) enum ScriptStep {
     Assign(Assignment),
-    /// A group begins, which places these links.
+    /// The beginning of a group that places these links.
     Group(Vec<LinkId>),
-    /// Unknowns of a coupled group are found.
+    /// The solution for the unknowns of a coupled group.
     Close(Closure),
 }
 
-/// All that the script places, and how.
+/// The steps of a script, and the parts placed so far.
 pub(super) struct ScriptPlacement<'a> {
     pub(super) scene: &'a Scene,
     pub(super) solver: &'a Solver,
@@ -36,11 +36,11 @@ pub(super) struct ScriptPlacement<'a> {
     pub(super) names: Identifiers,
     pub(super) constants: Vec<Assignment>,
     pub(super) steps: Vec<ScriptStep>,
-    /// By point: whether its place is known.
+    /// `true` by point if its place is known.
     known: Vec<bool>,
-    /// By link: a point from which its others are seen, once it is placed.
+    /// By link: its reference point, once the link is placed.
     placed: Vec<Option<PointId>>,
-    /// By link: the name of its direction, once that is known.
+    /// By link: the name of its direction, if known.
     aimed: Vec<Option<String>>,
 }
 
@@ -120,7 +120,8 @@ impl<'a> ScriptPlacement<'a> {
         self.constant(name, complex(member.local.x, member.local.y));
     }
 
-    /// A length is called like its link, another place on it like link and point.
+    /// Returns the name of a place on a link: the link's name for its length, or a name of link and
+    /// point.
     fn local_name(&self, link: LinkId, point: PointId) -> String {
         let name = self.names.link(link);
         match self.mechanism().link(link).ends {
@@ -142,13 +143,13 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    // Terms of what is given.
+    // Terms of known parts.
 
     pub(super) fn point(&self, point: PointId) -> ScriptTerm {
         ScriptTerm::of(self.names.point(point))
     }
 
-    /// Where a point lies on its link.
+    /// Returns the place of a point on its link.
     pub(super) fn local(&self, link: LinkId, point: PointId) -> ScriptTerm {
         match self.mechanism().link(link).local(point) {
             Some(local) if local != Vec2::ZERO => ScriptTerm::of(self.local_name(link, point)),
@@ -156,7 +157,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// From one point of a link to another, in its frame.
+    /// Returns the vector from one point of a link to another, in the link's frame.
     fn between(&self, link: LinkId, from: PointId, to: PointId) -> ScriptTerm {
         self.local(link, to).minus(self.local(link, from))
     }
@@ -169,7 +170,7 @@ impl<'a> ScriptPlacement<'a> {
         ScriptTerm::of(format!("abs({between})"))
     }
 
-    /// The point that a guide runs through, in the frame of what carries it.
+    /// Returns the point that a guide passes through, in the frame of its body.
     pub(super) fn through(&self, id: SlideId) -> ScriptTerm {
         let slide = self.mechanism().slide(id);
         match (slide.named, slide.on) {
@@ -180,7 +181,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of a guide in the frame of what carries it.
+    /// Returns the direction of a guide in the frame of its body.
     pub(super) fn along(&self, id: SlideId) -> ScriptTerm {
         match self.mechanism().slide(id).angle == 0.0 {
             true => ScriptTerm::one(),
@@ -188,7 +189,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of a body, once it is known.
+    /// Returns the direction of a body; `None` if it is not known yet.
     pub(super) fn direction(&self, body: Body) -> Option<ScriptTerm> {
         match body {
             Body::Ground => Some(ScriptTerm::one()),
@@ -196,7 +197,8 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// A place in the frame of a body, as the ground sees it, once the body is placed.
+    /// Returns a place in a body's frame in the ground's frame; `None` if the body is not placed
+    /// yet.
     fn on_body(&self, body: Body, place: ScriptTerm) -> Option<ScriptTerm> {
         let Body::Link(link) = body else {
             return Some(place);
@@ -209,12 +211,13 @@ impl<'a> ScriptPlacement<'a> {
         )
     }
 
-    /// The direction of a link, once it is known.
+    /// Returns the direction of a link; `None` if it is not known yet.
     pub(super) fn direction_of(&self, link: LinkId) -> Option<ScriptTerm> {
         self.direction(Body::Link(link))
     }
 
-    /// A guide on a body that is placed: the point that it runs through, and the direction of the body.
+    /// Returns a guide on a placed body: its point and the body's direction; `None` if the body is
+    /// not placed yet.
     pub(super) fn guide_of_body(
         &self,
         body: Body,
@@ -243,7 +246,7 @@ impl<'a> ScriptPlacement<'a> {
         self.assign(name, term);
     }
 
-    /// A link of known direction has this point at a known place.
+    /// Marks a link of known direction as placed, with this reference point.
     pub(super) fn hold(&mut self, link: LinkId, point: PointId) {
         self.placed[link.index()] = Some(point);
     }
@@ -252,7 +255,8 @@ impl<'a> ScriptPlacement<'a> {
         self.known[point.index()]
     }
 
-    /// Whether a script has this point: centres of mass are none of it.
+    /// Returns `true` if the script has this point; centres of mass and unnamed points are left
+    /// out.
     pub(super) fn is_named(&self, point: PointId) -> bool {
         let mut links = self.mechanism().links().iter();
         self.scene.point_name(point).is_some() && links.all(|link| link.com != Some(point))
@@ -273,7 +277,7 @@ impl<'a> ScriptPlacement<'a> {
                 .all(|&p| self.is_known(p) || !self.is_named(p))
     }
 
-    /// The points of a link that a script places.
+    /// Returns the points of a link that the script places.
     pub(super) fn members(&self, link: LinkId) -> Vec<PointId> {
         let given = self.mechanism().link(link);
         let members = given.members.iter().map(|m| m.point);
@@ -284,7 +288,7 @@ impl<'a> ScriptPlacement<'a> {
         self.members(link).into_iter().find(|&p| self.is_known(p))
     }
 
-    /// The coordinate of an input: the driver's is q, that of a further one follows it.
+    /// Returns the coordinate of an input: q for the driver, or else a function of q.
     pub(super) fn coordinate(&self, input: Input) -> ScriptTerm {
         ScriptTerm::of(match self.mechanism().timed_input(input) {
             None => "q".to_owned(),
@@ -301,7 +305,7 @@ impl<'a> ScriptPlacement<'a> {
         })
     }
 
-    /// What the places, the values and the second derivatives of a table are called.
+    /// Returns the names of a table's places, values and second derivatives.
     fn table_names(&self, input: Input) -> [String; 3] {
         let name = match input {
             Input::Turn(link) => self.names.link(link),
@@ -352,7 +356,8 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// What follows at once from what is known: directions by guides and by two points, and riders.
+    /// Adds all steps that follow directly from known parts: directions by guides and by two
+    /// points, and coupler points.
     pub(super) fn settle(&mut self) {
         loop {
             let before = self.steps.len();
@@ -368,7 +373,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// What inputs push along guides of links that are placed.
+    /// Places the points that inputs push along guides of placed links.
     fn push_out(&mut self) {
         let inputs: Vec<Input> = self.mechanism().inputs().collect();
         for input in inputs {
@@ -385,7 +390,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of a link that keeps its angle to a guide.
+    /// Finds the direction of a link with a constant angle to a guide.
     fn lock(&mut self, link: LinkId) {
         if self.is_aimed(link) {
             return;
@@ -418,7 +423,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of one of two links between which an input turns.
+    /// Finds the direction of one of two links between which an input turns.
     fn elbow(&mut self, link: LinkId) {
         let elbows: Vec<_> = self.mechanism().elbows().collect();
         for (turned, from) in elbows {
@@ -441,7 +446,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of a link that is turned against another one, as seen from that.
+    /// Returns the direction of a link turned against another one, relative to that.
     pub(super) fn bend(&self, turned: LinkId) -> ScriptTerm {
         ScriptTerm::of(format!("turn({})", self.coordinate(Input::Turn(turned))))
     }
@@ -469,7 +474,7 @@ impl<'a> ScriptPlacement<'a> {
         }
     }
 
-    /// The direction of a link with two known points.
+    /// Finds the direction of a link with two known points.
     fn aim_by(&mut self, link: LinkId, from: PointId, to: PointId) {
         let seen = self.point(to).minus(self.point(from));
         self.aim(link, seen.over(self.between(link, from, to)));

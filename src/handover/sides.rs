@@ -1,26 +1,28 @@
-//! On which side each group lies, and where along the motion it changes over.
+//! Finds the side of each group, and the coordinates where it changes.
 
 use crate::numeric::root;
 use crate::solver::{Condition, Known, Order, Range, Solver};
 
-/// Places at which a side is looked at, in a period or over the range; none of them is a round one.
+/// Number of places in a period or over the range at which a side is evaluated; they avoid round
+/// coordinates.
 const PLACES: u32 = 1440;
-/// This near to a change point a group changes over there.
+/// The distance from a change point, in the driver's coordinate, within which a group changes sides
+/// at that point.
 const SAME: f64 = 1e-4;
 
 /// The side of a group over the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SideCourse {
-    /// Where the motion repeats: after so many degrees.
+    /// The period of the motion, if it has one.
     pub(super) period: Option<f64>,
-    /// Whether it is the positive side at the beginning of the range.
+    /// `true` if the side is positive at the beginning of the range.
     pub(super) is_plus: bool,
-    /// Where it changes over, going up.
+    /// The coordinates where the side changes, ascending.
     pub(super) changes: Vec<f64>,
 }
 
 impl SideCourse {
-    /// Follows a figure over the motion whose sign is the side.
+    /// Follows a function over the motion; its sign is the side.
     pub(super) fn of(solver: &Solver, figure: impl Fn(Known<'_>) -> f64) -> SideCourse {
         let range = solver.motion().range;
         let (low, high) = range.ends();
@@ -55,7 +57,7 @@ impl SideCourse {
         course
     }
 
-    /// Sides that differ at the ends of a period meet where it begins.
+    /// Adds a change at the beginning of a period if the sides at its ends differ.
     fn close(&mut self, low: f64) {
         if self.period.is_some() && self.changes.len() % 2 == 1 {
             self.changes.insert(0, low);
@@ -63,7 +65,7 @@ impl SideCourse {
         }
     }
 
-    /// As 1 or -1, from each change on.
+    /// Returns the sides as 1 or -1, from each change on.
     pub(super) fn signs(&self) -> Vec<i8> {
         let sign = |k: usize| {
             if k.is_multiple_of(2) == self.is_plus {
@@ -76,7 +78,7 @@ impl SideCourse {
     }
 }
 
-/// A change point is known better than the place of a root that rounding has blurred.
+/// Replaces a root by the change point next to it, which is more accurate.
 fn settled(solver: &Solver, found: f64) -> f64 {
     let known = &solver.motion().change_points;
     let near = known.iter().find(|place| (*place - found).abs() < SAME);

@@ -1,8 +1,8 @@
-//! Terms of a formula as a script writes them.
+//! Terms of a formula in a script.
 
 use std::fmt;
 
-/// A term, and whether it needs brackets beside a factor.
+/// A term, and `true` if it needs parentheses as a factor.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ScriptTerm {
     text: String,
@@ -10,7 +10,7 @@ pub(super) struct ScriptTerm {
 }
 
 impl ScriptTerm {
-    /// A name, a call or a number.
+    /// Creates a term from a name, a call or a number.
     pub(super) fn of(text: impl Into<String>) -> Self {
         ScriptTerm {
             text: text.into(),
@@ -72,7 +72,7 @@ impl ScriptTerm {
         }
     }
 
-    /// As a factor of a product.
+    /// Returns the term as a factor of a product.
     fn factor(&self) -> String {
         match self.is_sum {
             true => format!("({self})"),
@@ -87,12 +87,12 @@ impl fmt::Display for ScriptTerm {
     }
 }
 
-/// A number that reads back to the same double.
+/// Formats a number so that it reads back to the same double.
 pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-/// A place or a vector of two numbers; a number alone where it lies along x.
+/// Formats a place or a vector as a complex number, or as a real one if it lies along x.
 pub(super) fn complex(x: f64, y: f64) -> String {
     match y == 0.0 {
         true => number(x),

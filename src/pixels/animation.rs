@@ -1,4 +1,4 @@
-//! Pictures one after the other as a GIF.
+//! Encodes successive pictures as a GIF.
 
 use super::PaintError;
 use super::canvas::Pixels;
@@ -6,17 +6,18 @@ use super::colour_table::ColourTable;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
 use std::borrow::Cow;
 
-/// A pixel as it was in the picture before: most are, and a run of them takes a few bytes.
+/// The index of a pixel that equals the previous picture's: most do, and a run of them takes a few
+/// bytes.
 const AS_BEFORE: u8 = 255;
-/// A GIF counts hundredths of a second.
+/// The time unit of a GIF: hundredths of a second.
 const HUNDREDTHS: u32 = 100;
 
 pub(super) struct Animation {
     table: ColourTable,
-    /// Pictures in a second.
+    /// Pictures per second.
     rate: u16,
     count: u32,
-    /// The last picture, by indices.
+    /// The previous picture, as indices.
     before: Vec<u8>,
     encoder: Option<Encoder<Vec<u8>>>,
 }
@@ -34,7 +35,7 @@ impl Animation {
 
     pub(super) fn add(&mut self, picture: &Pixels) -> Result<(), PaintError> {
         let (width, height) = side_lengths(picture)?;
-        // Most pixels are as the one beside them.
+        // Most pixels equal their neighbour.
         let mut last = None;
         let indices = picture.colours().map(|colour| match last {
             Some((same, index)) if same == colour => index,
@@ -76,7 +77,8 @@ impl Animation {
         }
     }
 
-    /// What a picture takes is no whole number of hundredths: all together take what they should.
+    /// Returns the delay of the next picture in hundredths of a second. The exact duration need not
+    /// be an integer; the rounding errors do not accumulate.
     fn next_delay(&mut self) -> u16 {
         let until = |count: u32| count * HUNDREDTHS / u32::from(self.rate.max(1));
         let delay = until(self.count + 1) - until(self.count);

@@ -1,4 +1,4 @@
-//! SVG to pixels, with a font of our own: no file of the system is looked for, so that a picture is the same
+//! Renders SVG to pixels with an embedded font. System fonts are not used, so a picture is the same
 //! everywhere.
 
 use super::PaintError;
@@ -9,12 +9,12 @@ use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
 use std::sync::Arc;
 
-/// Pixels of the largest picture, in memory four bytes each.
+/// Maximum number of pixels of a picture, each of four bytes in memory.
 const MOST: u64 = 1 << 25;
-/// And of all pictures of a turn: some minutes of work.
+/// Maximum number of pixels of all pictures of an animation: some minutes of work.
 const MOST_OF_A_TURN: u64 = 1 << 31;
 
-/// Paints documents.
+/// A renderer of SVG documents.
 pub(crate) struct Canvas {
     options: Options<'static>,
 }
@@ -33,7 +33,7 @@ impl Canvas {
         })
     }
 
-    /// A document, so many pixels wide.
+    /// Renders a document, `width` pixels wide.
     pub(crate) fn paint(&self, svg: &str, width: u32) -> Result<Pixels, PaintError> {
         let tree = Tree::from_str(svg, &self.options);
         let tree = tree.map_err(|e| PaintError::Failed(e.to_string()))?;
@@ -47,7 +47,7 @@ impl Canvas {
         let (across, down, height) = {
             let across = width as f32 / size.width();
             let height = (size.height() * across).round().max(1.0);
-            // Whole pixels: the paper covers the last row too.
+            // Whole pixels, so that the background covers the last row too.
             (across, height / size.height(), height as u32)
         };
         let too_large = PaintError::TooLarge(width, height);
@@ -61,7 +61,7 @@ impl Canvas {
     }
 }
 
-/// A picture; its paper covers all of it.
+/// A picture, completely covered by its background.
 pub(crate) struct Pixels {
     pub(super) pixmap: Pixmap,
 }
@@ -71,7 +71,7 @@ impl Pixels {
         (self.pixmap.width(), self.pixmap.height())
     }
 
-    /// From the top left, row by row.
+    /// Returns the colours from the top left, row by row.
     pub(super) fn colours(&self) -> impl Iterator<Item = [u8; 3]> {
         let pixels = self.pixmap.pixels().iter();
         pixels.map(|pixel| [pixel.red(), pixel.green(), pixel.blue()])
@@ -83,7 +83,8 @@ impl Pixels {
     }
 }
 
-/// A GIF that goes round, `rate` pictures a second. Its colours are those of some of the pictures, `typical`.
+/// Encodes a repeating GIF with `rate` pictures per second. Its colours are taken from the
+/// `typical` pictures.
 pub(crate) fn animation(
     typical: impl Iterator<Item = Result<Pixels, PaintError>>,
     pictures: impl ExactSizeIterator<Item = Result<Pixels, PaintError>>,

@@ -1,19 +1,19 @@
-//! The colours of a GIF, which has at most 256.
+//! The colours of a GIF, at most 256.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
 
-/// One index is left for "as before".
+/// Maximum number of colours; one index is reserved for unchanged pixels.
 const MOST: usize = 255;
 
-/// The commonest colours of some pictures; every other one is written as the nearest of them. A line drawing has a
-/// dozen hues, and what lies between each and its ground along the edges.
+/// The most frequent colours of some pictures; any other colour is replaced by the nearest one. A
+/// line drawing has about a dozen hues, and mixtures with the background along the edges.
 pub(super) struct ColourTable {
     colours: Vec<[u8; 3]>,
     nearest: HashMap<[u8; 3], u8>,
 }
 
-/// How often each colour is there.
+/// A count of the pixels of each colour.
 #[derive(Default)]
 pub(super) struct ColourCensus {
     counts: HashMap<[u8; 3], usize>,
@@ -28,7 +28,7 @@ impl ColourCensus {
 
     pub(super) fn table(self) -> ColourTable {
         let mut counts: Vec<_> = self.counts.into_iter().collect();
-        // Of two that are as common the darker one, so that the same pictures give the same bytes.
+        // Equal counts are ordered by colour, so that equal pictures give equal bytes.
         counts.sort_by_key(|&(colour, count)| (Reverse(count), colour));
         counts.truncate(MOST);
         ColourTable {
@@ -39,7 +39,8 @@ impl ColourCensus {
 }
 
 impl ColourTable {
-    /// As a GIF has it: whole, for the index beside the colours must lie within it.
+    /// Returns the table in the GIF format, always of full size, because the reserved index must
+    /// lie within it.
     pub(super) fn bytes(&self) -> Vec<u8> {
         let mut bytes = self.colours.concat();
         bytes.resize(3 * (MOST + 1), 0);

@@ -1,7 +1,7 @@
-//! Documents as pixels: one is painted, and written as PNG, as sixels, or with others as a GIF that moves.
+//! Renders SVG documents to pixels: as PNG, as sixels, or as an animated GIF.
 //!
-//! All of it is the affair of crates, which are built in with the feature `pictures` alone. Without it nothing can
-//! be painted, and [`PaintError::NotBuilt`] says what to do.
+//! The work is done by crates that only the feature `pictures` includes. Without it rendering
+//! returns [`PaintError::NotBuilt`], whose message explains the remedy.
 
 #[cfg(feature = "pictures")]
 mod animation;
@@ -17,22 +17,22 @@ pub(crate) use canvas::{Canvas, Pixels, animation};
 use crate::wording::words;
 use thiserror::Error;
 
-/// Why there is no picture.
+/// An error in rendering a picture.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub(crate) enum PaintError {
-    /// krank is built without what it takes.
+    /// The feature `pictures` is not built in.
     #[cfg(not(feature = "pictures"))]
     #[error("{}", words().no_pictures())]
     NotBuilt,
-    /// More pixels than memory is for.
+    /// Too many pixels for the memory.
     #[cfg(feature = "pictures")]
     #[error("{}", words().picture_too_large(*.0, *.1))]
     TooLarge(u32, u32),
-    /// More pictures than anybody waits for.
+    /// Too many pictures for an acceptable computing time.
     #[cfg(feature = "pictures")]
     #[error("{}", words().turn_too_large(*.0))]
     TooMany(usize),
-    /// What the crates say.
+    /// The error message of a crate.
     #[cfg(feature = "pictures")]
     #[error("{0}")]
     Failed(String),

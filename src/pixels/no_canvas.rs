@@ -1,4 +1,4 @@
-//! In place of the canvas, where krank is built without pictures: there is none, and so nothing on it.
+//! Replaces the canvas if krank is built without pictures. These types cannot be constructed.
 
 use super::PaintError;
 

@@ -1,17 +1,17 @@
-//! A picture as sixels, for terminals alone.
+//! Encodes a picture as sixels, for terminals.
 
 use super::{PaintError, Pixels};
 use icy_sixel::EncodeOptions;
 
-/// Colours that sixels are written in: hues, and what lies between them and the ground.
+/// The number of colours of sixels: hues, and their mixtures with the background.
 const SIXEL_COLOURS: u16 = 128;
 
 impl Pixels {
-    /// As the sequence that terminals with sixels show.
+    /// Returns the escape sequence for terminals with sixels.
     pub(crate) fn sixels(&self) -> Result<Vec<u8>, PaintError> {
         let options = EncodeOptions {
             max_colors: SIXEL_COLOURS,
-            // A line drawing has no shades that dots could stand for.
+            // A line drawing has no gradients to dither.
             diffusion: 0.0,
             ..EncodeOptions::default()
         };

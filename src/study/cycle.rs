@@ -1,4 +1,4 @@
-//! An integration through many cycles, and its error in the last of them.
+//! Integrates the velocities through many cycles and measures the error in the last one.
 
 use super::rk4::Rk4;
 use super::tally::{Stopwatch, Tally};
@@ -6,28 +6,29 @@ use super::{PASS, SAMPLES};
 use crate::solver::{DriftMethod, Methods, Range};
 use std::time::Duration;
 
-/// Positions that are compared in one piece of work.
+/// Positions compared in one piece of work.
 const COMPARED: u32 = 36;
 
-/// An integration of the velocities, from a position to which it comes back every cycle.
+/// An integration of the velocities from a position that recurs every cycle.
 pub(super) struct IntegrationCycle {
     drift: DriftMethod,
     rk4: Rk4,
     start: f64,
-    /// The driver's coordinate from one step to the next, and as derivatives count it.
+    /// The step of the driver's coordinate, and the step in the unit of derivatives.
     step: f64,
     h: f64,
-    /// Steps of a cycle.
+    /// The number of steps per cycle.
     cycle: u32,
-    /// Steps taken, and those after which the last cycle begins.
+    /// The number of steps taken, and the number before the last cycle.
     taken: u32,
     blind: u32,
-    /// No rates were found: it goes no further.
+    /// `true` if rates do not exist, which ends the integration.
     stuck: bool,
 }
 
 impl IntegrationCycle {
-    /// Begins at a position; `None` where the mechanism cannot go round.
+    /// Begins at a position; `None` if the mechanism does not have a full cycle, or if its state
+    /// cannot be found there.
     pub(super) fn begin(
         methods: &mut Methods,
         start: f64,
@@ -61,13 +62,13 @@ impl IntegrationCycle {
         })
     }
 
-    /// How far it has come, from 0 to 1.
+    /// Returns the progress, from 0 to 1.
     pub(super) fn progress(&self) -> f64 {
         f64::from(self.taken) / f64::from(self.blind + self.cycle)
     }
 
-    /// One piece of work; whether that was all. The steps up to the last cycle are timed; where they are
-    /// too few, so are some behind it.
+    /// Does one piece of work; returns `true` if it was the last. The steps before the last cycle
+    /// are timed; if they are too few, further steps after it are timed too.
     pub(super) fn go_on(
         &mut self,
         methods: &mut Methods,
@@ -101,12 +102,12 @@ impl IntegrationCycle {
         false
     }
 
-    /// The driver's coordinate after so many steps, and a part of one.
+    /// Returns the driver's coordinate after the steps taken plus a fraction of a step.
     fn at(&self, part: f64) -> f64 {
         self.start + (f64::from(self.taken % self.cycle) + part) * self.step
     }
 
-    /// One step.
+    /// Takes one step.
     fn go(&mut self, methods: &Methods) {
         let from = self.at(0.0);
         let IntegrationCycle { drift, step, .. } = self;
@@ -120,7 +121,7 @@ impl IntegrationCycle {
         self.taken += 1;
     }
 
-    /// One step, and how far it has led astray.
+    /// Takes one step and notes the error there.
     fn compare(&mut self, methods: &mut Methods, tally: &mut Tally) {
         self.go(methods);
         let at = self.at(0.0);
@@ -131,7 +132,7 @@ impl IntegrationCycle {
         tally.note(found.then(|| methods.drifted(&self.drift)));
     }
 
-    /// What it can no longer reach of the last cycle, it has failed at.
+    /// Counts the remaining steps of the last cycle as failures.
     fn give_up(&mut self, tally: &mut Tally) {
         let end = self.blind + self.cycle;
         for _ in self.taken.max(self.blind)..end {

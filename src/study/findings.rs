@@ -1,82 +1,82 @@
-//! What a study has found: figures, no text.
+//! The results of a study as numbers, without text.
 
 use super::spread::Spread;
 use crate::solver::{Method, Unfit};
 
-/// The largest errors over all positions at which a method found the mechanism.
+/// The largest errors of a method over all positions that it solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MethodErrors {
-    /// Of the positions of points, over the longest length.
+    /// The error of points' positions, relative to the longest length.
     pub position: f64,
-    /// Of their velocities, over the largest velocity of the cycle.
+    /// The error of their velocities, relative to the cycle's largest velocity.
     pub velocity: f64,
-    /// Of their accelerations, over the largest acceleration of the cycle.
+    /// The error of their accelerations, relative to the cycle's largest acceleration.
     pub acceleration: f64,
 }
 
-/// How many steps or halvings a position takes, of all groups together.
+/// The number of iterations or bisection steps per position, summed over all groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct IterationCounts {
-    /// At half of the positions at the most so many.
+    /// The median.
     pub median: u32,
-    /// Nowhere more.
+    /// The maximum.
     pub most: u32,
 }
 
-/// What was measured of a method.
+/// The measurements of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MethodFigures {
-    /// Seconds for one position with velocities and accelerations; of an integration, for a step.
+    /// Seconds per position with velocities and accelerations; for an integration, per step.
     pub time: Option<Spread>,
-    /// `None` where it was right nowhere.
+    /// `None` if the method failed at every position.
     pub errors: Option<MethodErrors>,
-    /// Positions at which it was tried.
+    /// The number of positions at which the method was tried.
     pub tried: u64,
-    /// Of these, positions at which it found nothing, or another assembly.
+    /// The number of positions at which it found no state, or another assembly.
     pub failures: u64,
-    /// Of a method that counts them, where it found the mechanism.
+    /// Iterations of the successful positions, for a method that counts them.
     pub iterations: Option<IterationCounts>,
 }
 
-/// What there is to say about a method.
+/// The state of a method in a study.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MethodVerdict {
-    /// It was measured.
+    /// The method was measured.
     Measured(MethodFigures),
-    /// It cannot be used for this mechanism.
+    /// The method cannot be used for this mechanism.
     Unfit(Unfit),
-    /// The study has not come to it.
+    /// The method is not measured yet.
     Pending,
 }
 
-/// A method and what was found.
+/// A method and its results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
-    /// The letter by which tables and charts name it: the same for every mechanism.
+    /// The letter of the method in tables and charts, independent of the mechanism.
     pub key: char,
     /// The method.
     pub method: Method,
-    /// What there is to say about it.
+    /// The results.
     pub verdict: MethodVerdict,
-    /// Whether it never fails and no other such method is both faster and nearer.
+    /// `true` if the method never fails and no other such method is both faster and more accurate.
     pub best: bool,
 }
 
-/// All methods.
+/// The results of all methods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
-    /// In the order of their letters.
+    /// The methods in the order of their letters.
     pub methods: Vec<Finding>,
-    /// The longest length, which errors of positions are parts of, in the scene's unit.
+    /// The longest length, in the scene's unit; errors of positions are relative to it.
     pub longest: f64,
-    /// Positions at which the methods were compared.
+    /// The number of positions at which the methods were compared.
     pub positions: usize,
-    /// Whether everything was measured.
+    /// `true` if everything was measured.
     pub finished: bool,
 }
 
 impl Finding {
-    /// Its figures, if it was measured.
+    /// Returns the measurements; `None` if the method was not measured.
     #[must_use]
     pub fn figures(&self) -> Option<&MethodFigures> {
         match &self.verdict {
@@ -86,7 +86,7 @@ impl Finding {
     }
 }
 
-/// Marks the best front of time and error of position.
+/// Marks the best front of time and position error.
 pub(super) fn mark_best(methods: &mut [Finding]) {
     let cost = |finding: &Finding| {
         let figures = finding.figures().filter(|f| f.failures == 0)?;

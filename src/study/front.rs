@@ -1,11 +1,12 @@
-//! The best front: what no other beats in time and error at once.
+//! The best front: entries that no other entry beats in both time and error.
 
-/// An error counts as smaller from this factor on: the largest of some thousand errors of rounding is
-/// itself a matter of chance.
+/// The factor from which on an error counts as smaller. The largest of some thousand rounding
+/// errors is itself random.
 const GRAIN: f64 = 1.2;
 
-/// For every pair of time and error whether it is of the best front: no other is faster and not
-/// clearly further off, or as fast and nearer. `None` takes no part.
+/// Returns for every pair of time and error whether it is on the best front. A pair is on it if no
+/// other pair is faster and not clearly less accurate, or equally fast and more accurate. `None`
+/// does not take part.
 pub(super) fn front(costs: &[Option<[f64; 2]>]) -> Vec<bool> {
     let beats = |[time, error]: &[f64; 2], own: &[f64; 2]| {
         (*time < own[0] && *error <= GRAIN * own[1]) || (*time <= own[0] && *error < own[1])

@@ -1,12 +1,12 @@
-//! Speed against error: every method that could solve a mechanism, measured on it.
+//! Compares speed and accuracy of every method that can solve a mechanism.
 //!
-//! A [`Study`] is done in small pieces, so that whoever runs it can show how far it has come, answer
-//! keys in between, or stop: what has been measured so far can be read at any time. First all methods
-//! are held against a reference of twice the precision, position by position; then they are timed, in
-//! rounds, so that whatever else the machine does meets them all alike; then the integrations run.
+//! A [`Study`] proceeds in small pieces, so that its caller can show progress, react to keys or
+//! stop; the results so far are available at any time. First, all methods are compared with a
+//! reference of twice the precision, position by position. Then they are timed in rounds, so that
+//! other load on the machine affects all of them equally. The integrations run last.
 //!
-//! Nothing here solves anything: the methods are the solver's, on the same rows. Time comes in from
-//! outside, and no text goes out.
+//! This module solves nothing itself: the methods are the solver's, on the same equations. The
+//! caller supplies the clock, and the results contain no text.
 
 mod cycle;
 mod design;
@@ -56,29 +56,30 @@ use std::hint::black_box;
 use std::time::Duration;
 use tally::{Stopwatch, Tally};
 
-/// Positions over 360 degrees, or over the range, where nothing else is asked for.
+/// Default number of positions, per 360 degrees or over the range.
 pub const USUAL_POSITIONS: u32 = 3600;
 
-/// Samples of a method's time.
+/// Number of time samples per method.
 const SAMPLES: usize = 21;
 
 /// Tolerances of Newton's method.
 const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
-/// Steps of an integration in 360 degrees.
+/// Steps of an integration per 360 degrees.
 const STEPS: [u16; 3] = [36, 360, 3600];
-/// The cycles in the last of which an integration's error is looked at, of mechanisms of so many unknowns at
-/// the most: each step costs so much for every unknown, and a study is to take some seconds.
+/// The number of cycles of an integration, by the maximum number of unknowns. The error is measured
+/// in the last cycle. Each step has a cost per unknown, and a study should take some seconds.
 const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (20, 100)];
 const FEWEST_CYCLES: u16 = 10;
-/// The cycles of a mechanism of few unknowns.
+/// The number of cycles of a mechanism with few unknowns.
 pub const USUAL_CYCLES: u16 = 1000;
 
-/// How much of the study is done when the errors are known, and when the times are, too: as measured
-/// on the four-bar of the lectures.
+/// The progress when the errors are known, and when the times are known too, as measured on the
+/// four-bar of the lectures.
 const ERRORS_DONE: f64 = 0.1;
 const TIMES_DONE: f64 = 0.25;
 
-/// All methods, in the order of their letters; the integrations through one cycle and through `cycles`.
+/// Returns all methods in the order of their letters; the integrations run through one cycle and
+/// through `cycles`.
 #[must_use]
 pub fn all_methods(cycles: u16) -> Vec<Method> {
     let newton = |start| TOLERANCES.map(|tolerance| Method::Newton { tolerance, start });
@@ -97,7 +98,7 @@ pub fn all_methods(cycles: u16) -> Vec<Method> {
     methods
 }
 
-/// A method and what has been measured of it.
+/// A method and its measurements.
 struct Contender {
     method: Method,
     work: StudyWork,
@@ -107,16 +108,16 @@ struct Contender {
 
 enum StudyWork {
     Unfit(Unfit),
-    /// It solves positions; `next` is the one that is timed next.
+    /// Solves positions; `next` is the next one to time.
     Solves {
         runner: Box<Runner>,
         next: usize,
     },
-    /// It goes through cycles; `None` before it has begun, and where it could not.
+    /// Integrates through cycles; `None` before its beginning, and if it cannot begin.
     Integrates(Option<Box<IntegrationCycle>>),
 }
 
-/// What is done next.
+/// The next piece of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum StudyStage {
     Errors { place: usize },
@@ -125,15 +126,15 @@ enum StudyStage {
     Done,
 }
 
-/// A study of the methods by which a mechanism can be solved.
+/// A study of the methods that can solve a mechanism.
 pub struct Study {
     methods: Methods,
     contenders: Vec<Contender>,
-    /// In the order in which they are visited.
+    /// The positions in the order of visit.
     places: Vec<f64>,
-    /// Those of them at which there is something to compare.
+    /// The positions at which the reference exists.
     sound: Vec<f64>,
-    /// Whether methods that go on from the position before have to be put there.
+    /// `true` if methods that start from the previous position must be reset.
     anew: bool,
     /// The largest velocity and acceleration.
     sizes: Deviation,
@@ -141,8 +142,8 @@ pub struct Study {
 }
 
 impl Study {
-    /// A study of all methods at `positions` positions in 360 degrees, or over the range; rounded up to
-    /// a multiple of 360.
+    /// Creates a study of all methods at `positions` positions per 360 degrees, or over the range;
+    /// the number is rounded up to a multiple of 360.
     #[must_use]
     pub fn new(solver: &Solver, positions: u32) -> Study {
         let methods = Methods::new(solver);
@@ -152,7 +153,7 @@ impl Study {
         Study::with(&all_methods(cycles), methods, positions)
     }
 
-    /// The same for some methods.
+    /// Creates a study of some methods.
     #[must_use]
     pub fn of(list: &[Method], solver: &Solver, positions: u32) -> Study {
         Study::with(list, Methods::new(solver), positions)
@@ -183,8 +184,8 @@ impl Study {
         }
     }
 
-    /// Works for about as long as `budget`, by a clock that only goes forward; whether there is more to
-    /// do. A piece of work takes a millisecond or so.
+    /// Works for about `budget`, by a monotonic clock; returns `true` if there is more to do. A
+    /// piece of work takes about a millisecond.
     pub fn advance(&mut self, clock: &mut dyn FnMut() -> Duration, budget: Duration) -> bool {
         let end = clock() + budget;
         while self.stage != StudyStage::Done {
@@ -196,7 +197,7 @@ impl Study {
         self.stage != StudyStage::Done
     }
 
-    /// How much is done, from 0 to 1.
+    /// Returns the progress, from 0 to 1.
     #[must_use]
     pub fn progress(&self) -> f64 {
         let part = |done: usize, all: usize| done as f64 / all.max(1) as f64;
@@ -210,7 +211,7 @@ impl Study {
         }
     }
 
-    /// The method that is measured now, where it is one alone.
+    /// Returns the method being measured, if it is a single one.
     #[must_use]
     pub fn current(&self) -> Option<Method> {
         match self.stage {
@@ -219,7 +220,7 @@ impl Study {
         }
     }
 
-    /// What has been measured so far.
+    /// Returns the results so far.
     #[must_use]
     pub fn findings(&self) -> Findings {
         let found = |(key, contender): (char, &Contender)| Finding {
@@ -295,7 +296,7 @@ impl Study {
         };
     }
 
-    /// Holds every method that solves positions against the reference.
+    /// Compares every method that solves positions with the reference.
     fn compare(&mut self, at: f64) {
         let methods = &mut self.methods;
         if !methods.look_up(at) {
@@ -323,8 +324,8 @@ impl Study {
         self.anew = false;
     }
 
-    /// Takes one sample of a method's time; false where it was too short to count, and the next one
-    /// will be longer.
+    /// Takes one sample of a method's time; returns `false` if it was too short to count, and the
+    /// next one will be longer.
     fn time(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
         let (methods, sound) = (&mut self.methods, &self.sound);
         let Contender { work, watch, .. } = &mut self.contenders[contender];
@@ -343,7 +344,7 @@ impl Study {
         })
     }
 
-    /// Goes on with an integration; whether it is finished.
+    /// Continues an integration; returns `true` if it is finished.
     fn integrate(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
         let (methods, sound) = (&mut self.methods, &self.sound);
         let Contender {
@@ -370,7 +371,7 @@ impl Study {
         }
     }
 
-    /// How much of all integrations is done.
+    /// Returns the completed fraction of all integrations.
     fn integrated(&self) -> f64 {
         let (mut done, mut all) = (0.0, 0.0);
         for (i, contender) in self.contenders.iter().enumerate() {
@@ -389,7 +390,7 @@ impl Study {
     }
 }
 
-/// The study's state; what is behind it is long and says nothing to a reader.
+/// Prints the stage only; the other fields are long and uninformative.
 impl std::fmt::Debug for Study {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Study")
@@ -398,11 +399,12 @@ impl std::fmt::Debug for Study {
     }
 }
 
-/// Steps of one pass: Newton's method, begun at the position before, has a degree to go.
+/// Steps of one pass. Newton's method, started at the previous position, has a degree to cover.
 const PASS: u32 = 360;
 
-/// The positions in the order of the visit: several passes in steps of a degree, or of a 360th of the
-/// range, each a little beside the one before. Where there are limits, to and fro.
+/// Returns the positions in the order of visit. There are several passes in steps of a degree, or
+/// of a 360th of the range, each slightly offset from the previous one. Between limits the passes
+/// alternate in direction.
 fn places(range: Range, positions: u32) -> Vec<f64> {
     let passes = positions.div_ceil(PASS).max(1);
     let share = |k: u32, pass: u32, offset: f64| {
@@ -420,7 +422,7 @@ fn places(range: Range, positions: u32) -> Vec<f64> {
             (0..passes).flat_map(pass).collect()
         }
         Range::Limited { low, high } => {
-            // Neither end is a place: there, rates do not exist.
+            // The ends are left out, because rates do not exist there.
             let at = |k, pass| low + (high - low) * (share(k, pass, 0.5) / f64::from(PASS));
             let pass = |pass: u32| {
                 let on = (0..PASS).map(move |k| {

@@ -1,19 +1,19 @@
-//! The classical method of Runge and Kutta, of fourth order, for whatever has rates.
+//! The classical Runge-Kutta method of fourth order.
 
-/// Integrates unknowns that are known by their changes alone: where they are, the caller keeps.
+/// Integrates unknowns known by their changes alone; the caller keeps the state.
 ///
-/// So an angle need not be a number: the caller may keep a unit vector and turn it.
+/// An angle therefore need not be a number: the caller may keep a unit vector and rotate it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rk4 {
     rates: [Vec<f64>; 4],
     change: Vec<f64>,
 }
 
-/// The parts of a step at which the rates are asked for.
+/// The fractions of a step at which the rates are evaluated.
 const PARTS: [f64; 4] = [0.0, 0.5, 0.5, 1.0];
 
 impl Rk4 {
-    /// For so many unknowns.
+    /// Creates the working memory for a number of unknowns.
     pub(super) fn new(unknowns: usize) -> Rk4 {
         Rk4 {
             rates: std::array::from_fn(|_| vec![0.0; unknowns]),
@@ -21,9 +21,9 @@ impl Rk4 {
         }
     }
 
-    /// The change of the unknowns over a step of size `h`. `rates` is asked for the rates at a part of
-    /// the step and a change from where it begins: it fills its last argument, or gives `None` where
-    /// there are none.
+    /// Returns the change of the unknowns over a step of size `h`. `rates` evaluates the rates at a
+    /// fraction of the step and a change since its beginning. It fills its last argument, or
+    /// returns `None` if rates do not exist; the step then returns `None` too.
     pub(super) fn step(
         &mut self,
         h: f64,

@@ -1,18 +1,18 @@
-//! What was measured several times: the median and its spread.
+//! The median of repeated measurements, and its spread.
 
-/// The middle of some samples, and between where half of them lie.
+/// The median and the quartiles of some samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// A quarter of the samples is not above.
+    /// The lower quartile.
     pub low: f64,
-    /// The middle one.
+    /// The median.
     pub median: f64,
-    /// A quarter of the samples is not below.
+    /// The upper quartile.
     pub high: f64,
 }
 
 impl Spread {
-    /// Of samples in any order; `None` if there are none.
+    /// Computes the spread of samples in any order; `None` if there are none.
     pub(super) fn of(samples: &[f64]) -> Option<Spread> {
         let mut sorted = samples.to_vec();
         sorted.sort_by(f64::total_cmp);

@@ -1,25 +1,27 @@
-//! What is counted and timed of one method.
+//! Counts and times one method.
 
 use super::findings::{IterationCounts, MethodErrors};
 use crate::solver::Deviation;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// A result further away than this part of the longest length is another assembly, or no result.
+/// The error, relative to the longest length, beyond which a result counts as another assembly, or
+/// as no result.
 const MISSED: f64 = 0.1;
 
-/// The largest deviations, and how often there was none.
+/// The largest deviations, and the number of failures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     worst: Deviation,
     pub(super) tried: u64,
     pub(super) failures: u64,
-    /// How often so many iterations were taken.
+    /// The number of results by their number of iterations.
     iterations: BTreeMap<u32, u64>,
 }
 
 impl Tally {
-    /// Notes the deviation of one result, `None` where there was none; whether it was met.
+    /// Notes the deviation of one result, `None` if there was none; returns `true` if the result
+    /// counts as found.
     pub(super) fn note(&mut self, deviation: Option<Deviation>) -> bool {
         self.tried += 1;
         let met = deviation.filter(|d| d.is_finite() && d.position <= MISSED);
@@ -30,14 +32,14 @@ impl Tally {
         met.is_some()
     }
 
-    /// Notes how many iterations a result has taken, if its method counts them.
+    /// Notes the number of iterations of a result, if its method counts them.
     pub(super) fn count(&mut self, iterations: Option<u32>) {
         if let Some(iterations) = iterations {
             *self.iterations.entry(iterations).or_default() += 1;
         }
     }
 
-    /// How many iterations were taken.
+    /// Returns the median and the maximum number of iterations; `None` if none were counted.
     pub(super) fn iterations(&self) -> Option<IterationCounts> {
         let all: u64 = self.iterations.values().sum();
         let mut so_far = 0;
@@ -51,7 +53,8 @@ impl Tally {
         })
     }
 
-    /// The errors as parts of the largest velocity and acceleration.
+    /// Returns the errors, those of rates relative to the largest velocity and acceleration; `None`
+    /// if every result failed.
     pub(super) fn errors(&self, sizes: Deviation) -> Option<MethodErrors> {
         let part = |error: f64, size: f64| if error > 0.0 { error / size } else { 0.0 };
         (self.failures < self.tried).then(|| MethodErrors {
@@ -62,12 +65,12 @@ impl Tally {
     }
 }
 
-/// A sample takes at least this long: a thousand times what a clock takes to be read.
+/// Minimum duration of a sample: a thousand times the time of reading a clock.
 const SHORTEST: Duration = Duration::from_micros(500);
-/// And is no more than so many repetitions, should the clock stand still.
+/// Maximum number of repetitions per sample, in case the clock does not advance.
 const MOST: usize = 1 << 20;
 
-/// Seconds for one of something, sampled by as many repetitions as a clock can tell.
+/// A stopwatch for short operations; a sample repeats an operation until the clock can resolve it.
 #[derive(Clone, Debug)]
 pub(super) struct Stopwatch {
     count: usize,
@@ -88,8 +91,9 @@ impl Stopwatch {
         &self.samples
     }
 
-    /// Runs something as often as its argument says, `most` times at the most, and keeps the time of
-    /// one as a sample; false where that was too short, and the next will be twice as often.
+    /// Calls `run` with a number of repetitions, `most` at the maximum, and stores the time of one
+    /// repetition as a sample. Returns `false` if the time was too short; the next call then has
+    /// twice the repetitions.
     pub(super) fn take(
         &mut self,
         clock: &mut dyn FnMut() -> Duration,

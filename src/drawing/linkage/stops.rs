@@ -1,21 +1,24 @@
-//! The stops of a linkage: ticks across a guide where its slide is held, and an arc between the ends of an angle.
+//! Draws the stops of a linkage: ticks across a guide at the limits of its slide, and an arc
+//! between the limits of an angle.
 
 use super::LinkageSketch;
 use crate::drawing::figure::{Role, Shape};
 use crate::{Body, Input, Limit, LimitOf, LinkId, PointId, SlideId, Vec2, angle};
 
-/// Of what is seen: half a tick across a guide, and the radius of an arc.
+/// Half the length of a tick across a guide, and the radius of an arc, as fractions of the
+/// drawing's diagonal.
 const TICK: f64 = 0.02;
 const RADIUS: f64 = 0.08;
-/// Of the radius: how far the ticks at the ends of an arc go in and out.
+/// Half the length of the ticks at the ends of an arc, as a fraction of its radius.
 const END: f64 = 0.3;
-/// Degrees of a chord.
+/// The angle of a chord of an arc, in degrees.
 const CHORD: f64 = 10.0;
-/// An end that lies beyond the travel by less than this part of what is seen is met.
+/// Tolerance for a limit beyond the travel, as a fraction of the drawing's diagonal: a nearer limit
+/// counts as reached.
 const MET: f64 = 1e-9;
 
 impl LinkageSketch<'_> {
-    /// The stops of every limit that is set; the ends of tables are none.
+    /// Draws the stops of every limit that is set. The ends of tables have no stops.
     pub(super) fn stops(&mut self) {
         let driver = self.mechanism.driver().input;
         for limit in self.mechanism.limits() {
@@ -42,7 +45,7 @@ impl LinkageSketch<'_> {
         self.figure.add(Shape::Line { from, to, role });
     }
 
-    /// Ticks where the slide comes to an end of its limit.
+    /// Draws a tick at each limit that the slide reaches.
     fn stops_of_slide(&mut self, id: SlideId, limit: &Limit) {
         let Some((least, most)) = self.reach.travel(id) else {
             return;
@@ -58,7 +61,7 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// An arc about the joint of both bodies, from one end of the limit to the other as the link points there.
+    /// Draws an arc about the joint of both bodies, between the link's directions at both limits.
     fn stops_of_angle(&mut self, link: LinkId, from: Body, limit: &Limit) {
         let Some(pivot) = self.joint_of(link, from) else {
             return;
@@ -86,7 +89,7 @@ impl LinkageSketch<'_> {
         }
     }
 
-    /// A point that both bodies have.
+    /// Returns a point that both bodies share.
     fn joint_of(&self, link: LinkId, other: Body) -> Option<PointId> {
         let members = self.mechanism.link(link).members.iter();
         let mut points = members.map(|member| member.point);
@@ -107,7 +110,7 @@ mod tests {
     use crate::scene::Scene;
     use crate::solver::{Order, Solver};
 
-    /// The lines of the guides' kind in the figure of a slider-crank at 60 deg.
+    /// Returns the lines with the guides' role in the figure of a slider-crank at 60 deg.
     fn lines(limits: &str) -> Vec<[Vec2; 2]> {
         let text = format!(
             "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\nr2 = {{ from = \"A\", \

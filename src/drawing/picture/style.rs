@@ -1,11 +1,11 @@
-//! How roles look on paper.
+//! The style sheet for drawings on paper.
 
 use crate::drawing::figure::Role;
 use crate::page::StyleSheet;
 use std::borrow::Cow;
 
-/// Paper, ink, and the hues of the workbench's palettes for a light and a dark ground; roles are told by
-/// dashes, weights and heads too.
+/// Paper, ink, and the hues of the workbench's palettes for a light and a dark background. Roles
+/// also differ in dashes, line widths and heads.
 pub(super) const STYLE: StyleSheet = StyleSheet {
     light: "\
 .link,.driver{stroke-width:6}

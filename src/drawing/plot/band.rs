@@ -1,18 +1,19 @@
-//! How far a figure may be off beside its curve, and what a legend says of that where the cursor is.
+//! Error bands next to curves, and their text in a legend at the cursor.
 
 use super::ticks::TickStyle;
 
-/// What lies below and above a curve.
+/// The error band of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotBand {
-    /// Along x, from one place to the next; empty where a place may be met again.
+    /// Places along x with the offsets below and above the curve, in order. Empty if x is not
+    /// monotonic, because a place may then occur twice.
     places: Vec<(f64, [f64; 2])>,
-    /// The furthest below, and above.
+    /// The largest offsets below and above.
     ends: [f64; 2],
 }
 
 impl PlotBand {
-    /// By places along x and the offsets there, both only where they exist.
+    /// Creates a band from places along x and the offsets there; a pair needs both.
     pub(super) fn new(along: &[Option<f64>], offsets: &[Option<[f64; 2]>]) -> PlotBand {
         let pairs = along.iter().zip(offsets);
         let places = pairs.filter_map(|(x, off)| Some(((*x)?, (*off)?)));
@@ -29,7 +30,8 @@ impl PlotBand {
         PlotBand { places, ends }
     }
 
-    /// The offsets at a place: straight between those beside it.
+    /// Returns the offsets at a place, interpolated linearly between its neighbours; `None` outside
+    /// the band.
     fn at(&self, x: f64) -> Option<[f64; 2]> {
         let mut pairs = self.places.windows(2);
         pairs.find_map(|pair| {
@@ -46,7 +48,8 @@ impl PlotBand {
         })
     }
 
-    /// As a legend has them, as wide wherever the cursor is: `-0.12 +0.13`, or `+-0.12`.
+    /// Formats the offsets at a place for a legend, with a constant width: `-0.12 +0.13`, or
+    /// `+-0.12` for symmetric bands. Returns `None` outside the band.
     pub(super) fn text(&self, x: f64) -> Option<String> {
         let off = self.at(x)?;
         let [low, high] = self.ends;

@@ -1,4 +1,4 @@
-//! Charts of marked points against two axes that count decades.
+//! Charts of marked points against two logarithmic axes.
 //!
 //! ```text
 //! error
@@ -9,8 +9,8 @@
 //!        10 ns    100 ns   time
 //! ```
 //!
-//! Every point is a letter, so that a list beside the chart says what it is. The best front - the
-//! points that no other one beats in both directions - is joined by dotted steps.
+//! Every point is a letter, which a list next to the chart explains. The best front contains the
+//! points that no other point beats in both directions; dotted steps join them.
 
 use super::frame::{FrameGlyphs, length, write};
 use super::layout::CellScale;
@@ -19,40 +19,40 @@ use crate::drawing::raster::Raster;
 use crate::drawing::render::Glyphs;
 use crate::wording::words;
 
-/// A point of a chart; both coordinates positive and finite, others are left out.
+/// A point of a chart. Both coordinates must be positive and finite; other points are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Datum {
-    /// Along the level axis.
+    /// The coordinate along the horizontal axis.
     pub x: f64,
-    /// Along the upright axis.
+    /// The coordinate along the vertical axis.
     pub y: f64,
-    /// What stands there.
+    /// The letter that marks the point.
     pub letter: char,
-    /// Whether it is of the best front.
+    /// `true` if the point is on the best front.
     pub best: bool,
 }
 
-/// An axis: what it counts, and what stands at each power of ten.
+/// A logarithmic axis: its title and the labels of the powers of ten.
 #[derive(Clone, Debug)]
 pub struct DecadeAxis {
-    /// What it counts.
+    /// The title.
     pub title: String,
-    /// The text at ten to this power.
+    /// Returns the label of ten to this power.
     pub label: fn(i32) -> String,
 }
 
-/// Points against two logarithmic axes; small is good on both.
+/// Points against two logarithmic axes; small values are better on both.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The level axis.
+    /// The horizontal axis.
     pub x: DecadeAxis,
-    /// The upright axis.
+    /// The vertical axis.
     pub y: DecadeAxis,
-    /// The points; of two in one cell the best, and then the first, keeps it.
+    /// The points. If two are in one cell, the best one, and then the first one, keeps it.
     pub data: Vec<Datum>,
 }
 
-/// The glyphs of the steps of the front: along a row, and down a column.
+/// Returns the glyphs of the front's steps: along a row, and down a column.
 fn steps(glyphs: Glyphs) -> [char; 2] {
     match glyphs {
         Glyphs::Ascii => ['.', ':'],
@@ -62,16 +62,16 @@ fn steps(glyphs: Glyphs) -> [char; 2] {
     }
 }
 
-/// Whole decades.
+/// A range of whole decades.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Decades {
-    /// The power of ten at the low end.
+    /// The exponent of ten at the low end.
     low: i32,
     count: i32,
 }
 
 impl Decades {
-    /// The decades that hold all values; one that is a power of ten itself needs no further one.
+    /// Returns the smallest range of decades that contains all values.
     fn around(values: impl Iterator<Item = f64>) -> Decades {
         let (mut low, mut high) = (i32::MAX, i32::MIN);
         for value in values {
@@ -86,12 +86,13 @@ impl Decades {
         Decades { low, count }
     }
 
-    /// The powers of ten at its ends.
+    /// Returns the exponents of ten at both ends.
     fn ends(self) -> [f64; 2] {
         [self.low, self.low + self.count].map(f64::from)
     }
 
-    /// The most of so many rows on which labelled powers are evenly spaced.
+    /// Returns the largest number of rows, up to `rows`, on which the labelled powers are evenly
+    /// spaced.
     fn even_rows(self, rows: i32) -> i32 {
         let powers: Vec<i32> = self.ticks(rows, LABEL_ROWS).collect();
         let [low, high] = self.ends();
@@ -106,7 +107,7 @@ impl Decades {
         (LEAST..=rows).rev().find(is_even).unwrap_or(rows)
     }
 
-    /// The powers of ten to be labelled along so many cells: as many as leave `room` cells to each.
+    /// Returns the exponents to label along `cells` cells: as many as leave `room` cells to each.
     fn ticks(self, cells: i32, room: i32) -> impl Iterator<Item = i32> {
         let fits = |every: &i32| {
             let labels = self.count / every;
@@ -118,22 +119,23 @@ impl Decades {
     }
 }
 
-/// Rows of a chart beside its points: the title above, the axis and its labels below.
+/// Number of rows in addition to those of the points: the title above, the axis and its labels
+/// below.
 const FRAME_ROWS: i32 = 3;
-/// Fewer cells than this are no chart.
+/// Minimum number of rows and of columns of a chart's points.
 const LEAST: i32 = 2;
-/// Rows from one label of the upright axis to the next, at the least.
+/// Minimum distance of labels of the vertical axis, in rows.
 const LABEL_ROWS: i32 = 2;
 
 impl Chart {
-    /// The chart in `cols` x `rows` cells; empty where there is no room for it.
+    /// Renders the chart in `cols` x `rows` cells; empty if that is too small.
     #[must_use]
     pub fn render(&self, cols: u16, rows: u16, glyphs: Glyphs) -> Raster {
         let mut raster = Raster::new();
         raster.reset(cols, rows);
         let mut data = self.data.clone();
         data.retain(|d| [d.x, d.y].iter().all(|&v| v > 0.0 && v.is_finite()));
-        // The best are placed first and keep their cells.
+        // The best points are placed first and keep their cells.
         data.sort_by_key(|d| !d.best);
         let height = i32::from(rows) - FRAME_ROWS;
         let upright = Decades::around(data.iter().map(|d| d.y));
@@ -163,20 +165,20 @@ impl Chart {
     }
 }
 
-/// Where the parts of a chart are.
+/// The positions of a chart's parts.
 struct ChartPainter<'a> {
     chart: &'a Chart,
-    /// The column of the upright axis, behind its labels.
+    /// The column of the vertical axis, to the right of its labels.
     axis: i32,
-    /// Behind the last column.
+    /// The column after the last one.
     end: i32,
-    /// The row of the level axis.
+    /// The row of the horizontal axis.
     foot: i32,
-    /// Along the level axis, and along the upright one.
+    /// The decades of the horizontal and of the vertical axis.
     decades: [Decades; 2],
-    /// From powers of ten to columns,
+    /// The scale from exponents of ten to columns.
     x: CellScale,
-    /// and to rows.
+    /// The scale from exponents of ten to rows.
     y: CellScale,
     strokes: FrameGlyphs,
 }
@@ -196,7 +198,8 @@ impl ChartPainter<'_> {
         self.level_labels(raster);
     }
 
-    /// Labels of the level axis, centred below their ticks, and its title at the right end or above.
+    /// Draws the labels of the horizontal axis, centred below their ticks, and its title at the
+    /// right end or above.
     fn level_labels(&self, raster: &mut Raster) {
         let Chart { x, y, .. } = self.chart;
         let (decades, end) = (self.decades[0], self.end);
@@ -214,7 +217,7 @@ impl ChartPainter<'_> {
                 free = from + length(&label) + 2;
             }
         }
-        // Where the labels leave no room, the title above names both.
+        // If the labels leave no space, the title above names both axes.
         let at_end = end - length(&x.title);
         if free <= at_end {
             write(raster, at_end, self.foot + 1, &x.title, Role::Axis);
@@ -234,7 +237,8 @@ impl ChartPainter<'_> {
         )
     }
 
-    /// Steps from each point of the front to the next one: on at the same error, then down.
+    /// Draws the steps from each point of the front to the next: first along x at equal y, then
+    /// down.
     fn front(&self, data: &[Datum], [along, down]: [char; 2], raster: &mut Raster) {
         let mut best: Vec<_> = data.iter().filter(|d| d.best).collect();
         best.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -250,7 +254,8 @@ impl ChartPainter<'_> {
         }
     }
 
-    /// The letters; one whose cell is taken stands beside it, or is left out where there is no room.
+    /// Draws the letters. A letter whose cell is occupied is moved to a free neighbour, or left out
+    /// if there is none.
     fn letters(&self, data: &[Datum], raster: &mut Raster) {
         const NEAR: [(i32, i32); 7] = [(0, 0), (1, 0), (-1, 0), (0, -1), (0, 1), (2, 0), (-2, 0)];
         let mut taken: Vec<(i32, i32)> = Vec::new();
@@ -270,7 +275,7 @@ impl ChartPainter<'_> {
     }
 }
 
-/// The cell of a power of ten.
+/// Returns the cell of a power of ten.
 fn cell(scale: &CellScale, power: f64) -> i32 {
     scale.place(power).floor() as i32
 }
@@ -294,8 +299,8 @@ mod tests {
         }
     }
 
-    /// The figures that were measured for the four-bar of the lectures in section 8 of the notes on
-    /// numerics.
+    /// Returns the chart of the values measured for the lectures' four-bar, from section 8 of the
+    /// notes on numerics.
     fn measured() -> Chart {
         let data = [
             ('a', 57.0, 3.0e-16, true),

@@ -1,11 +1,11 @@
-//! What plots and charts share: the axes that frame them, and text in cells.
+//! The parts that plots and charts share: the axes that frame them, and text in cells.
 
 use crate::drawing::figure::Role;
 use crate::drawing::raster::Raster;
 use crate::drawing::render::Glyphs;
 use std::ops::Range;
 
-/// The glyphs of the frame.
+/// The glyphs of axes, cursor and legend.
 pub(super) struct FrameGlyphs {
     upright: char,
     level: char,
@@ -13,7 +13,7 @@ pub(super) struct FrameGlyphs {
     pub(super) tick: char,
     pub(super) nought: char,
     pub(super) cursor: char,
-    /// What stands for a line in a legend.
+    /// The sample of a line in a legend.
     pub(super) sample: char,
 }
 
@@ -21,7 +21,7 @@ impl FrameGlyphs {
     pub(super) fn of(glyphs: Glyphs) -> FrameGlyphs {
         let [upright, level, corner, nought, cursor, sample] = match glyphs {
             Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
-            // Every console font has these; the half-crossings not all.
+            // Every console font has these glyphs; not all have the half-crossings.
             Glyphs::Line => [
                 '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', ':', '\u{2500}',
             ],
@@ -40,7 +40,7 @@ impl FrameGlyphs {
         }
     }
 
-    /// The level axis in a row, from the corner in the first of the columns.
+    /// Draws the horizontal axis in a row, with the corner in the first column.
     pub(super) fn put_level(&self, columns: Range<i32>, row: i32, raster: &mut Raster) {
         for col in columns.clone() {
             raster.put(col, row, self.level, Role::Axis);
@@ -54,14 +54,14 @@ impl FrameGlyphs {
         }
     }
 
-    /// A tick of the upright axis, its label before it.
+    /// Draws a tick of the vertical axis with its label to the left.
     pub(super) fn put_label(&self, (col, row): (i32, i32), label: &str, raster: &mut Raster) {
         write(raster, col - length(label), row, label, Role::Axis);
         raster.put(col, row, self.tick, Role::Axis);
     }
 }
 
-/// Columns that a text takes.
+/// Returns the number of columns of a text.
 pub(super) fn length(text: &str) -> i32 {
     i32::try_from(text.chars().count()).unwrap_or(i32::MAX)
 }

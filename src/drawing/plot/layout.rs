@@ -1,4 +1,4 @@
-//! Where the parts of a plot are, in cells.
+//! Computes the layout of a plot in cells.
 
 use super::frame::length;
 use super::path::CellBlock;
@@ -7,71 +7,72 @@ use super::{Axis, Plot, PlotStyle};
 use crate::Vec2;
 use std::ops::Range;
 
-/// The axis and its labels, below the last panel.
+/// Rows of the horizontal axis and its labels, below the last panel.
 const FOOT: i32 = 2;
-/// The legend above each panel, and the least rows of a panel.
+/// Rows of the legend above each panel, and minimum rows of a panel.
 const LEGEND: i32 = 1;
 const LEAST_BODY: i32 = 4;
-/// Smaller than this nothing can be read from a plot.
+/// Minimum size of a readable plot.
 const LEAST_ROWS: i32 = FOOT + LEGEND + 2;
 const LEAST_COLS: i32 = 16;
-/// From the edge of the first and the last cell to its middle.
+/// The distance from the edge of the first and the last cell to its middle.
 const INSET: f64 = 0.5;
-/// By this part an axis may be longer at the most, so that its ticks lie in the middle of rows,
+/// Maximum relative lengthening of an axis, which moves its ticks to the middle of rows.
 const MOST_LONGER: f64 = 0.4;
-/// and by this part more than the shortest one for more ticks.
+/// Maximum relative lengthening beyond the shortest axis in exchange for more ticks.
 const LONGER: f64 = 0.15;
-/// Round steps that are tried from the first one with room on.
+/// Number of round steps to try, from the first that fits.
 const TRIED: usize = 3;
-/// An axis that is shorter than this part of its values has no ticks; what it misses by this part it only
-/// misses by rounding.
+/// Relative tolerances. A range smaller than `FLAT` times its values has no ticks. An end that
+/// misses a value by less than `ROUNDED` of the range misses it by a rounding error.
 const FLAT: f64 = 1e-12;
 const ROUNDED: f64 = 1e-9;
-/// Rows from one label to the next, at the least, and the most labels of an axis.
+/// Minimum rows from one label to the next, and maximum number of labels of an axis.
 const LABEL_ROWS: i32 = 2;
 const MOST_LABELS: usize = 9;
-/// Blanks between two labels of the level axis.
+/// Blanks between two labels of the horizontal axis.
 const LABEL_GAP: i32 = 2;
-/// Blanks between the unit and the label behind it.
+/// Blanks between the unit and the label after it.
 const UNIT_GAP: i32 = 2;
-/// There are not so many units.
+/// A limit above any number of units.
 const MOST_PANELS: i32 = 1000;
-/// A panel higher than this has room for a legend of two rows.
+/// Height in rows above which a panel's legend may take two rows.
 const TALL: i32 = 7;
 
-/// The parts of a plot.
+/// The positions of a plot's parts, in cells.
 pub(super) struct PlotLayout {
-    /// The column of the upright axes, behind their labels.
+    /// The column of the vertical axes, to the right of their labels.
     pub(super) axis: i32,
-    /// The row of the level axis; its labels are below it.
+    /// The row of the horizontal axis; its labels are below.
     pub(super) foot: i32,
-    /// Behind the last column.
+    /// The column after the last one.
     pub(super) end: i32,
     pub(super) x: CellScale,
     pub(super) x_ticks: Ticks,
-    /// The panels that are shown, by their number.
+    /// The visible panels, with their numbers.
     pub(super) panels: Vec<(usize, PanelArea)>,
 }
 
-/// Where a panel is.
+/// The position of a panel.
 pub(super) struct PanelArea {
     /// The row of its legend.
     pub(super) legend: i32,
-    /// Rows that the legend may take.
+    /// The number of rows of its legend.
     pub(super) legend_rows: i32,
     pub(super) block: CellBlock,
     pub(super) y: CellScale,
     pub(super) ticks: Ticks,
-    /// How the figures of its curves are written.
+    /// The number format of its curves' values.
     pub(super) style: TickStyle,
 }
 
-/// From values to cells: the ends lie on the middle of the first and the last cell.
+/// A linear scale from values to cells. With an inset of 0.5 the ends lie in the middle of the
+/// first and the last cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CellScale {
     low: f64,
     high: f64,
-    /// Where the low end lies, and from there to the high end, in cells.
+    /// The place of the low end, and the signed distance from there to the high end, in cells.
     start: f64,
     length: f64,
 }
@@ -96,7 +97,7 @@ impl CellScale {
         }
     }
 
-    /// From a place to another, whatever they count.
+    /// Creates a scale between two places in any unit.
     pub(super) fn between(low: f64, high: f64, from: f64, to: f64) -> CellScale {
         CellScale {
             low,
@@ -106,17 +107,17 @@ impl CellScale {
         }
     }
 
-    /// The values at its ends.
+    /// Returns the values at both ends.
     pub(super) fn ends(&self) -> (f64, f64) {
         (self.low, self.high)
     }
 
-    /// Where a value lies, in cell coordinates.
+    /// Returns the place of a value, in cell coordinates.
     pub(super) fn place(&self, value: f64) -> f64 {
         self.start + (value - self.low) / (self.high - self.low) * self.length
     }
 
-    /// The value at a place in cell coordinates; nothing beyond the ends.
+    /// Returns the value at a place in cell coordinates; `None` beyond the ends.
     fn value(&self, place: f64) -> Option<f64> {
         let value = self.low + (place - self.start) / self.length * (self.high - self.low);
         Some(value).filter(|value| self.holds(*value))
@@ -126,31 +127,31 @@ impl CellScale {
         (self.low..=self.high).contains(&value)
     }
 
-    /// The cell of a value that it holds.
+    /// Returns the cell of a value; `None` beyond the ends.
     pub(super) fn cell(&self, value: f64) -> Option<i32> {
         self.holds(value).then(|| self.place(value).floor() as i32)
     }
 
-    /// Whether a value lies between the ends.
+    /// Returns `true` if a value lies strictly between the ends.
     pub(super) fn crosses(&self, value: f64) -> bool {
         self.low < value && value < self.high
     }
 }
 
-/// How many panels of so many have room in some rows.
+/// Returns how many of `panels` panels fit into `rows` rows; at least one.
 fn shown(panels: usize, rows: i32) -> usize {
     let room = (rows - FOOT) / (LEGEND + LEAST_BODY);
     panels.min(usize::try_from(room).unwrap_or(0).max(1))
 }
 
 impl Plot {
-    /// How many panels are shown in so many rows; the others are reached by another first one.
+    /// Returns how many panels are visible in `rows` rows. [`PlotStyle::first`] selects which.
     #[must_use]
     pub fn panels_in(&self, rows: u16) -> usize {
         shown(self.panels.len(), i32::from(rows))
     }
 
-    /// The rows in which all panels are shown.
+    /// Returns the number of rows in which all panels are visible.
     #[must_use]
     pub fn least_rows(&self) -> u16 {
         let panels = i32::try_from(self.panels.len())
@@ -160,19 +161,19 @@ impl Plot {
         u16::try_from(rows).unwrap_or(u16::MAX)
     }
 
-    /// Whether there is room for anything.
+    /// Returns `true` if the plot fits into the cells.
     #[must_use]
     pub fn fits(&self, look: &PlotStyle) -> bool {
         self.layout(look).is_some()
     }
 
-    /// What stands along x in the middle of a column; nothing beside the curves.
+    /// Returns the x value in the middle of a column; `None` outside the curves.
     #[must_use]
     pub fn along(&self, look: &PlotStyle, column: u16) -> Option<f64> {
         self.layout(look)?.x.value(f64::from(column) + 0.5)
     }
 
-    /// `None` where there is no room.
+    /// Computes the layout; `None` if the cells do not suffice.
     pub(super) fn layout(&self, look: &PlotStyle) -> Option<PlotLayout> {
         let (cols, rows) = (i32::from(look.cols), i32::from(look.rows));
         if self.panels.is_empty() || rows < LEAST_ROWS || cols < LEAST_COLS {
@@ -180,7 +181,7 @@ impl Plot {
         }
         let count = shown(self.panels.len(), rows);
         let first = look.first.min(self.panels.len() - count);
-        // Ticks and marks stand in the same cells whatever a curve is drawn with.
+        // Ticks and marks keep their cells for every set of glyphs.
         let inset = Vec2::new(INSET, INSET);
         let body = rows - FOOT;
         let shares = i32::try_from(count).unwrap_or(1);
@@ -232,7 +233,7 @@ impl Plot {
             frame.y = CellScale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
             let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
             let ticks = thinned(&frame.y, ticks);
-            // There is room for labels no longer than those that were foreseen.
+            // The left margin was computed for the previous labels, so longer ones do not fit.
             if i32::try_from(ticks.widest()).is_ok_and(|widest| widest <= axis) {
                 frame.ticks = ticks;
             }
@@ -253,9 +254,9 @@ impl Plot {
     }
 }
 
-/// Scale and ticks of an upright axis. Every tick lies in the middle of a row, so many rows above the one before: for
-/// that the axis may be longer than what is drawn on it. Of all such axes it is one that is not much longer than
-/// the shortest, with the most ticks.
+/// Returns the scale and ticks of a vertical axis. Every tick lies in the middle of a row, at a
+/// constant distance in rows; the axis may be longer than its data for that. Among the axes that
+/// are not much longer than the shortest one, the one with the most ticks is chosen.
 fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
     let found = (LABEL_ROWS..height).flat_map(|every| aligned(y, height, every));
     let found: Vec<AlignedAxis> = found.filter(|axis| axis.longer <= MOST_LONGER).collect();
@@ -267,7 +268,7 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
     };
     if let Some(best) = found.iter().filter(near).max_by(order) {
         let ticks = Ticks::multiples(best.step, best.first, best.count);
-        // Rounding may put a tick in the lowest or the highest row outside of the axis.
+        // Rounding may place a tick of the lowest or highest row outside the axis.
         let values = || ticks.values.iter().copied();
         let low = values().fold(best.low.min(y.low), f64::min);
         let high = values().fold(best.high.max(y.high), f64::max);
@@ -278,32 +279,33 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
     (scale, thinned(&scale, usual))
 }
 
-/// An axis on which a whole number of rows makes a round step.
+/// An axis on which a round step is a whole number of rows.
 #[derive(Clone, Copy)]
 struct AlignedAxis {
     /// The values in the middle of the lowest and the highest row.
     low: f64,
     high: f64,
     step: f64,
-    /// The first tick in steps, and how many there are.
+    /// The first tick as a multiple of the step, and the number of ticks.
     first: i64,
     count: i64,
-    /// The length beside what is drawn on it.
+    /// The relative excess length over the data's range.
     longer: f64,
 }
 
-/// The axes with a tick in every so many rows that have room for what is drawn, and the labels some for themselves.
+/// Returns the axes with a tick in every `every` rows that contain the data and have a permitted
+/// number of labels.
 fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxis> {
     let (size, gaps) = (y.high - y.low, f64::from(height - 1));
     let rows = f64::from(every);
-    // The step that just has room, and a few more.
+    // The smallest step that fits, and a few larger ones.
     let least = size / gaps * rows;
     let is_some = size > y.low.abs().max(y.high.abs()) * FLAT && least.is_normal();
     let least = if is_some { least } else { 1.0 };
     let candidates = steps(least, y.is_angle).skip_while(move |&step| step < least);
     let axis = move |step: f64| {
         let row = step / rows;
-        // Rows that are left over lie on both sides, but not below zero where that is the end.
+        // Spare rows are split between both sides, but not below zero if zero is the end.
         let spare = (gaps - (y.high / row).ceil() + (y.low / row).floor()).max(0.0);
         let below = match (y.low == 0.0, y.high == 0.0) {
             (true, _) => 0.0,
@@ -333,7 +335,8 @@ fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxi
     tried.map(axis).filter(fits)
 }
 
-/// Keeps the ticks on the axis: every second, every third or fewer, until their rows are evenly spaced.
+/// Keeps the ticks inside the axis: all, or every second, every third and so on, until their rows
+/// are evenly spaced.
 fn thinned(scale: &CellScale, mut ticks: Ticks) -> Ticks {
     ticks.values.retain(|&value| scale.cell(value).is_some());
     let values = |every: usize| ticks.values.iter().copied().step_by(every).collect();
@@ -345,7 +348,7 @@ fn thinned(scale: &CellScale, mut ticks: Ticks) -> Ticks {
     found.unwrap_or(ticks)
 }
 
-/// The rows of ticks, from the low end.
+/// Returns the rows of ticks, from the low end.
 fn rows(scale: &CellScale, ticks: &Ticks) -> Vec<i32> {
     let rows = ticks.values.iter().filter_map(|&value| scale.cell(value));
     rows.collect()
@@ -357,7 +360,8 @@ fn are_spaced(rows: &[i32]) -> bool {
         .all(|three| three[0] - three[1] == three[1] - three[2])
 }
 
-/// The most ticks whose labels have room beside each other, and the unit between or behind the last ones.
+/// Returns as many ticks as have space for their labels next to each other and for the unit, which
+/// is between or after the last labels.
 fn level_ticks(x: &CellScale, is_angle: bool, unit: &str, cells: Range<i32>) -> Ticks {
     let (low, high) = x.ends();
     let fits = |ticks: &Ticks| {
@@ -377,22 +381,22 @@ fn level_ticks(x: &CellScale, is_angle: bool, unit: &str, cells: Range<i32>) -> 
     tried.find(fits).unwrap_or_else(few)
 }
 
-/// A label below the level axis.
+/// A label below the horizontal axis.
 pub(super) struct LevelLabel {
-    /// The column of its tick, and where it begins.
+    /// The column of its tick, and its first column.
     pub(super) tick: i32,
     pub(super) from: i32,
     pub(super) text: String,
 }
 
 impl LevelLabel {
-    /// Behind its last column.
+    /// Returns the column after the last one.
     pub(super) fn end(&self) -> i32 {
         self.from + length(&self.text)
     }
 }
 
-/// The labels of ticks, each in the middle below its tick, or before it at the edge.
+/// Returns the labels of ticks, each centred below its tick, or moved left at the edge.
 pub(super) fn level_labels(ticks: &Ticks, x: &CellScale, end: i32) -> Vec<LevelLabel> {
     let label = |(value, text): (f64, String)| {
         let tick = x.cell(value)?;
@@ -403,8 +407,8 @@ pub(super) fn level_labels(ticks: &Ticks, x: &CellScale, end: i32) -> Vec<LevelL
     ticks.labels().filter_map(label).collect()
 }
 
-/// Up to where the labels before the last one have room, and where the unit begins: behind that one, or before it
-/// where that is at the edge.
+/// Returns the column up to which the labels before the last one may extend, and the first column
+/// of the unit. The unit follows the last label, or precedes it if that is at the edge.
 pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) {
     let behind = last.end() + 1;
     if behind + length(unit) <= end {
@@ -414,21 +418,21 @@ pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) 
     (before, before)
 }
 
-/// The most labels beside an upright axis of so many rows.
+/// Returns the maximum number of labels next to a vertical axis of `height` rows.
 fn labels(height: i32) -> usize {
     let most = usize::try_from((height + 1) / LABEL_ROWS).unwrap_or(0);
     most.clamp(2, MOST_LABELS)
 }
 
-/// The ranges along x and upwards, one of them larger than it need be, so that a length is as long
-/// upwards as along x on so many cells, of which each is `aspect` times as high as wide.
+/// Returns the ranges along x and y, one of them enlarged so that lengths have the same scale along
+/// both axes. The plot has `cells` cells, each `aspect` times as high as wide.
 pub(super) fn true_ends(x: (f64, f64), y: (f64, f64), cells: Vec2, aspect: f64) -> [(f64, f64); 2] {
     let aspect = if aspect > 0.0 && aspect.is_finite() {
         aspect
     } else {
         2.0
     };
-    // The length of a column's width.
+    // The length that one column's width shows.
     let scale = ((x.1 - x.0) / cells.x).max((y.1 - y.0) / (cells.y * aspect));
     [
         grown(x, scale * cells.x),
@@ -436,7 +440,7 @@ pub(super) fn true_ends(x: (f64, f64), y: (f64, f64), cells: Vec2, aspect: f64) 
     ]
 }
 
-/// The range about the same middle, of another size.
+/// Returns the range enlarged to `size` about its middle; a larger range is unchanged.
 fn grown((low, high): (f64, f64), size: f64) -> (f64, f64) {
     let middle = low + (high - low) / 2.0;
     if size > high - low && size.is_finite() {

@@ -1,4 +1,4 @@
-//! A figure over two values: in shades of characters, and as lines of equal height.
+//! Maps of a value over two variables: as shades of characters, and as contour lines.
 //!
 //! ```text
 //! C.x.stroke [mm]
@@ -19,27 +19,27 @@ use crate::page::with_unit;
 use crate::wording::words;
 use std::collections::HashMap;
 
-/// From low to high; nothing stands where there is no value.
+/// The shades from low to high; a missing value is blank.
 const SHADES: [char; 9] = ['.', ':', '-', '=', '+', '*', '#', '%', '@'];
-/// Columns of the text beside its labels: the axis, and room at the edge.
+/// Columns of the text next to the map in addition to its labels: the axis, and space at the edge.
 const BESIDE: usize = 4;
-/// Rows of the text beside the map: names, the axis and its labels, the legend.
+/// Rows of the text above and below the map: names, the axis and its labels, the legend.
 const ABOVE_AND_BELOW: usize = 8;
-/// A map is no smaller than this.
+/// Minimum columns and rows of a map.
 const LEAST_SIDE: usize = 4;
 
-/// A figure on a grid of two values.
+/// A value on a grid of two variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridMap {
-    /// What it is, and its unit.
+    /// The value's name and unit.
     title: [String; 2],
     along: GridAxis,
     up: GridAxis,
-    /// Row by row from below; `None` where it does not exist.
+    /// The values, row by row from below; `None` where the value does not exist.
     heights: Vec<Option<f64>>,
 }
 
-/// The places of a value on a grid, ascending.
+/// The places of a variable on a grid, ascending.
 #[derive(Clone, Debug, PartialEq)]
 struct GridAxis {
     name: String,
@@ -47,12 +47,13 @@ struct GridAxis {
     places: Vec<f64>,
 }
 
-/// An edge of the grid on which a line crosses: from the node of this column and row, along or up.
+/// An edge of the grid that a line crosses: from the node of this column and row, to the right if
+/// `true`, or else up.
 type GridEdge = (usize, usize, bool);
 
 impl GridMap {
-    /// Of a figure at `along` times `up` places, the last of which go first; places in any order, the ends of which
-    /// differ.
+    /// Creates a map from the values at `along` times `up` places, with `up` varying fastest. The
+    /// places may be in any order; at least two must differ on each axis.
     #[must_use]
     pub fn new(
         title: [&str; 2],
@@ -92,7 +93,7 @@ impl GridMap {
             .flatten()
     }
 
-    /// Round heights between the least and the greatest.
+    /// Returns round levels between the minimum and the maximum.
     fn levels(&self) -> Ticks {
         let all = || self.heights.iter().copied().flatten();
         let (low, high) = (
@@ -102,7 +103,8 @@ impl GridMap {
         Ticks::between(low, high, self.title[1] == "deg", SHADES.len() - 1)
     }
 
-    /// The map in characters, no wider and, but for its legend, no higher than this.
+    /// Returns the map in characters, at most `cols` wide and, except for its legend, at most
+    /// `rows` high.
     #[must_use]
     pub fn text(&self, cols: u16, rows: u16) -> String {
         let levels = self.levels();
@@ -134,7 +136,7 @@ impl GridMap {
         text + &self.legend(&levels, usize::from(cols))
     }
 
-    /// The ends of the axis along, and its name between them if there is room.
+    /// Returns the ends of the horizontal axis, with its name between them if there is space.
     fn foot(&self, labels: usize, width: usize) -> String {
         let style = self.along.style();
         let [low, high] = self.along.ends().map(|end| style.text(end));
@@ -156,7 +158,7 @@ impl GridMap {
         }
     }
 
-    /// Which shade is which heights, of those that there are.
+    /// Returns the legend of the shades that occur.
     fn legend(&self, levels: &Ticks, cols: usize) -> String {
         let bounds: Vec<String> = levels.labels().map(|(_, label)| label).collect();
         let seen = |k: usize| self.heights.iter().flatten().any(|&h| band(h, levels) == k);
@@ -189,7 +191,8 @@ impl GridMap {
         text + "\n" + &line + "\n"
     }
 
-    /// Lines of equal height of some maps over the same values, a panel for each.
+    /// Returns the contour lines of maps over the same variables, one panel per map; `None` without
+    /// maps.
     #[must_use]
     pub fn contours(maps: &[GridMap]) -> Option<Plot> {
         let first = maps.first()?;
@@ -229,8 +232,8 @@ impl GridMap {
         levels.labels().enumerate().map(curve).collect()
     }
 
-    /// The line of this height, in pieces that hang together (marching squares). Of a saddle the sides are told apart
-    /// by the mean of its corners.
+    /// Returns the contour line of a level as connected pieces (marching squares). At a saddle, the
+    /// mean of the four corners decides which corners are connected.
     fn line_at(&self, level: f64) -> Vec<Vec<Vec2>> {
         let mut ways: HashMap<GridEdge, Vec<GridEdge>> = HashMap::new();
         let mut order = Vec::new();
@@ -243,7 +246,7 @@ impl GridMap {
                 }
             }
         }
-        // Lines that end at an edge first; what is left is closed.
+        // Lines that end at an edge of the grid come first; the others are closed.
         let is_end = |edge: &GridEdge, ways: &HashMap<GridEdge, Vec<GridEdge>>| {
             ways.get(edge).is_some_and(|to| to.len() == 1)
         };
@@ -261,7 +264,7 @@ impl GridMap {
             .collect()
     }
 
-    /// The pieces of the line within one square; none where a corner has no value.
+    /// Returns the pieces of the line within one square; empty if a corner has no value.
     fn segments(&self, column: usize, row: usize, level: f64) -> Vec<[GridEdge; 2]> {
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
         let heights = corners.map(|(right, up)| self.height(column + right, row + up));
@@ -278,7 +281,7 @@ impl GridMap {
         let crossed: Vec<usize> = (0..4).filter(|&k| above[k] != above[(k + 1) % 4]).collect();
         match crossed[..] {
             [one, two] => vec![[edges[one], edges[two]]],
-            // A saddle: corners that are as the middle is hang together.
+            // A saddle: the corners on the same side of the level as the mean are connected.
             [_, _, _, _] => {
                 let middle = (a + b + c + d) / 4.0 >= level;
                 match middle == above[0] {
@@ -290,7 +293,7 @@ impl GridMap {
         }
     }
 
-    /// Where the line crosses an edge.
+    /// Returns the point where the line crosses an edge, interpolated linearly.
     fn crossing(&self, (column, row, along): GridEdge, level: f64) -> Option<Vec2> {
         let (right, above) = if along {
             (column + 1, row)
@@ -328,7 +331,8 @@ impl GridAxis {
         TickStyle::of_range(low, high)
     }
 
-    /// The place nearest to the middle of one of so many cells between the ends.
+    /// Returns the index of the place nearest to the middle of a cell, with `cells` cells between
+    /// the ends.
     fn nearest(&self, cell: usize, cells: usize) -> usize {
         let [low, high] = self.ends();
         let at = low + (high - low) * (cell as f64 / (cells - 1).max(1) as f64);
@@ -338,13 +342,13 @@ impl GridAxis {
     }
 }
 
-/// Between which levels a height is.
+/// Returns the index of the band between levels that contains a height.
 fn band(height: f64, levels: &Ticks) -> usize {
     let below = levels.values.iter().filter(|&&level| level <= height);
     below.count().min(SHADES.len() - 1)
 }
 
-/// A line from one of its edges on, as far as it goes; each part is gone once.
+/// Follows a line from one of its edges to its end, and removes the visited parts.
 fn walk(start: GridEdge, ways: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<GridEdge> {
     let mut line = vec![start];
     let mut here = start;

@@ -1,4 +1,4 @@
-//! Plots: curves against an axis, one small panel for each unit, above one axis that they share.
+//! Plots: curves against a shared horizontal axis, with one panel per unit.
 //!
 //! ```text
 //! mm/s     * C.vx -722.6   x C.vy  -273.8          over driver.angle  60.00 deg
@@ -11,9 +11,9 @@
 //!       0   45  90  135 180 225 270 315 360 deg
 //! ```
 //!
-//! A [`Plot`] is made of [`Curves`] once; [`Plot::render`] then draws it at any size, with the cursor
-//! where the driver is. Curves are drawn through every sample that has a value, and nowhere else: what
-//! does not exist, and where a figure jumps, is a gap. Nothing here knows a terminal.
+//! A [`Plot`] is made from [`Curves`] once; [`Plot::render`] then draws it at any size, with the
+//! cursor at the driver's coordinate. Curves connect only samples that have a value: places without
+//! a value and jumps are gaps. This module does not depend on a terminal.
 
 mod band;
 mod chart;
@@ -41,105 +41,108 @@ use crate::quantity::{Abscissa, Aspect, Curves, FigureSource, Quantity, Subject}
 /// Curves against an axis, in panels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What stands along x.
+    /// The horizontal axis.
     pub x: Axis,
-    /// From the top; every one has its own unit.
+    /// The panels from the top, one per unit.
     pub panels: Vec<Panel>,
-    /// Whether a length is as long upwards as along x, where there is one panel: a coupler curve.
+    /// `true` if lengths have the same scale along both axes, as for a coupler curve; applies to a
+    /// single panel.
     pub is_true: bool,
 }
 
-/// What is counted along an axis, and from where to where.
+/// An axis: its name, unit and range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it is: `driver.angle`; of an upright axis nothing, for its curves have names of their own.
+    /// The name, such as `driver.angle`; empty for a vertical axis, because its curves have names.
     pub name: String,
-    /// In which unit.
+    /// The unit.
     pub unit: String,
-    /// In degrees, which have round steps of their own.
+    /// `true` for degrees, which have round steps of their own.
     pub is_angle: bool,
     /// The low end.
     pub low: f64,
-    /// The high end; never below the low one.
+    /// The high end; never below the low end.
     pub high: f64,
 }
 
 /// Curves of one unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// The upright axis.
+    /// The vertical axis.
     pub y: Axis,
-    /// What is drawn.
+    /// The curves.
     pub curves: Vec<PlotCurve>,
 }
 
 /// A curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotCurve {
-    /// Its name in the legend.
+    /// The name in the legend.
     pub name: String,
-    /// Which of the quantities it shows, counted as they were asked for; `None` where the cursor has no
-    /// value of it, as of another scene.
+    /// The index of the quantity in [`Curves`]; `None` if the cursor has no value of it, as for a
+    /// curve of another scene.
     pub figure: Option<usize>,
-    /// Its parts that hang together, in the units of the axes; all finite.
+    /// The connected parts, in the units of the axes; all finite.
     pub pieces: Vec<Vec<Vec2>>,
-    /// Where it turns.
+    /// The local extrema.
     pub turns: Vec<CurveTurn>,
-    /// Drawn by points only, as the curve of another scene is.
+    /// `true` to draw points only, as for the curve of another scene.
     pub is_dotted: bool,
-    /// What it is drawn as, if it is not one of several of its panel: a link.
+    /// The role of a link, or of a band's curve; `None` for the default role at this place in the
+    /// panel.
     pub link: Option<Role>,
-    /// What it lies beside a curve by, if it is the two edges of a band.
+    /// The offsets of the band, if the curve is the two edges of one.
     pub band: Option<PlotBand>,
 }
 
 impl PlotCurve {
-    /// Whether it is places alone, as of measurements.
+    /// Returns `true` if the curve consists of single points, such as measurements.
     fn is_places(&self) -> bool {
         self.is_dotted && !self.pieces.is_empty() && self.pieces.iter().all(|p| is_place(p))
     }
 }
 
-/// Whether a piece is a line to itself.
+/// Returns `true` if a piece is a single point, stored twice.
 fn is_place(piece: &[Vec2]) -> bool {
     matches!(piece, [from, to] if from == to)
 }
 
-/// A place where a curve turns.
+/// A local extremum of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveTurn {
-    /// Where, in the units of the axes.
+    /// The place, in the units of the axes.
     pub at: Vec2,
-    /// At a maximum, or else at a minimum.
+    /// `true` for a maximum, `false` for a minimum.
     pub is_peak: bool,
-    /// The largest of the maxima, or the smallest of the minima.
+    /// `true` for the largest maximum or the smallest minimum.
     pub is_extreme: bool,
 }
 
-/// How a plot is to be drawn in cells.
+/// The style of a plot in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlotStyle {
-    /// Columns.
+    /// The number of columns.
     pub cols: u16,
-    /// Rows.
+    /// The number of rows.
     pub rows: u16,
-    /// What it is drawn with.
+    /// The set of glyphs.
     pub glyphs: Glyphs,
-    /// The height of a cell for its width.
+    /// The height of a cell divided by its width.
     pub aspect: f64,
-    /// Whether to mark where curves turn.
+    /// `true` to mark the extrema of curves.
     pub extrema: bool,
-    /// The first panel that is shown, where there is no room for all.
+    /// The first visible panel, if not all fit.
     pub first: usize,
 }
 
-/// A curve that does not change is shown in the middle of this part of its size, or of 1.
+/// The margin around a constant value, relative to the value; for zero the margin is 1.
 const ROOM: f64 = 0.5;
-/// An axis grows by no more than this part of itself for a band, which grows beyond all bounds near a dead point.
+/// Maximum relative growth of an axis for a band, which grows without bound near a dead point.
 const BAND_ROOM: f64 = 0.25;
 
 impl Plot {
-    /// The plot of what was sampled: a panel for each unit, in the order in which they come first.
+    /// Creates the plot of sampled curves, with one panel per unit, in the order of first
+    /// occurrence.
     #[must_use]
     pub fn of(curves: &Curves) -> Plot {
         let [name, unit] = curves.title.clone();
@@ -171,7 +174,8 @@ impl Plot {
         Plot { x, panels, is_true }
     }
 
-    /// The plot of figures over a value: the title and the unit of each, and what it is at every place.
+    /// Creates the plot of values over a variable. Each entry of `figures` has a name, a unit and
+    /// the value at every place.
     #[must_use]
     pub fn over(
         [name, unit]: [&str; 2],
@@ -222,8 +226,9 @@ impl Plot {
         }
     }
 
-    /// Adds the curves of another scene, dotted: to the panel of their unit. The axes grow as they must.
-    /// What has no panel is left out, for there is nothing to compare it with.
+    /// Adds the curves of another scene, dotted, to the panels of their units, and enlarges the
+    /// axes as needed. Curves without a panel of their unit are left out, as there is nothing to
+    /// compare them with.
     pub fn compare(&mut self, other: &Plot, name: &str) {
         let (low, high) = (self.x.low.min(other.x.low), self.x.high.max(other.x.high));
         (self.x.low, self.x.high) = (low, high);
@@ -247,7 +252,8 @@ impl Plot {
         }
     }
 
-    /// Adds places alone, as of measurements: to the panel of their unit. The axes grow as they must.
+    /// Adds single points, such as measurements, to the panel of their unit, and enlarges the axes
+    /// as needed.
     pub fn mark(&mut self, unit: &str, name: &str, places: &[(f64, f64)]) {
         let Some(panel) = self.panels.iter_mut().find(|panel| panel.y.unit == unit) else {
             return;
@@ -264,15 +270,15 @@ impl Plot {
             figure: None,
             turns: Vec::new(),
             is_dotted: true,
-            // A line to itself is a point.
+            // A line from a point to itself is a single point.
             pieces: places.into_iter().map(|place| vec![place, place]).collect(),
             link: None,
             band: None,
         });
     }
 
-    /// Adds how far the curve of a figure may be off, at each of its samples below and above: both edges, dotted. The
-    /// axis grows as it must.
+    /// Adds the error band of a value's curve: both edges, dotted. `offsets` are the offsets below
+    /// and above at each sample. The axis grows as needed, up to a limit.
     pub fn add_band(
         &mut self,
         curves: &Curves,
@@ -300,7 +306,7 @@ impl Plot {
         let most = BAND_ROOM * (high - low);
         let values = curves.curves[figure].values.iter().zip(offsets);
         for (value, offset) in values {
-            // As far as the curve itself is shown.
+            // Only where the curve itself is visible.
             let shown = value.filter(|value| (low..=high).contains(value));
             if let (Some(value), Some([below, above])) = (shown, offset) {
                 panel.y.low = panel.y.low.min((value + below).max(low - most));
@@ -319,7 +325,8 @@ impl Plot {
         });
     }
 
-    /// The same with lengths and their rates counted in another unit, of which one of `unit` is `scale`.
+    /// Converts lengths and their rates to another unit; `scale` is the size of one `unit` in
+    /// `other` units.
     #[must_use]
     pub fn in_unit(mut self, unit: &str, other: &str, scale: f64) -> Plot {
         let along = self.x.convert(unit, other, scale);
@@ -337,7 +344,8 @@ impl Plot {
         self
     }
 
-    /// Gives the curves of a panel the hues of their links, where each is of one and no two look alike.
+    /// Gives the curves of each panel the hues of their links, if every curve belongs to a link and
+    /// no link occurs twice.
     #[must_use]
     pub fn in_hues_of(mut self, mechanism: &Mechanism, curves: &Curves) -> Plot {
         let links = link_roles(mechanism);
@@ -359,7 +367,7 @@ impl Plot {
         self
     }
 
-    /// What the curve of this name is drawn as.
+    /// Returns the role of the curve with this name; `None` if no curve has it.
     #[must_use]
     pub fn role_of(&self, name: &str) -> Option<Role> {
         let found = |panel: &Panel| {
@@ -369,7 +377,7 @@ impl Plot {
         self.panels.iter().find_map(found)
     }
 
-    /// Whether any curve has a value anywhere.
+    /// Returns `true` if any curve has a value.
     #[must_use]
     pub fn has_values(&self) -> bool {
         let mut lines = self.panels.iter().flat_map(|panel| &panel.curves);
@@ -377,11 +385,11 @@ impl Plot {
     }
 }
 
-/// What curves are drawn as that have no hue of a link, in the order in which they come in a panel.
+/// The roles of curves without a link's hue, in their order in a panel.
 const ROLES: [Role; 3] = [Role::Datum, Role::Second, Role::Third];
 
 impl Panel {
-    /// What a curve is drawn as.
+    /// Returns the role of a curve.
     fn role(&self, curve: usize) -> Role {
         let link = self.curves.get(curve).and_then(|line| line.link);
         link.unwrap_or(ROLES[curve % ROLES.len()])
@@ -402,7 +410,8 @@ impl Panel {
 }
 
 impl Axis {
-    /// Counts a length, or a rate of one, in another unit: what its values are to be multiplied with.
+    /// Converts the axis of a length, or of its rate, to another unit. Returns the factor for its
+    /// values, 1 for other quantities.
     fn convert(&mut self, unit: &str, other: &str, scale: f64) -> f64 {
         match self.unit.strip_prefix(unit) {
             Some(per) if per.is_empty() || per.starts_with('/') => {
@@ -443,7 +452,7 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
     }
 }
 
-/// The parts of a curve between places at which it has no value.
+/// Returns the connected parts of a curve between places without a value.
 fn pieces(places: &[f64], values: &[Option<f64>]) -> Vec<Vec<Vec2>> {
     let mut pieces = vec![Vec::new()];
     for (&x, value) in places.iter().zip(values) {
@@ -456,7 +465,7 @@ fn pieces(places: &[f64], values: &[Option<f64>]) -> Vec<Vec<Vec2>> {
     pieces
 }
 
-/// Whether both axes are places in the plane, in one unit.
+/// Returns `true` if both axes are coordinates of points.
 fn is_true(curves: &Curves) -> bool {
     let is_place = |quantity: &Quantity| {
         matches!(
@@ -479,7 +488,7 @@ fn union(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
     }
 }
 
-/// A range as an axis needs it: of some size, however little the values differ.
+/// Returns a non-empty range for an axis, even if the values do not differ.
 fn spread(range: Option<(f64, f64)>) -> (f64, f64) {
     let Some((low, high)) = range.filter(|(low, high)| low.is_finite() && high.is_finite()) else {
         return (0.0, 1.0);

@@ -1,4 +1,4 @@
-//! From a plot to cells.
+//! Draws a plot in cells.
 
 use super::frame::{FrameGlyphs, length, write};
 use super::layout::{PanelArea, PlotLayout, level_labels, unit_place};
@@ -14,28 +14,28 @@ use crate::drawing::render::Glyphs;
 use crate::quantity::Here;
 use crate::wording::words;
 
-/// Symbols of curves, in the order in which they come in a panel; more curves begin anew.
+/// Symbols of curves, in their order in a panel; they repeat after the last.
 const SYMBOLS: [char; 12] = ['*', 'x', '#', '+', '%', '@', '&', '=', '$', 'a', 'b', 'c'];
-/// Where the cursor meets a curve.
+/// The glyph where the cursor meets a curve.
 const CURSOR: char = 'O';
 const PEAK: char = '^';
 const DIP: char = 'v';
-/// Columns of a symbol and the blank behind it in a legend, of the blanks behind an entry, and of the
-/// number of those that have no room.
+/// Columns of a legend's parts: a symbol and the blank after it, the blanks after an entry, and the
+/// count of entries that do not fit.
 const ENTRY: i32 = 2;
 const GAP: i32 = 3;
 const MORE: i32 = 4;
-/// Symbols on a line stand apart by this part of the panel's width, but no fewer cells.
+/// Distance of symbols on a line, as a divisor of the panel's width, and its minimum in cells.
 const APART: i32 = 5;
 const LEAST_APART: i32 = 8;
-/// What is written beside a turn stands so many rows away from it at the most, beside its own.
+/// Maximum distance of a text from its extremum, in rows, inside the arch.
 const DEEPEST: i32 = 2;
-/// In the row of a turn the curve is so many columns wide to each side, at the most, where something is
-/// written behind it.
+/// Maximum number of columns, to each side of an extremum, in which the curve stays in its row, for
+/// a text written after it.
 const FLATTEST: i32 = 10;
 
 impl Plot {
-    /// The plot in cells, with the cursor in a state; empty where there is no room for it.
+    /// Renders the plot in cells, with the cursor in a state; empty if the cells do not suffice.
     #[must_use]
     pub fn render(&self, look: &PlotStyle, here: Option<&Here>) -> Raster {
         let mut raster = Raster::new();
@@ -58,8 +58,8 @@ impl Plot {
         raster
     }
 
-    /// Where what is written beside turns stands in the plot of plain characters: a curve of dots grazes a few cells
-    /// more, and would leave less room than that has.
+    /// Returns the texts of extrema placed as in plain characters. A curve of dots touches a few
+    /// more cells, which would leave fewer places.
     fn plain_seats(
         &self,
         look: &PlotStyle,
@@ -83,7 +83,7 @@ impl Plot {
     }
 }
 
-/// What is written beside a turn of a curve, and where.
+/// A text at an extremum of a curve, with its position.
 struct WrittenTurn {
     panel: usize,
     at: (i32, i32),
@@ -99,7 +99,8 @@ struct PlotPainter<'a> {
 }
 
 impl PlotPainter<'_> {
-    /// Paints all of it, and writes beside turns where that is `given`, or where there is room; gives where that is.
+    /// Paints the plot. Texts of extrema are placed as `given`, or else wherever there is space;
+    /// the new ones are returned.
     fn paint(&self, raster: &mut Raster, given: Option<&[WrittenTurn]>) -> Vec<WrittenTurn> {
         let mut written = Vec::new();
         self.level_axis(raster);
@@ -149,8 +150,8 @@ impl PlotPainter<'_> {
         }
     }
 
-    /// What stands along x, and where the cursor is, at the right end of the first legend, as far as the
-    /// curves leave room; gives the column where it begins.
+    /// Writes the name of x and the cursor's value at the right end of the first legend, as far as
+    /// the curves' entries leave space. Returns the column at which it begins.
     fn cursor_title(&self, raster: &mut Raster) -> i32 {
         let end = self.layout.end;
         let Some((number, frame)) = self.layout.panels.first() else {
@@ -181,12 +182,12 @@ impl PlotPainter<'_> {
         from - 1
     }
 
-    /// The column where the curves of a legend begin: behind the unit.
+    /// Returns the column of a legend's first curve, after the unit.
     fn legend_start(&self, panel: &Panel) -> i32 {
         (self.layout.axis + 1).max(length(&panel.y.unit) + 1)
     }
 
-    /// What a legend says of a curve: its name, and its value here.
+    /// Returns a curve's entry in the legend: its name, and its value at the cursor.
     fn entry(&self, panel: &Panel, frame: &PanelArea, i: usize, with_value: bool) -> String {
         let line = &panel.curves[i];
         let along = self.here.and_then(|here| here.along).filter(|_| with_value);
@@ -230,7 +231,8 @@ impl PlotPainter<'_> {
         }
     }
 
-    /// The unit, and each curve with its symbol, its name and its value here; how many have no room.
+    /// Draws the unit, and each curve with its symbol, name and value at the cursor, then the
+    /// number of curves that do not fit.
     fn legend(&self, panel: &Panel, frame: &PanelArea, right: i32, raster: &mut Raster) {
         let start = self.legend_start(panel);
         write(raster, 0, frame.legend, &panel.y.unit, Role::Axis);
@@ -259,7 +261,7 @@ impl PlotPainter<'_> {
                 write(raster, col, row, &format!("+{}", count - i), Role::Axis);
                 break;
             }
-            // A number is whole or absent.
+            // A value that does not fit is left out, never cut.
             if !fits(&text, col, row) {
                 text = self.entry(panel, frame, i, false);
             }
@@ -271,7 +273,7 @@ impl PlotPainter<'_> {
         }
     }
 
-    /// What stands for a curve in the legend and on the curve.
+    /// Returns the symbol of a curve in the legend and on the curve.
     fn symbol(&self, panel: &Panel, i: usize) -> char {
         if panel.curves[i].is_places() {
             return PLACE;
@@ -329,7 +331,7 @@ impl PlotPainter<'_> {
         Vec2::new(self.layout.x.place(p.x), frame.y.place(p.y))
     }
 
-    /// Where curves turn.
+    /// Returns the extrema of the curves, with their roles and cells.
     fn turns<'p>(
         &self,
         panel: &'p Panel,
@@ -351,7 +353,7 @@ impl PlotPainter<'_> {
         }
     }
 
-    /// Says what curves are where they turn, as far as there is room: of the largest and the smallest first.
+    /// Writes the values of extrema as far as there is space, the global ones first.
     fn write_turns(
         &self,
         (number, panel): (usize, &Panel),
@@ -382,7 +384,7 @@ impl PlotPainter<'_> {
         }
     }
 
-    /// Marks where the cursor meets the curves.
+    /// Marks the points where the cursor meets the curves.
     fn meeting_points(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         let Some(here) = self.here else { return };
         let Some(col) = here.along.and_then(|x| self.layout.x.cell(x)) else {
@@ -397,8 +399,9 @@ impl PlotPainter<'_> {
     }
 }
 
-/// Where a text can stand for a turn of a curve and hides nothing: close to it; in its row behind the flat
-/// of the curve, where nothing else lies between; or inside the arch, so many rows `inwards`.
+/// Returns the places where the text of an extremum hides nothing. Places close to it come first.
+/// Then come places in its row after the flat part of the curve. The last ones are inside the arch,
+/// up to `DEEPEST` rows `inwards`.
 fn seats<'r>(
     raster: &'r Raster,
     (col, row): (i32, i32),

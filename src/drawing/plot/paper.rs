@@ -1,4 +1,4 @@
-//! A plot as an SVG document. Curves are told apart by dashes, not by colour alone.
+//! Draws a plot as an SVG document. Curves differ in dashes, not in colour alone.
 
 use super::layout::CellScale;
 use super::ticks::{TickStyle, Ticks};
@@ -8,25 +8,25 @@ use crate::page::{Artwork, StyleSheet, SvgGround, TextAnchor};
 use crate::quantity::Here;
 use crate::wording::words;
 
-/// Around the panels; at the left for the labels of the upright axes.
+/// The margins around the panels; the left one holds the labels of the vertical axes.
 const LEFT: f64 = 72.0;
 const RIGHT: f64 = 24.0;
 const TOP: f64 = 12.0;
 const FOOT: f64 = 48.0;
-/// The legend above each panel, and the blank below it.
+/// Heights of the legend above each panel and of the blank below it.
 const LEGEND: f64 = 26.0;
 const BELOW: f64 = 10.0;
-/// From one label of an axis to the next, at the least.
+/// Minimum distance between labels of an axis.
 const LABEL_APART: Vec2 = Vec2 { x: 48.0, y: 28.0 };
 const TICK: f64 = 5.0;
-/// Of a line in the legend, and of a character on average.
+/// Length of a line in the legend, and average width of a character.
 const SAMPLE: f64 = 26.0;
 const CHARACTER: f64 = 7.5;
 /// The radius of a mark.
 const MARK: f64 = 3.0;
-/// Below the base line of a text, to its middle.
+/// Distance from a text's middle down to its baseline.
 const HALF_TEXT: f64 = 4.5;
-/// Dashes repeat after so many curves.
+/// The number of dash patterns; they repeat after as many curves.
 const DASHES: usize = 5;
 
 const SHEET: StyleSheet = StyleSheet {
@@ -53,14 +53,15 @@ const SHEET: StyleSheet = StyleSheet {
 };
 
 impl Plot {
-    /// The plot as an SVG document of a size in user units, with the cursor in a state.
+    /// Returns the plot as an SVG document. `size` is in user units; the cursor shows the state
+    /// `here`.
     #[must_use]
     pub fn svg(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> String {
         let art = self.artwork(title, size, extrema, here);
         art.svg(SvgGround::Preferred)
     }
 
-    /// The same as a picture for a page.
+    /// Returns the plot as a picture for a page.
     #[must_use]
     pub fn artwork(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> Artwork {
         let mut sheet = PaperSheet {
@@ -135,7 +136,8 @@ impl PaperSheet<'_> {
         }
     }
 
-    /// Lengths as long upwards as along x.
+    /// Returns a vertical scale, and sets the horizontal one, so that lengths have the same scale
+    /// along both.
     fn true_scales(&mut self, panel: &Panel, top: f64, bottom: f64) -> CellScale {
         let cells = Vec2::new(self.right() - LEFT, bottom - top);
         let (x, y) = (&self.plot.x, &panel.y);
@@ -169,7 +171,7 @@ impl PaperSheet<'_> {
         }
     }
 
-    /// What is drawn ends where the panel ends.
+    /// Draws a curve, clipped at the panel's top and bottom.
     fn curve(&mut self, line: &PlotCurve, i: usize, y: &CellScale) {
         let (low, high) = y.ends();
         for piece in &line.pieces {

@@ -1,9 +1,9 @@
-//! Curves in cells, of three kinds.
+//! Draws curves in cells, in three kinds of glyphs.
 //!
-//! A curve goes from the cell of each sample to that of the next by the nearest cells between: whoever
-//! looks for a sample finds its cell marked. With 7-bit characters every cell has the symbol of the
-//! curve; with lines the cells are joined by box-drawing strokes that step from row to row; dots of
-//! Braille do the same on a grid that is eight times as fine.
+//! A curve runs from the cell of each sample to the cell of the next one along the nearest cells,
+//! so the cell of every sample is marked. With 7-bit characters every cell has the curve's symbol.
+//! With lines, box-drawing strokes join the cells and step from row to row. Braille dots do the
+//! same on a grid with eight dots per cell.
 
 use super::super::figure::Role;
 use super::super::raster::Raster;
@@ -12,7 +12,7 @@ use super::super::stroke::{clip_to, dot};
 use super::is_place;
 use crate::Vec2;
 
-/// A block of cells: what is drawn stays inside.
+/// A block of cells that limits a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct CellBlock {
     pub(super) left: i32,
@@ -34,26 +34,26 @@ impl CellBlock {
     }
 }
 
-/// How finely a cell is divided, across and upwards.
+/// Divisions of a cell, across and down.
 type Grain = (i32, i32);
 const WHOLE: Grain = (1, 1);
 const DOTS: Grain = (2, 4);
 
-/// The way of a curve through a grid, in stretches that hang together inside the block.
+/// Returns the path of a curve through a grid, in stretches connected inside the block.
 fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i32, i32)>> {
-    // However far a sample is, it stays a number.
+    // Keeps far samples finite.
     let times = |v: f64, by: i32| (v * f64::from(by)).clamp(f64::MIN, f64::MAX);
     let fine = |p: Vec2| Vec2::new(times(p.x, across), times(p.y, down));
     let [low, high] = block.ends().map(fine);
     let most = (high.x as i32 - 1, high.y as i32 - 1);
     let cell = |p: Vec2| {
-        // The block begins at 0 or beyond it: what is cut off there is what `floor` takes.
+        // The block begins at 0 or later, so truncation equals `floor` inside it.
         let inside = |v: f64, low: f64, most: i32| (v as i32).clamp(low as i32, most);
         (inside(p.x, low.x, most.0), inside(p.y, low.y, most.1))
     };
     let mut ways: Vec<Vec<(i32, i32)>> = Vec::new();
     let points: Vec<Vec2> = points.iter().map(|&p| fine(p)).collect();
-    // A piece of one sample goes from there to there.
+    // A piece of one sample is a segment from the sample to itself.
     let only = points.first().copied();
     let pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
     let pairs = pairs.chain(only.filter(|_| points.len() == 1).map(|p| (p, p)));
@@ -74,7 +74,7 @@ fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i
     ways
 }
 
-/// Appends the cells behind `from` up to `to` (Bresenham 1965).
+/// Appends the cells after `from` up to `to` (Bresenham 1965).
 fn march(from: (i32, i32), to: (i32, i32), way: &mut Vec<(i32, i32)>) {
     let (wide, high) = ((to.0 - from.0).abs(), (to.1 - from.1).abs());
     let sense = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
@@ -93,27 +93,27 @@ fn march(from: (i32, i32), to: (i32, i32), way: &mut Vec<(i32, i32)>) {
     }
 }
 
-/// How a curve is drawn.
+/// The style of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pen {
     pub(super) glyphs: Glyphs,
-    /// The symbol of the curve.
+    /// The curve's symbol.
     pub(super) symbol: char,
     pub(super) role: Role,
-    /// Only points, for the curve of another scene.
+    /// `true` to draw sparse points only, for the curve of another scene.
     pub(super) dotted: bool,
-    /// Where symbols stand on a line, in cells from one to the next, and where the first one stands;
-    /// `None` where the line has no need of them.
+    /// The distance of symbols on a line and the place of the first one, in cells; `None` if the
+    /// line needs none.
     pub(super) marks: Option<(usize, usize)>,
 }
 
-/// Stands for a place alone.
+/// The glyph of a single point.
 pub(super) const PLACE: char = 'o';
-/// Of a dotted curve one cell, or dot, of so many is drawn.
+/// A dotted curve has one drawn cell, or dot, in this many.
 const SPARSE: usize = 3;
 
 impl Pen {
-    /// Draws a piece of a curve, given in cell coordinates.
+    /// Draws a piece of a curve; `points` are in cell coordinates.
     pub(super) fn draw(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
         if self.dotted && is_place(points) {
             for way in ways(points, block, WHOLE) {
@@ -149,7 +149,7 @@ impl Pen {
         }
     }
 
-    /// Puts the symbol on the line from time to time, so that curves are told apart without colour.
+    /// Puts the curve's symbol on the line at intervals, so that curves differ without colour.
     pub(super) fn mark(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
         let (Some((every, first)), false) = (self.marks, self.glyphs == Glyphs::Ascii) else {
             return;
@@ -169,7 +169,7 @@ impl Pen {
         }
     }
 
-    /// Box-drawing strokes from cell to cell; where the way goes slantwise it steps up or down first.
+    /// Draws box-drawing strokes from cell to cell; a diagonal step goes up or down first.
     fn strokes(&self, way: &[(i32, i32)], raster: &mut Raster) {
         let mut steps: Vec<(i32, i32)> = Vec::with_capacity(way.len() * 2);
         for &(col, row) in way {
@@ -190,7 +190,7 @@ impl Pen {
     }
 }
 
-/// The stroke that joins a cell with the one before and the one behind, given as steps to them.
+/// Returns the stroke that joins a cell with the previous and the next one, given as steps to them.
 fn stroke(sides: [Option<(i32, i32)>; 2]) -> char {
     let has = |side| sides.contains(&Some(side));
     let (left, right, up, down) = (has((-1, 0)), has((1, 0)), has((0, -1)), has((0, 1)));

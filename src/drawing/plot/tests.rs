@@ -1,4 +1,4 @@
-//! Plots of made-up curves and of presets, in three kinds of glyphs.
+//! Tests plots of made-up curves and of presets, in three kinds of glyphs.
 
 use super::*;
 use crate::quantity::{Catalogue, Here};
@@ -54,7 +54,7 @@ fn line(points: &[(f64, f64)]) -> PlotCurve {
     }
 }
 
-/// Panels of these curves, with axes around their values.
+/// Returns panels of these curves, with axes that fit their values.
 fn made(lines: Vec<PlotCurve>) -> Plot {
     let axis = |low, high| Axis {
         name: "t".into(),

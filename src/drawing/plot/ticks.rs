@@ -1,22 +1,23 @@
-//! Round places along an axis, and how numbers beside it are written.
+//! Computes round ticks along an axis and formats their labels.
 
-/// Steps of angles that divide a turn, in degrees; finer ones are decimal.
+/// Steps that divide a turn, in degrees; smaller steps are decimal.
 const ANGLES: [f64; 7] = [15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0];
-/// Coarser than this no range of doubles needs, and finer than that no double shows.
+/// Exponents of ten that suffice for every range of doubles.
 const POWERS: std::ops::RangeInclusive<i32> = -320..=308;
 
 /// Multiples of a round step along an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Ticks {
-    /// From the low end.
+    /// The values, from the low end.
     pub(super) values: Vec<f64>,
-    /// How they are written.
+    /// The number format.
     pub(super) style: TickStyle,
 }
 
 impl Ticks {
-    /// The multiples from `low` to `high` of the smallest round step (1, 2 or 5 times a power of ten;
-    /// of angles 15, 30, 45, 60, 90 or more degrees) that has no more than `most` of them.
+    /// Returns the multiples from `low` to `high` of the smallest round step with at most `most`
+    /// multiples. Round steps are 1, 2 or 5 times a power of ten; for angles also 15, 30, 45, 60,
+    /// 90 degrees and more. Returns no ticks for a range that is too small for doubles.
     pub(super) fn between(low: f64, high: f64, is_angle: bool, most: usize) -> Ticks {
         let none = Ticks {
             values: Vec::new(),
@@ -24,7 +25,7 @@ impl Ticks {
         };
         let size = high - low;
         let largest = low.abs().max(high.abs());
-        // Multiples of less than this are not told apart by doubles.
+        // Doubles do not resolve multiples of smaller ranges.
         let is_some = size > largest * LEAST_PART && size.is_finite();
         if !is_some || most == 0 {
             return none;
@@ -36,7 +37,7 @@ impl Ticks {
         let first = multiple((low / step).ceil(), (low / step).round(), low / step);
         let values = (0..most).map(|k| (first + k as f64) * step);
         let end = high + step * SLACK;
-        // Far from 0 a multiple rounds by more than the slack, out of the axis.
+        // Far from 0 a multiple may round by more than the slack, out of the axis.
         let inside = |v: f64| v.clamp(low, high);
         let values: Vec<f64> = values.take_while(|&v| v <= end).map(inside).collect();
         Ticks {
@@ -45,7 +46,7 @@ impl Ticks {
         }
     }
 
-    /// The multiples of a step, so many from this one on.
+    /// Returns `count` multiples of a step, beginning at multiple number `first`.
     pub(super) fn multiples(step: f64, first: i64, count: i64) -> Ticks {
         let values: Vec<f64> = (first..first + count).map(|k| k as f64 * step).collect();
         let largest = values
@@ -61,19 +62,19 @@ impl Ticks {
         self.values.iter().map(|&v| (v, self.style.text(v)))
     }
 
-    /// Characters of the longest label.
+    /// Returns the number of characters of the longest label.
     pub(super) fn widest(&self) -> usize {
         self.labels().map(|(_, l)| l.len()).max().unwrap_or(0)
     }
 }
 
-/// An axis that is shorter than this part of its values has no ticks.
+/// The range below which an axis has no ticks, relative to its values.
 const LEAST_PART: f64 = 1e-13;
 
-/// An end that misses a multiple by this part of a step only misses it by rounding.
+/// Tolerance, in steps, within which an end counts as a multiple.
 const SLACK: f64 = 1e-9;
 
-/// `near` where it is the quotient but for rounding, or else `inside`.
+/// Returns `near` if it equals the quotient up to rounding error, or else `inside`.
 fn multiple(inside: f64, near: f64, quotient: f64) -> f64 {
     if (near - quotient).abs() <= SLACK {
         near
@@ -82,17 +83,17 @@ fn multiple(inside: f64, near: f64, quotient: f64) -> f64 {
     }
 }
 
-/// How many multiples there are from `low` to `high`.
+/// Returns the number of multiples from `low` to `high`.
 fn count(low: f64, high: f64, step: f64) -> f64 {
     let first = multiple((low / step).ceil(), (low / step).round(), low / step);
     let last = multiple((high / step).floor(), (high / step).round(), high / step);
     last - first + 1.0
 }
 
-/// Round steps from about `least` on.
+/// Returns round steps in ascending order, from below `least` on.
 pub(super) fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
     let power = least.log10().floor().clamp(-320.0, 308.0) as i32;
-    // Degrees have steps of their own beyond 5.
+    // Degrees have steps of their own above 5.
     let end = if is_angle { 0 } else { *POWERS.end() };
     let powers = (power - 1).max(*POWERS.start())..=end;
     let decimal = powers.flat_map(|power| [1, 2, 5].map(|n| format!("{n}e{power}")));
@@ -103,28 +104,28 @@ pub(super) fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
     decimal.chain(angles.filter(move |&s| is_angle && s >= least / 2.0))
 }
 
-/// How the numbers of an axis are written.
+/// The number format of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TickStyle {
-    /// With so many decimals.
+    /// Fixed-point, with this number of decimals.
     Fixed(usize),
-    /// With an exponent, down to the digit of this power of ten.
+    /// Exponent notation, down to the digit of this power of ten.
     Exponent(i32),
 }
 
-/// From here on, and below that, numbers take an exponent.
+/// Numbers from `LARGE` and below `SMALL` have exponents.
 const LARGE: f64 = 1e6;
 const SMALL: f64 = 1e-4;
-/// Significant digits of a figure, and of the part of it that changes.
+/// Significant digits of a value, and of the part of it that changes.
 const DIGITS: i32 = 5;
 const CHANGING: i32 = 4;
-/// No number has more decimals.
+/// Maximum number of decimals.
 const MOST_DECIMALS: i32 = 14;
-/// A smaller part of a figure does not change.
+/// The relative change below which a value counts as constant.
 const LEAST_CHANGE: f64 = 1e-12;
 
 impl TickStyle {
-    /// For multiples of a step up to a size.
+    /// Chooses a format for multiples of a step up to a size.
     fn of_ticks(largest: f64, step: f64) -> TickStyle {
         let power = exponent(step);
         if largest >= LARGE || step < SMALL {
@@ -133,7 +134,7 @@ impl TickStyle {
         TickStyle::Fixed(usize::try_from(-power).unwrap_or(0))
     }
 
-    /// For figures between two values.
+    /// Chooses a format for values between two ends.
     pub(super) fn of_range(low: f64, high: f64) -> TickStyle {
         let largest = low.abs().max(high.abs());
         if largest == 0.0 {
@@ -148,13 +149,13 @@ impl TickStyle {
         TickStyle::Fixed(usize::try_from(digits.min(MOST_DECIMALS)).unwrap_or(0))
     }
 
-    /// The number; zero has no sign.
+    /// Formats a number; zero has no sign.
     pub(super) fn text(self, value: f64) -> String {
         let text = match self {
             TickStyle::Fixed(decimals) => format!("{value:.decimals$}"),
             TickStyle::Exponent(_) if value == 0.0 => "0".into(),
             TickStyle::Exponent(last) => {
-                // What is rounded up to the next power of ten has a digit more.
+                // A number rounded up to the next power of ten has one more digit.
                 let shorter = exponential(value, last);
                 let rounded = shorter.parse().unwrap_or(value);
                 if exponent(rounded) > exponent(value) {
@@ -172,14 +173,14 @@ impl TickStyle {
     }
 }
 
-/// A number with an exponent, down to the digit of a power of ten.
+/// Formats a number in exponent notation, down to the digit of a power of ten.
 fn exponential(value: f64, last: i32) -> String {
     let digits = usize::try_from(exponent(value) - last).unwrap_or(0);
     let digits = digits.min(17);
     format!("{value:.digits$e}")
 }
 
-/// The power of ten of the first digit.
+/// Returns the exponent of ten of the first digit.
 fn exponent(value: f64) -> i32 {
     let text = format!("{:e}", value.abs());
     let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());

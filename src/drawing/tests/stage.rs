@@ -1,11 +1,11 @@
-//! A scene, ready to be drawn.
+//! A scene prepared for drawing.
 
 use crate::PointId;
 use crate::drawing::{Overlay, Reach, Wanted};
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range, Solver, State};
 
-/// A scene with what a drawing of it takes.
+/// A scene with everything that drawing it requires.
 pub(in crate::drawing) struct DrawingStage {
     pub(in crate::drawing) name: String,
     pub(in crate::drawing) scene: Scene,
@@ -46,14 +46,14 @@ impl DrawingStage {
         points.iter().map(name).collect()
     }
 
-    /// The state at a place, with its forces.
+    /// Returns the state at a coordinate, with its forces.
     pub(in crate::drawing) fn state(&self, at: f64) -> State {
         let mut state = self.solver.state();
         let _ = self.solver.solve(at, Order::Force, &mut state);
         state.into_state()
     }
 
-    /// The whole motion in 200 steps.
+    /// Returns the states of the whole motion in 200 steps.
     pub(in crate::drawing) fn motion(&self) -> impl Iterator<Item = State> {
         let start = self.scene.mechanism.driver().start;
         let (low, high) = match self.solver.motion().range {

@@ -1,4 +1,4 @@
-//! Windows on whole motions: what is in them, how large it is, and how they go along.
+//! Tests windows on whole motions: their contents, their scale, and how they follow the linkage.
 
 use super::*;
 
@@ -47,8 +47,7 @@ fn supports_stay_inside_where_there_is_room() {
     }
 }
 
-/// The part of a window's width and height that the linkage takes as it stands: its bars, pins and
-/// sliders, and no more.
+/// Returns the fraction of a window's width or height that the bars, pins and sliders fill.
 fn fill(raster: &Raster) -> f64 {
     let is_linkage = |role: Role| role.is_body() || role.is_mark();
     let mut cells = Vec::new();
@@ -88,7 +87,7 @@ fn every_linkage_is_large_wherever_it_stands() {
 /// Rings and names used to be cut off where a window is so large that they are small in it.
 #[test]
 fn a_large_window_cuts_neither_rings_nor_names() {
-    /// How far a ring reaches from its middle, in columns and rows.
+    /// Half the width and the height of a ring, in columns and rows.
     const RING: Vec2 = Vec2::new(1.5, 0.75);
     let mut cut = Vec::new();
     for stage in DrawingStage::presets() {
@@ -190,7 +189,7 @@ fn a_window_goes_along_calmly() {
 /// own: they may go to and fro by a cell or two.)
 #[test]
 fn a_window_that_goes_along_does_not_shake() {
-    /// Places of a motion: a degree of a turn.
+    /// Number of places of a motion: one per degree of a turn.
     const PLACES: u32 = 360;
     let mut shaken = Vec::new();
     for stage in DrawingStage::presets() {

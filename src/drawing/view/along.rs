@@ -1,33 +1,34 @@
-//! A window that goes along with the linkage.
+//! Windows that follow the linkage.
 //!
-//! It is a function of the driver's coordinate alone, as the room that it shows is: the same place always looks
-//! the same. Its size goes by small steps and its place by some cells, so that what is fixed stands still between
-//! two of them, for the eye and for the line; both are rounded apart from each other, since two steps of which one
-//! follows from the other would make the window shake.
+//! A window is a function of the driver's coordinate alone, like the extents that it shows, so each
+//! place always looks the same. Its size changes in small steps and its position by some cells, so
+//! that fixed parts do not move between two steps. Both are rounded independently: steps that
+//! depend on each other would make the window shake.
 
 use super::super::poses::PoseRoom;
 use super::{Margin, Reach, WorldView};
 use crate::Vec2;
 
-/// A linkage takes at least so much of the width or of the height of a window that goes along.
+/// Minimum fraction of the window's width or height that a linkage fills.
 const LEAST_FILL: f64 = 0.6;
 
-/// The window is enlarged in so many steps to twice its size, and moved in so many across it.
+/// Number of zoom steps per factor of two, and of steps in position across the window.
 const STEPS_OF_TWO: f64 = 24.0;
 const STEPS_ACROSS: u16 = 40;
 
-/// How much nearer than the whole motion such a window may be; the least that will do.
+/// Candidates for how far the window moves from the extents of the whole motion, 0, to those of the
+/// pose, 1. The smallest sufficient one is used.
 const NEARER: [f64; 8] = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
 
-/// How near a window of a size goes.
+/// The zoom of a window size.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Nearness {
     size: WindowSize,
-    /// None where the whole motion will do.
+    /// `None` if the window on the whole motion suffices.
     nearer: Option<f64>,
 }
 
-/// Columns, rows, and the height of a cell for its width.
+/// Columns, rows, and the height of a cell divided by its width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct WindowSize {
     cols: u16,
@@ -36,9 +37,9 @@ struct WindowSize {
 }
 
 impl WorldView {
-    /// A window in which the linkage is large wherever it stands: the whole motion where that leaves it
-    /// three fifths of the width or the height everywhere, else so much nearer to the linkage at this
-    /// coordinate of its driver, and going along with it, as that needs.
+    /// Returns a window in which the linkage is large in every pose. The whole motion is shown if
+    /// every pose then fills three fifths of the width or the height. If not, the window follows
+    /// the linkage at this driver coordinate, as close as necessary.
     #[must_use]
     pub fn along(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
         let size = WindowSize { cols, rows, aspect };
@@ -55,7 +56,7 @@ impl WorldView {
         }
     }
 
-    /// The window on the linkage as it stands at a coordinate of its driver, going along with it.
+    /// Returns the window that follows the linkage most closely, at a driver coordinate.
     #[must_use]
     pub fn pose(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
         match reach.poses().room(at) {
@@ -64,8 +65,8 @@ impl WorldView {
         }
     }
 
-    /// The larger of the shares of width and height that a linkage takes whose points fill a box: half of
-    /// a pin is beyond it on every side.
+    /// Returns the larger of the fractions of width and height that a pose fills, with half a pin
+    /// beyond its box on every side.
     fn fill(&self, pose: super::Bounds) -> f64 {
         let size = pose.size();
         let across = (size.x * self.scale.x + 1.0) / f64::from(self.cols);
@@ -73,7 +74,8 @@ impl WorldView {
     }
 }
 
-/// How near a window of this size must go so that the linkage is large everywhere.
+/// Returns how close a window of this size must be for the linkage to be large in every pose;
+/// `None` if the whole motion suffices.
 fn nearer(reach: &Reach, size: WindowSize) -> Option<f64> {
     let whole = WorldView::fit(reach, size.cols, size.rows, size.aspect);
     let mut poses = reach.poses().some();
@@ -88,13 +90,13 @@ fn nearer(reach: &Reach, size: WindowSize) -> Option<f64> {
     Some(found.unwrap_or(1.0))
 }
 
-/// The window on a room that lies a share of the way from the whole motion to this one.
+/// Returns the window on extents interpolated by `nearer` between the whole motion and the pose.
 fn near(reach: &Reach, room: PoseRoom, nearer: f64, size: WindowSize) -> WorldView {
     let WindowSize { cols, rows, aspect } = size;
     let [columns, lines] = [cols, rows].map(|cells| f64::from((cells / STEPS_ACROSS).max(1)));
     let whole = reach.bounds();
     let space = whole.towards(room.linkage, nearer);
-    // It is moved by up to half a step.
+    // The window moves by up to half a step.
     let parts = reach.parts_near(space, room.tips);
     let parts = parts.map(|(part, margin)| (part, margin.widened(columns / 2.0, lines / 2.0)));
     let mut view = WorldView::around(&parts, space.centre(), (cols, rows), aspect);
@@ -102,7 +104,8 @@ fn near(reach: &Reach, room: PoseRoom, nearer: f64, size: WindowSize) -> WorldVi
     if at.is_finite() {
         let steps = (view.scale.x * whole.size().norm()).log2() * STEPS_OF_TWO;
         let smaller = ((steps.floor() - steps) / STEPS_OF_TWO).exp2();
-        // Towards the anchor, or what is seen next to it, so that nothing else gets out of sight.
+        // Shrinks towards the anchor, or the nearest visible point, so that nothing else leaves the
+        // window.
         let kept = Vec2::new(
             at.x.clamp(0.0, f64::from(cols)),
             at.y.clamp(0.0, f64::from(rows)),
@@ -119,7 +122,7 @@ fn near(reach: &Reach, room: PoseRoom, nearer: f64, size: WindowSize) -> WorldVi
 }
 
 impl Margin {
-    /// The same with so many cells more at the sides, and above and below.
+    /// Returns the margin with more cells at the sides, and above and below.
     fn widened(self, side: f64, high: f64) -> Margin {
         Margin {
             left: self.left + side,

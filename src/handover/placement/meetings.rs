@@ -1,5 +1,5 @@
-//! Joints and arms in closed form: where circles and lines meet, and which way an arm points that slides through a
-//! pin.
+//! Places joints and arms in closed form: at intersections of circles and lines, and in the
+//! direction of an arm that slides through a pin.
 
 use super::super::sides::SideCourse;
 use super::super::terms::{ScriptTerm, number};
@@ -7,13 +7,13 @@ use super::ScriptPlacement;
 use crate::solver::Known;
 use crate::{Body, Input, LinkId, PointId, Slide, SlideId, Slider};
 
-/// A circle that a joint lies on.
+/// A circle that contains a joint.
 struct JointCircle {
     centre: PointId,
     radius: ScriptTerm,
 }
 
-/// A known line that a joint lies on, by one of the slides that hold it there.
+/// A known line that contains a joint, with the slide that keeps the joint on it.
 struct JointLine {
     through: ScriptTerm,
     direction: ScriptTerm,
@@ -21,7 +21,7 @@ struct JointLine {
 }
 
 impl ScriptPlacement<'_> {
-    /// Places one joint or one arm in closed form, if there is one that can be.
+    /// Places one joint or one arm in closed form; returns `false` if there is none.
     pub(super) fn close_form(&mut self, links: &[LinkId], points: &[PointId]) -> bool {
         let unknown: Vec<PointId> = points
             .iter()
@@ -44,8 +44,8 @@ impl ScriptPlacement<'_> {
         true
     }
 
-    /// The circles that a joint lies on: about a known point of a link that carries it, or of the arm whose driven
-    /// guide it slides along.
+    /// Returns the circles that contain a joint: about a known point of a link that carries it, or
+    /// of the arm whose driven guide it slides along.
     fn circles_of(&self, joint: PointId) -> Vec<JointCircle> {
         let mechanism = self.mechanism();
         let carriers = mechanism.point(joint).links.iter();
@@ -80,13 +80,13 @@ impl ScriptPlacement<'_> {
         Some(JointCircle { centre, radius })
     }
 
-    /// Where the driven pin lies in the frame of its arm.
+    /// Returns the place of the driven pin in the frame of its arm.
     fn driven_arm(&self, id: SlideId) -> ScriptTerm {
         let q = self.coordinate(Input::Push(id));
         self.through(id).plus(self.along(id).times(q))
     }
 
-    /// The known lines that a joint lies on.
+    /// Returns the known lines that contain a joint.
     fn lines_of(&self, joint: PointId) -> Vec<JointLine> {
         let ids = self.mechanism().slide_ids();
         ids.filter_map(|id| self.line_of(joint, id)).collect()
@@ -114,7 +114,7 @@ impl ScriptPlacement<'_> {
             let through = self.on_body(slide.on, self.through(id))?;
             return Some(line(through.plus(offset)));
         }
-        // The guide comes along with the joint, over a point that is known.
+        // The guide moves with the joint, over a known point.
         let Body::Link(yoke) = slide.on else {
             return None;
         };
@@ -166,7 +166,8 @@ impl ScriptPlacement<'_> {
         self.put(joint, ScriptTerm::of(call));
     }
 
-    /// An arm about a known point that slides over a known pin, or whose driven pin has been placed.
+    /// Places an arm about a known point that slides over a known pin, or whose driven pin is
+    /// placed.
     fn close_arm(&mut self, arm: LinkId) -> bool {
         let Some(pivot) = self.known_member(arm).filter(|_| !self.is_aimed(arm)) else {
             return false;
@@ -201,7 +202,7 @@ impl ScriptPlacement<'_> {
         ScriptTerm::of(format!("swing({seen}, {offset}, {side})")).over(self.along(id))
     }
 
-    /// The side that a group lies on, as a script tells it.
+    /// Returns the side of a group as an expression of the script.
     fn side(&self, figure: impl Fn(Known<'_>) -> f64) -> String {
         let course = SideCourse::of(self.solver, figure);
         let signs = course.signs();

@@ -1,4 +1,4 @@
-//! Best designs against closed formulas, written out here.
+//! Tests optimization against closed formulas, which are written out here.
 
 use super::tests::{axes, figures, goals, space};
 use super::{BestDesign, OptimiseOrder};
@@ -69,8 +69,9 @@ fn stopped_search_gives_the_best_so_far() {
     }
 }
 
-/// The swing of the rocker of a crank-rocker, and its transmission angle that is furthest from 90 deg, by the law of
-/// cosines: at the dead centres crank and coupler are in line, the angle is furthest where crank and frame are.
+/// Returns the swing of a crank-rocker, and its transmission angle furthest from 90 deg, by the law
+/// of cosines. At the dead centres crank and coupler are in line; the angle is furthest when crank
+/// and frame are in line.
 fn swing_and_transmission([r2, r3, r4, r1]: [f64; 4]) -> (f64, f64) {
     let at = |opposite: f64, a: f64, b: f64| {
         let cos = (a * a + b * b - opposite * opposite) / (2.0 * a * b);

@@ -1,4 +1,4 @@
-//! Figures of the cycle of many designs.
+//! Computes cycle figures of many designs.
 
 use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
@@ -8,36 +8,40 @@ use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
 
-/// Finds figures of the cycle of one design after the other: in place where a design differs in lengths alone and its
-/// driver turns fully, far from any limit; otherwise it is opened as any scene is.
+/// Computes cycle figures of one design after another. A design is changed in place if it differs
+/// in lengths alone, and if its driver turns fully and far from any limit. Any other design is
+/// opened like any scene.
 #[derive(Clone, Debug)]
 pub struct DesignFigures {
     space: DesignSpace,
     figures: CycleFigures,
     seams: FigureSeams,
     names: Vec<String>,
-    /// Whether a figure is made of others by a formula, which may have the numbers of a design in it.
+    /// `true` if a formula derives a figure from others; the formula may contain a design's
+    /// numbers.
     has_formulas: bool,
     quick: Option<QuickDesigns>,
 }
 
-/// Lengths that are changed in place.
+/// Lengths that can be changed in place.
 #[derive(Clone, Debug)]
 struct QuickDesigns {
     lengths: Vec<Length>,
     varied: Varied,
-    /// For each value that varies the length that it is, where every one is a length of the mechanism and nothing
-    /// else follows from it: then the text need not be read.
+    /// For each variable value the index of its length. `None` if a value is not a length, or if
+    /// other quantities depend on it. If present, the text need not be parsed.
     plain: Option<Vec<usize>>,
 }
 
-/// By which part of itself, and at least, a value is changed to see what follows from it.
+/// The relative change of a value that shows which quantities depend on it; absolute for values
+/// below 1.
 const PROBE: f64 = 1.0 / 64.0;
-/// What is left of the change may be off by this part of it: rounding.
+/// Tolerance for the change found, relative to the change made: rounding error.
 const SAME: f64 = 1e-9;
 
 impl DesignFigures {
-    /// Of figures of the scene that a space is of; `dwell` is the tolerance of dwells.
+    /// Creates an evaluator for figures of the scene of a design space; `dwell` is the tolerance of
+    /// dwells.
     #[must_use]
     pub fn new(
         space: &DesignSpace,
@@ -61,22 +65,23 @@ impl DesignFigures {
         }
     }
 
-    /// The figures, in their order.
+    /// Returns the figures, in their order.
     #[must_use]
     pub fn figures(&self) -> &[CycleFigure] {
         self.figures.figures()
     }
 
-    /// The space whose designs they are of.
+    /// Returns the space of the designs.
     #[must_use]
     pub fn space(&self) -> &DesignSpace {
         &self.space
     }
 
-    /// The figures of the design with these numbers, each or why there is none.
+    /// Computes the figures of the design with these numbers; each is a value, or the reason for
+    /// its absence.
     ///
     /// # Errors
-    /// Where there is no such design.
+    /// Returns an error if there is no such design.
     pub fn of(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
         if let Some(found) = self.quickly(numbers) {
             return Ok(found);
@@ -85,18 +90,19 @@ impl DesignFigures {
         Ok(self.of_design(&design))
     }
 
-    /// The same beside those of other designs: directions, and places in a motion that comes round, are counted from
-    /// those of the given one, so that they do not jump by a turn from design to design.
+    /// Computes the figures of a design for a comparison with other designs. Directions, and places
+    /// in a cyclic motion, are counted from those of the given design, so that they do not jump by
+    /// a turn between designs.
     ///
     /// # Errors
-    /// Where there is no such design.
+    /// Returns an error if there is no such design.
     pub fn in_row(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
         let mut found = self.of(numbers)?;
         self.seams.count(&mut found);
         Ok(found)
     }
 
-    /// The figures of a design that has been opened.
+    /// Computes the figures of an opened design.
     #[must_use]
     pub fn of_design(&self, design: &Design) -> Vec<Result<f64, NoFigure>> {
         self.of_solver(&design.scene, &design.solver)
@@ -113,7 +119,8 @@ impl DesignFigures {
             .map(|name| CycleFigure::parse(name, &catalogue));
         match again.collect::<Result<Vec<_>, _>>() {
             Ok(figures) => self.figures.again(figures).of(solver),
-            // The names were read once before, of a scene of the same names.
+            // Unreachable in practice: the names were parsed before, for a scene with the same
+            // names.
             Err(_) => self.figures.of(solver),
         }
     }
@@ -122,7 +129,8 @@ impl DesignFigures {
         &self.figures
     }
 
-    /// The solver of a design that is changed in place and whose numbers are lengths, and which each of them is.
+    /// Returns the solver of a design changed in place and the length of each number; `None` if the
+    /// design cannot be changed in place.
     pub(super) fn in_place(&mut self, numbers: &[f64]) -> Option<(Solver, Vec<Length>)> {
         let quick = self.quick.as_mut().filter(|_| !self.has_formulas)?;
         let plain = quick.plain.as_ref()?;
@@ -146,7 +154,8 @@ impl DesignFigures {
     }
 }
 
-/// The mechanism with these numbers for its lengths; `None` of a length that the text would be refused for.
+/// Returns the mechanism with these numbers as its lengths; `None` if a length would be rejected in
+/// the text.
 fn plainly_changed(
     space: &DesignSpace,
     plain: &[usize],
@@ -186,7 +195,8 @@ impl QuickDesigns {
     }
 }
 
-/// Which of the lengths a value is, if it is one and no more: found by changing it.
+/// Returns the index of the length that a value sets; `None` if it sets none or more than that.
+/// Determined by changing the value.
 fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<usize> {
     let is_plain =
         value.formula.is_none() && matches!(value.measure, Measure::Length | Measure::Coordinate);

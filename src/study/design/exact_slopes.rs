@@ -1,16 +1,17 @@
-//! Derivatives of figures of the cycle without differences.
+//! Derivatives of cycle figures without differences.
 //!
-//! A stroke is the figure at one place less that at another. To first order these places may stay where they are while
-//! lengths change: there the figure turns, so that moving along does nothing (the envelope theorem). So its derivative is
-//! that of the figure at these places, which the solver's own formulas give in dual numbers.
+//! A stroke is the difference of a quantity at two places. To first order these places may be kept
+//! fixed while lengths change: the quantity is stationary there, so moving the place has no effect
+//! (the envelope theorem). The derivative is therefore that of the quantity at fixed places, which
+//! the solver's own formulas give in dual numbers.
 
 use super::DesignFigures;
 use crate::quantity::Sensitivity;
 
 impl DesignFigures {
-    /// Figure by figure the derivatives by the numbers that vary. `None` where not every figure has them: where a design
-    /// is not changed in place, or where one is no difference of a column at some places, as a time ratio or a
-    /// transmission angle.
+    /// Returns the derivatives of each figure by the variable numbers. Returns `None` if a design
+    /// is not changed in place, or if a figure has another form than a difference of a column at
+    /// some places. Examples are a time ratio and a transmission angle.
     pub(super) fn exact_slopes(&mut self, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
         let (solver, lengths) = self.in_place(numbers)?;
         let figures = self.cycle_figures();

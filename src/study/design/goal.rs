@@ -1,4 +1,4 @@
-//! What a figure of the cycle is to be: `F.stroke = 120`, `transmission >= 40`.
+//! Goals for cycle figures: `F.stroke = 120`, `transmission >= 40`.
 
 use crate::expression::converted;
 use crate::quantity::Catalogue;
@@ -6,19 +6,19 @@ use crate::study::{CycleFigure, UnknownCycleFigure};
 use crate::wording::words;
 use thiserror::Error;
 
-/// How a figure is held against a number.
+/// The comparison of a figure with a goal's number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoalSense {
-    /// It is to be that.
+    /// The figure must equal the number.
     Equal,
-    /// It is not to be less.
+    /// The figure must be at least the number.
     AtLeast,
-    /// It is not to be more.
+    /// The figure must be at most the number.
     AtMost,
 }
 
 impl GoalSense {
-    /// As it is written.
+    /// Returns the sign as it is written.
     #[must_use]
     pub fn sign(self) -> &'static str {
         match self {
@@ -29,46 +29,46 @@ impl GoalSense {
     }
 }
 
-/// A figure of the cycle, and what it is to be.
+/// A goal: a cycle figure, a comparison and a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The figure.
     pub figure: CycleFigure,
-    /// How it is held against the number.
+    /// The comparison.
     pub sense: GoalSense,
     /// The number, in the figure's unit.
     pub number: f64,
-    /// By what a miss is measured: the size of the number, or of what the figure has to be changed by.
+    /// The scale of misses: the larger of the number and the required change of the figure.
     size: f64,
 }
 
-/// What is no goal.
+/// An error in the text of a goal.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MistypedGoal {
-    /// It is not a figure, a sign and a number.
+    /// The text is not a figure, a sign and a number.
     #[error("{}", words().no_goal(.0))]
     Form(String),
-    /// Its figure is none.
+    /// The figure does not exist.
     #[error(transparent)]
     Figure(#[from] UnknownCycleFigure),
-    /// The unit behind the number measures something else.
+    /// The unit after the number measures another quantity.
     #[error("{}", words().unit_of_goal(figure, unit, found))]
     Unit {
         /// The figure.
         figure: String,
-        /// Its unit.
+        /// The figure's unit.
         unit: String,
-        /// What was written.
+        /// The unit in the text.
         found: String,
     },
 }
 
 impl Goal {
-    /// Reads a goal; the number may have a unit behind it, and is told in the figure's.
+    /// Parses a goal. The number may have a unit and is converted to the figure's unit.
     ///
     /// # Errors
-    /// What is no goal, and what would be one.
+    /// Returns an error if the text is not a goal.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<Goal, MistypedGoal> {
         let senses = [GoalSense::AtLeast, GoalSense::AtMost, GoalSense::Equal];
         let found = senses.into_iter().find_map(|sense| {
@@ -107,7 +107,8 @@ impl Goal {
         })
     }
 
-    /// The same, where the figure has this value as it was given.
+    /// Returns the goal with misses scaled for a figure that has the value `given` in the given
+    /// design.
     #[must_use]
     pub fn from(self, given: Option<f64>) -> Goal {
         let way = given.map_or(0.0, |given| self.over(given).abs());
@@ -118,8 +119,8 @@ impl Goal {
         }
     }
 
-    /// By how much a value is more than the number: the short way to what a direction or a place in a turn is to be
-    /// equal to. What it is to be more or less than it is compared with as both are told.
+    /// Returns the excess of a value over the number. For equality with a direction or a place in a
+    /// turn it is the shorter difference. Inequalities compare the values as they are shown.
     fn over(&self, value: f64) -> f64 {
         match self.sense == GoalSense::Equal && self.figure.is_round() {
             true => crate::angle::beside(0.0, value - self.number),
@@ -127,13 +128,13 @@ impl Goal {
         }
     }
 
-    /// By how much a value misses it, in parts of its size.
+    /// Returns the miss of a value, relative to the goal's size.
     #[must_use]
     pub fn part(&self, value: f64) -> f64 {
         self.miss(value) / self.size
     }
 
-    /// The derivative of [`Goal::part`] where the figure has this value and this derivative.
+    /// Returns the derivative of [`Goal::part`] for a figure with this value and derivative.
     pub(super) fn slope_of_part(&self, value: f64, slope: f64) -> f64 {
         match self.sense == GoalSense::Equal || self.miss(value) != 0.0 {
             true => slope / self.size,
@@ -141,7 +142,7 @@ impl Goal {
         }
     }
 
-    /// The derivative of [`Goal::slack`] where the figure has this derivative.
+    /// Returns the derivative of [`Goal::slack`] for a figure with this derivative.
     pub(super) fn slope_of_slack(&self, slope: f64) -> f64 {
         match self.sense {
             GoalSense::Equal | GoalSense::AtLeast => slope / self.size,
@@ -149,8 +150,8 @@ impl Goal {
         }
     }
 
-    /// What a value leaves, in parts of the goal's size: of what it is not to be less or more than how far it is on the
-    /// good side, below nought where it is missed; of what it is to be equal to how much it is more.
+    /// Returns the slack of a value, relative to the goal's size. For an inequality it is positive
+    /// if the goal is met and negative if it is missed; for an equality it is the excess.
     pub(super) fn slack(&self, value: f64) -> f64 {
         let over = self.over(value) / self.size;
         match self.sense {
@@ -159,7 +160,7 @@ impl Goal {
         }
     }
 
-    /// By how much a value misses it, with its sign; 0 where it is met.
+    /// Returns the signed miss of a value; 0 if it meets the goal.
     #[must_use]
     pub fn miss(&self, value: f64) -> f64 {
         let over = self.over(value);
@@ -170,12 +171,12 @@ impl Goal {
         }
     }
 
-    /// Whether a value meets it, as far as rounding tells.
+    /// Returns `true` if a value meets the goal up to rounding error.
     #[must_use]
     pub fn is_met(&self, value: f64) -> bool {
         self.miss(value).abs() <= MET * self.size
     }
 }
 
-/// What meets a goal may be off by this part of it.
+/// Tolerance for meeting a goal, relative to its size.
 const MET: f64 = 1e-9;

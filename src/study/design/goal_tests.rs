@@ -1,4 +1,4 @@
-//! Searches for goals against closed formulas, written out here.
+//! Tests searches for goals against closed formulas, which are written out here.
 
 use super::tests::{axes, figures, goals, space, stroke};
 use super::{GoalSearch, PlanAxis, SearchOutcome};

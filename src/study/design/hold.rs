@@ -1,49 +1,50 @@
-//! What holds a design where its figure falls: constraints with nothing left, and ends, each by its multiplier.
+//! The active constraints and bounds of a design, with their Lagrange multipliers.
 
 use super::GoalSense;
 use super::judge::{DesignSlopes, Judge, JudgedDesign, is_finite};
 use nalgebra::{DMatrix, DVector};
 
-/// A constraint with so little left, in parts of its size, holds the design.
+/// The slack below which a constraint counts as active, relative to its size.
 const HELD: f64 = 1e-7;
-/// What differences to both sides leave of a slope that is nought, in parts of it or of the figure.
+/// The relative size below which a slope counts as zero: the error of two-sided differences,
+/// relative to the slope or to the figure.
 const FLAT: f64 = 1e-6;
-/// A singular value that is so small a part of the greatest is none.
+/// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-9;
 
-/// What may hold a design: constraints with nothing left, and ends.
+/// The constraints and bounds that may be active at a design.
 #[derive(Clone, Debug)]
 pub(super) struct Holds {
     all: Vec<MayHold>,
-    /// How many numbers a design has.
+    /// Number of a design's variables.
     count: usize,
 }
 
 #[derive(Clone, Debug)]
 struct MayHold {
-    /// Which constraint it is, if it is one.
+    /// The index of the constraint; `None` for a bound.
     row: Option<usize>,
-    /// The slope of what is left of it.
+    /// The slope of its slack.
     normal: DVector<f64>,
-    /// Whether it holds to one side alone.
+    /// `true` for an inequality.
     is_one_sided: bool,
 }
 
-/// What holds a design where its figure falls.
+/// The active constraints and bounds at a design.
 #[derive(Clone, Debug)]
 pub(super) struct DesignHold {
-    /// Constraints.
+    /// The indices of the active constraints.
     pub(super) rows: Vec<usize>,
-    /// The slopes of what holds it, a row each: these constraints, then the ends.
+    /// The normals of the active constraints, then of the active bounds, one per row.
     pub(super) normals: DMatrix<f64>,
-    /// By how much of each the slope of the figure is held.
+    /// The multipliers that combine the normals to the figure's slope.
     multipliers: DVector<f64>,
-    /// What is left of that slope.
+    /// The rest of the slope, which the normals do not balance.
     pub(super) free: DVector<f64>,
 }
 
 impl Holds {
-    /// At a design.
+    /// Finds the constraints and bounds without slack at a design.
     pub(super) fn at(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> Holds {
         let mut all = Vec::new();
         for (i, goal) in judge.constraints.iter().enumerate() {
@@ -69,7 +70,7 @@ impl Holds {
             all.push(MayHold {
                 row: None,
                 normal,
-                // Ends that are one hold to both sides.
+                // Equal bounds act in both directions.
                 is_one_sided: low < high,
             });
         }
@@ -79,12 +80,12 @@ impl Holds {
         }
     }
 
-    /// Their slopes, a row each.
+    /// Returns the normals, one per row.
     pub(super) fn normals(&self) -> DMatrix<f64> {
         DMatrix::from_fn(self.all.len(), self.count, |row, i| self.all[row].normal[i])
     }
 
-    /// Whether multipliers hold a design, and none would let it go.
+    /// Returns `true` if no multiplier of an inequality is negative, up to tolerance.
     pub(super) fn keep(&self, multipliers: &DVector<f64>) -> bool {
         let size = multipliers
             .iter()
@@ -95,7 +96,8 @@ impl Holds {
 }
 
 impl DesignHold {
-    /// What holds a design where its figure falls: what would let it go is left out, one after the other.
+    /// Finds the active set: inequalities with negative multipliers are removed one after another,
+    /// the most negative first.
     pub(super) fn of(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> DesignHold {
         let mut holds = Holds::at(judge, here, slopes);
         loop {
@@ -126,7 +128,7 @@ impl DesignHold {
         self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
     }
 
-    /// The slope of the figure less what holds it, by the multipliers of another place.
+    /// Returns the gradient of the Lagrangian elsewhere, with the multipliers of this design.
     pub(super) fn lagrangian(&self, slopes: &DesignSlopes) -> DVector<f64> {
         let mut slope = slopes.value.clone();
         for (&row, by) in self.rows.iter().zip(self.multipliers.iter()) {
@@ -136,7 +138,7 @@ impl DesignHold {
     }
 }
 
-/// The multipliers with which normals hold a slope best, one for each; nought where normals are no numbers.
+/// Returns the least-squares multipliers of normals for a slope; zeros if a normal is not finite.
 pub(super) fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
     if normals.nrows() == 0 || !is_finite(normals) {
         return DVector::zeros(normals.nrows());

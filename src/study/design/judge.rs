@@ -1,54 +1,58 @@
-//! How good a design is that is to be the best, and the shortest way from a design onto what is to be equal.
+//! Evaluates designs in an optimization, and projects designs onto constraints.
 
 use super::{DesignFigures, Goal, GoalSense, PlanAxis};
 use nalgebra::{DMatrix, DVector};
 
-/// Differences by which derivatives are taken, as a part of the way between the ends.
+/// Step of differences for derivatives, relative to the range between the bounds.
 pub(super) const DIFFERENCE: f64 = 1e-5;
-/// Steps onto the constraints, and how often one is halved that does not come nearer.
+/// Number of Newton steps onto the constraints, and maximum halvings of a step that does not
+/// improve.
 const STEPS: usize = 12;
 const HALVINGS: u32 = 6;
-/// What is left of a constraint, in parts of its size, is rounding.
+/// The slack below which a constraint is met up to rounding error, relative to its size.
 const NOUGHT: f64 = 1e-13;
-/// A singular value that is so small a part of the greatest is none.
+/// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-9;
 
-/// How good a design is: less is better, what it misses first. Infinite where there is none.
+/// The score of a design, smaller is better: its total miss, then its value. Infinite without a
+/// design.
 pub(super) type Worth = (f64, f64);
 
 pub(super) const NONE: Worth = (f64::INFINITY, f64::INFINITY);
 
-/// Judges designs: the first of the figures is to be the best, the others are those of the constraints.
+/// Evaluates designs. The first figure is optimized, the others belong to the constraints.
 #[derive(Clone, Debug)]
 pub(super) struct Judge {
     pub(super) figures: DesignFigures,
     pub(super) constraints: Vec<Goal>,
-    /// Between which each number may be.
+    /// The bounds of each number.
     pub(super) ends: Vec<[f64; 2]>,
     pub(super) greatest: bool,
 }
 
-/// What a design is judged by.
+/// The evaluation of a design.
 #[derive(Clone, Debug)]
 pub(super) struct JudgedDesign {
     pub(super) numbers: Vec<f64>,
-    /// The figure that is to be the best, so that less is better.
+    /// The value to minimize: the figure, or its negative for a maximum.
     pub(super) value: f64,
-    /// What each constraint leaves: see [`Goal::slack`].
+    /// The slack of each constraint; see [`Goal::slack`].
     pub(super) slacks: DVector<f64>,
     pub(super) worth: Worth,
 }
 
-/// The derivatives of what a design is judged by, by its numbers in parts of the way between their ends.
+/// The derivatives of a design's evaluation by its numbers, each relative to the range between its
+/// bounds.
 #[derive(Clone, Debug)]
 pub(super) struct DesignSlopes {
     pub(super) value: DVector<f64>,
-    /// A row for each constraint.
+    /// One row per constraint.
     pub(super) slacks: DMatrix<f64>,
 }
 
 impl Judge {
-    /// Of designs between the ends of axes; each constraint is measured by what it has to be changed by.
+    /// Creates an evaluator of designs between the axes' bounds. The misses of each constraint are
+    /// scaled by the required change.
     pub(super) fn new(
         figures: &DesignFigures,
         constraints: &[Goal],
@@ -73,7 +77,7 @@ impl Judge {
         }
     }
 
-    /// Judges a design; `None` where it is none, or lacks a figure.
+    /// Evaluates a design; `None` if there is no such design, or if a figure is missing.
     pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
         let found = self.figures.of(&numbers).ok()?;
         let (value, kept) = found.split_first()?;
@@ -95,7 +99,8 @@ impl Judge {
         })
     }
 
-    /// A design brought onto what is to be equal, as far as that goes, and how good it is.
+    /// Projects a design onto the equality constraints as far as possible; returns it with its
+    /// score.
     pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, Worth) {
         match self.judge(numbers.clone()) {
             Some(design) => {
@@ -106,8 +111,8 @@ impl Judge {
         }
     }
 
-    /// Brings a design onto what is to be equal, by Newton's steps, each the shortest that there is between the ends; with
-    /// `held` also onto these of the other constraints, and onto those that it misses.
+    /// Projects a design onto the equality constraints by Newton steps, each the shortest possible
+    /// within the bounds. With `held`, these inequalities and the missed ones are included.
     pub(super) fn onto(
         &mut self,
         mut design: JudgedDesign,
@@ -135,7 +140,7 @@ impl Judge {
         design
     }
 
-    /// The constraints onto which a design is brought.
+    /// Returns the constraints that a design is projected onto.
     fn missed_by(&self, design: &JudgedDesign, held: Option<&[usize]>) -> Vec<usize> {
         let all = self.constraints.iter().enumerate();
         let is_missed = |i: usize, goal: &Goal| {
@@ -146,7 +151,8 @@ impl Judge {
         missed.map(|(i, _)| i).collect()
     }
 
-    /// The shortest step that makes some slacks nought, of numbers that it does not lead beyond their ends.
+    /// Returns the shortest step that makes some slacks zero, without the numbers that it would
+    /// move out of their bounds.
     fn way_onto(
         &self,
         design: &JudgedDesign,
@@ -184,7 +190,7 @@ impl Judge {
         }
     }
 
-    /// Numbers moved by parts of the way between their ends, and not beyond these.
+    /// Returns the numbers moved by fractions of their ranges, limited to the bounds.
     pub(super) fn moved(&self, numbers: &[f64], way: &DVector<f64>) -> Vec<f64> {
         let moved = numbers.iter().zip(&self.ends).zip(way.iter());
         let moved = moved.map(|((v, &[low, high]), way)| (v + way * (high - low)).clamp(low, high));
@@ -205,8 +211,9 @@ impl Judge {
         })
     }
 
-    /// The derivatives at a design: the solver's own where every figure has them, else by differences of this part of the way between the ends: to both sides or, where that
-    /// is enough, to one.
+    /// Returns the derivatives at a design: the solver's own if every figure has them, or else
+    /// differences with steps of `part` of the range. The differences are two-sided with `to_both`,
+    /// or else one-sided if possible.
     pub(super) fn slopes(
         &mut self,
         design: &JudgedDesign,
@@ -245,7 +252,7 @@ impl Judge {
                 (None, None) => return None,
             };
             let by = (to.numbers[i] - from.numbers[i]) / size;
-            // Ends that are so near to each other leave nothing to vary.
+            // Bounds this close leave nothing to vary.
             if by == 0.0 {
                 continue;
             }
@@ -258,12 +265,13 @@ impl Judge {
     }
 }
 
-/// Whether singular values can be found: of what is not finite they never are.
+/// Returns `true` if all elements are finite. The singular value decomposition never ends for other
+/// matrices.
 pub(super) fn is_finite(matrix: &DMatrix<f64>) -> bool {
     matrix.iter().all(|v| v.is_finite())
 }
 
-/// By how much some constraints are off nought, all together.
+/// Returns the norm of some constraints' slacks.
 fn norm(design: &JudgedDesign, rows: &[usize]) -> f64 {
     let squares = rows.iter().map(|&i| design.slacks[i].powi(2));
     squares.sum::<f64>().sqrt()

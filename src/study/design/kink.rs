@@ -1,31 +1,35 @@
-//! A design at a kink of the figure that is to be the best, as the least of several angles has it where two of them are
-//! equal: there the figure has no slope. It is the best around where nought lies among the slopes from all sides and what
-//! lies between them (Goldstein's condition, with the slopes that are taken by Burke, Lewis and Overton's sampling).
+//! Optimality at a kink of the optimized figure, such as the minimum of several angles where two
+//! are equal; the figure has no slope there. A design is a local optimum if zero lies in the convex
+//! hull of the slopes from all sides. This is Goldstein's condition, with the gradient sampling of
+//! Burke, Lewis and Overton.
 
 use super::hold::{Holds, multipliers};
 use super::judge::{Judge, JudgedDesign};
 use nalgebra::{DMatrix, DVector};
 
-/// Differences, in parts of how far beside the design slopes are taken: none shall reach over the kink.
+/// Step of differences, relative to the distance at which slopes are sampled, so that none crosses
+/// the kink.
 const DIFFERENCE: f64 = 0.1;
-/// What is left of the slopes where nought lies between them, in parts of the greatest: they bend on the way beside.
+/// The relative length below which the shortest convex combination of slopes counts as zero; slopes
+/// vary over the sampling distance.
 const FLAT: f64 = 1e-3;
-/// Steps to the shortest of all slopes between those that were taken.
+/// Maximum steps towards the shortest convex combination.
 const STEPS: usize = 4000;
 
-/// What the slopes from all sides say.
+/// The result of sampling slopes from all sides.
 #[derive(Clone, Debug)]
 pub(super) enum KinkLook {
-    /// No small step betters the design.
+    /// No small step improves the design.
     Lowest,
-    /// It is bettered this way, as far as slopes tell.
+    /// This direction improves the design, to first order.
     Down(DVector<f64>),
-    /// They do not tell.
+    /// The slopes do not decide.
     Open,
 }
 
 impl KinkLook {
-    /// Looks at the slopes so far beside a design that keeps the constraints, in parts of the way between the ends.
+    /// Samples slopes around a design that satisfies the constraints, at a given distance relative
+    /// to the ranges.
     pub(super) fn at(judge: &mut Judge, here: &JudgedDesign, beside: f64) -> KinkLook {
         let part = DIFFERENCE * beside;
         let Some(own) = judge.slopes(here, part, true) else {
@@ -66,8 +70,8 @@ impl KinkLook {
     }
 }
 
-/// The shortest of all that lies between some slopes, and the parts that each has in it (Frank and Wolfe's method, with
-/// steps from the worst of those that take part to the best of all).
+/// Returns the shortest convex combination of some slopes and its coefficients. Uses the
+/// Frank-Wolfe method with pairwise steps from the worst active slope to the best one.
 fn shortest_between(slopes: &[DVector<f64>]) -> (DVector<f64>, Vec<f64>) {
     let mut parts = vec![1.0 / slopes.len().max(1) as f64; slopes.len()];
     let size = slopes.first().map_or(0, DVector::len);

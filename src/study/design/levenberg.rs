@@ -1,28 +1,30 @@
-//! The method of Levenberg and Marquardt: from one start to numbers that miss the goals least.
+//! The Levenberg-Marquardt method: from one start to numbers with minimum misses.
 //!
-//! Residuals are the goals' misses in parts of their size, those of `>=` and `<=` nought where they are met. The
-//! derivatives are the solver's own where figures are columns at some places; of others they are differences of figures that are good to their last digits: a step of a hundred-thousandth leaves
-//! them eight digits, with which the last steps are Newton's. A step is damped, so that of many solutions the one near to
-//! its start is found.
+//! Residuals are the goals' misses relative to their sizes; those of met inequalities are zero.
+//! Derivatives are the solver's own if figures are columns at some places. The others are
+//! differences of figures that are accurate to their last digits. Steps of 1e-5 leave eight digits,
+//! enough for Newton's convergence in the last steps. Damping keeps each step short, so that the
+//! search finds a solution near its start.
 
 use super::judge::is_finite;
 use super::{GoalSearch, GoalSense};
 use crate::study::NoFigure;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of one search at the most.
+/// Maximum number of steps of a search.
 const STEPS: usize = 80;
-/// Differences by which derivatives are taken, as a part of a number's size.
+/// Step of differences for derivatives, relative to a number's size.
 const DIFFERENCE: f64 = 1e-5;
-/// Damping to begin with, by what it grows and shrinks, and beyond which a search is given up.
+/// Initial damping, its growth and shrinking factors, and the damping at which a search ends.
 const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 8.0;
 const SHRINKING: f64 = 0.2;
 const MOST_DAMPING: f64 = 1e12;
-/// A singular value that is so small a part of the greatest is none: differences leave more digits than that.
+/// The relative size below which a singular value counts as zero; differences are more accurate
+/// than that.
 const RANK: f64 = 1e-6;
 
-/// A place of a search.
+/// A point of a search.
 pub(super) struct Place {
     pub(super) numbers: Vec<f64>,
     pub(super) misses: DVector<f64>,
@@ -44,13 +46,13 @@ impl GoalSearch {
         self.misses_of(&figures)
     }
 
-    /// What numbers miss; `None` where they are no design, or lack a figure.
+    /// Evaluates numbers; `None` if they are not a design, or lack a figure.
     pub(super) fn place(&mut self, numbers: Vec<f64>) -> Option<Place> {
         let misses = self.misses(&numbers)?;
         Some(Place { numbers, misses })
     }
 
-    /// From one start, to where no step is better.
+    /// Searches from a start until no step improves.
     pub(super) fn search(&mut self, start: Vec<f64>) -> Option<Place> {
         let mut place = self.place(start)?;
         let mut damping = DAMPING;
@@ -73,7 +75,7 @@ impl GoalSearch {
         Some(place)
     }
 
-    /// A step that is better, with as much damping as that takes.
+    /// Returns an improving step, increasing the damping as necessary.
     fn step(&mut self, place: &Place, slopes: &DMatrix<f64>, damping: &mut f64) -> Option<Place> {
         let square = slopes.tr_mul(slopes);
         let pull = slopes.tr_mul(&place.misses);
@@ -104,8 +106,8 @@ impl GoalSearch {
         }
     }
 
-    /// The derivatives of the misses by the numbers in parts of their sizes: by the solver's own where every figure has
-    /// them, else by differences.
+    /// Returns the derivatives of the misses by the numbers relative to their sizes: the solver's
+    /// own if every figure has them, or else differences.
     pub(super) fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
         self.exact_ones(place).or_else(|| self.differences(place))
     }
@@ -142,8 +144,8 @@ impl GoalSearch {
         Some(DMatrix::from_columns(&columns?))
     }
 
-    /// How many numbers are left free around a place: those less the goals to be equal that are met by themselves, told
-    /// by the rank of their derivatives.
+    /// Returns the number of degrees of freedom around a point: the numbers minus the rank of the
+    /// equality goals' derivatives.
     pub(super) fn freedoms(&mut self, place: &Place) -> usize {
         let count = place.numbers.len();
         let equal = self.goals.iter().enumerate();

@@ -1,9 +1,10 @@
-//! Designs: a scene with other numbers, opened in the assembly that the scene means.
+//! Designs: a scene with other numbers, opened in the scene's assembly.
 //!
-//! A [`DesignSpace`] has some values of a scene that vary; [`DesignSpace::open`] writes other numbers into the text,
-//! reads it as any scene is read, and opens it. So a design is what anybody gets who types these numbers, what follows
-//! from them by formulas too, but for one thing: where the text would open in another assembly than the scene's own,
-//! the assembly is kept, and where that cannot be the design says so. It never changes assembly silently.
+//! A [`DesignSpace`] has some variable values of a scene. [`DesignSpace::open`] writes other
+//! numbers into the text, parses it as any scene, and opens it. A design therefore equals the scene
+//! of a user who types these numbers, including all values derived by formulas. There is one
+//! exception: if the text would open in another assembly than the original scene, the assembly is
+//! kept. If that is impossible, the design is an error; the assembly never changes silently.
 //!
 //! ```text
 //! plan       which designs: a grid, or a Latin hypercube, each by its number
@@ -62,23 +63,24 @@ pub struct DesignSpace {
 pub struct Design {
     /// The scene, as it would be saved.
     pub scene: Scene,
-    /// Its solver, in the assembly that the scene means that it was made from.
+    /// The solver, in the assembly of the original scene.
     pub solver: Solver,
-    /// Whether its text alone would open in another assembly.
+    /// `true` if the text alone would open in another assembly.
     pub is_held: bool,
 }
 
-/// Why a design cannot be opened.
+/// The reason why a design cannot be opened.
 #[derive(Clone, Debug)]
 pub enum NoDesign {
-    /// Its numbers make no scene.
+    /// The numbers do not give a valid scene.
     Unread(Box<Diagnostics>),
-    /// It does not assemble as the scene does; the scene says it in words.
+    /// The design does not assemble as the original scene does; the scene explains the fault in
+    /// words.
     Unsolved(Box<Scene>, Box<Fault>),
 }
 
 impl DesignSpace {
-    /// Of a scene and its solver; `values` are among [`Scene::values`].
+    /// Creates a space from a scene and its solver; `values` are among [`Scene::values`].
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, values: Vec<Value>) -> DesignSpace {
         DesignSpace {
@@ -88,10 +90,10 @@ impl DesignSpace {
         }
     }
 
-    /// Of the values that axes name.
+    /// Creates a space of the values named by axes.
     ///
     /// # Errors
-    /// In words: one has no such value, or the value of another one.
+    /// Returns a message if there is no such value, or if two axes name one value.
     pub fn of_axes(
         scene: &Scene,
         solver: &Solver,
@@ -108,31 +110,31 @@ impl DesignSpace {
         Ok(DesignSpace::new(scene, solver, values))
     }
 
-    /// The scene as it was given.
+    /// Returns the given scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// Its solver.
+    /// Returns the given scene's solver.
     #[must_use]
     pub fn solver(&self) -> &Solver {
         &self.solver
     }
 
-    /// The values that vary.
+    /// Returns the values that vary.
     #[must_use]
     pub fn values(&self) -> &[Value] {
         &self.values
     }
 
-    /// Their numbers as they were given.
+    /// Returns the values' given numbers.
     #[must_use]
     pub fn given(&self) -> Vec<f64> {
         self.values.iter().map(|value| value.number).collect()
     }
 
-    /// The text of the scene with other numbers.
+    /// Returns the scene's text with other numbers.
     #[must_use]
     pub fn text(&self, numbers: &[f64]) -> String {
         let pairs = self.values.iter().zip(numbers);
@@ -142,10 +144,11 @@ impl DesignSpace {
         self.scene.with_values(&texts)
     }
 
-    /// The design of these numbers.
+    /// Opens the design with these numbers.
     ///
     /// # Errors
-    /// Where they make no scene, or one that does not assemble as this one does.
+    /// Returns an error if the numbers do not give a valid scene, or if the new scene does not
+    /// assemble as the given one does.
     pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
         let text = self.text(numbers);
         let scene = Scene::parse(&text, self.scene.origin())
@@ -161,7 +164,8 @@ impl DesignSpace {
         }
     }
 
-    /// Where to look for the assembly: where the design opens, if the scene gets there, else where that opens.
+    /// Returns the driver coordinate at which the assembly is compared: the design's start if the
+    /// given scene reaches it, or else the given scene's start.
     fn seen_at(&self, scene: &Scene) -> f64 {
         let [there, here] = [scene, &self.scene].map(|scene| scene.mechanism.driver().start);
         let mut state = self.solver.state();
@@ -172,8 +176,9 @@ impl DesignSpace {
 }
 
 impl Design {
-    /// Whether its motion is of the same kind as that of another solver: both come round after as long, or both end,
-    /// and at the same ends of the same limits.
+    /// Returns `true` if the motion is of the same kind as that of another solver. Both must have
+    /// the same period, or both must have limits. Both must also stop at the same ends of the same
+    /// limits.
     #[must_use]
     pub fn moves_like(&self, other: &Solver) -> bool {
         let stops = |motion: &Motion| {
@@ -192,7 +197,7 @@ impl Design {
 }
 
 impl NoDesign {
-    /// In a line.
+    /// Returns the reason in one line.
     #[must_use]
     pub fn reason(&self) -> String {
         match self {

@@ -1,9 +1,11 @@
-//! The best design under constraints: differential evolution (Storn and Price, 1997), which asks for no derivative.
+//! Finds the best design under constraints by differential evolution (Storn and Price, 1997), which
+//! needs no derivatives.
 //!
-//! Of two designs the better one is the one that is one at all; then the one that misses the constraints less; then the
-//! one with the better figure (Deb, 2000). What is to be equal is a set without an inside, into which no chance hits:
-//! every design is brought onto it before it is judged. The best one is polished. The same seed gives the same design,
-//! on however many cores.
+//! The better of two designs is, in this order, the valid one, the one with smaller misses of the
+//! constraints, and the one with the better figure (Deb, 2000). Equality constraints define a set
+//! without interior, which random designs do not hit, so every design is projected onto them before
+//! its evaluation. The best design is polished. Equal seeds give equal designs, for any number of
+//! cores.
 
 use super::judge::{Judge, NONE, Worth};
 use super::polish::{Polished, polished};
@@ -11,56 +13,57 @@ use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
 use crate::numeric::SeededChance;
 use crate::parallel;
 
-/// Designs of a generation for each value that varies, and at least.
+/// Designs per generation for each variable value, and their minimum.
 const FOR_EACH: usize = 12;
 const FEWEST: usize = 24;
-/// How much of the difference of two designs is added to a third, and how likely each number takes part.
+/// The weight of the difference of two designs in a trial design, and the crossover probability of
+/// each number.
 const WEIGHT: f64 = 0.7;
 const CROSSING: f64 = 0.9;
-/// A generation whose numbers lie together within this part of their ends has come to its end.
+/// The spread of a generation, relative to the bounds, below which the search has converged.
 const TOGETHER: f64 = 1e-10;
 
-/// What is to be the best.
+/// The parameters of an optimization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OptimiseOrder {
-    /// Whether the greatest value is the best; otherwise the least.
+    /// `true` to maximize, `false` to minimize.
     pub greatest: bool,
-    /// Generations at the most.
+    /// Maximum number of generations.
     pub generations: u32,
-    /// From which chance follows.
+    /// The seed of the random numbers.
     pub seed: u64,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
 }
 
-/// The best design that was found.
+/// The best design of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestDesign {
-    /// Its numbers.
+    /// The numbers.
     pub numbers: Vec<f64>,
-    /// The figure that was to be the best.
+    /// The optimized figure.
     pub value: f64,
-    /// By how much it misses the constraints, all together in parts of their size: 0 where it keeps them.
+    /// The total miss of the constraints, relative to their sizes: 0 if all are satisfied.
     pub missed: f64,
-    /// Generations that were made.
+    /// The number of generations.
     pub generations: u32,
-    /// Whether the last of them lay together in one place.
+    /// `true` if the last generation converged to one point.
     pub settled: bool,
-    /// Whether no small step that keeps the constraints betters it, to first order; at a kink of the figure by the slopes
-    /// from all sides.
+    /// `true` if no small step that keeps the constraints improves the design, to first order. At a
+    /// kink of the figure, the slopes from all sides decide.
     pub stationary: bool,
 }
 
-/// How far a search for the best design has come.
+/// The progress of an optimization.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimiseState {
-    /// Generations that were made.
+    /// The number of generations so far.
     pub generations: u32,
-    /// The best value so far of a design that keeps the constraints.
+    /// The best value so far of a design that satisfies the constraints.
     pub best: Option<f64>,
 }
 
-/// Generations in which the best may stay what it is.
+/// Maximum number of generations without an improvement.
 const LONGEST_REST: u32 = 60;
 
 fn best_of(worths: &[Worth]) -> Worth {
@@ -69,9 +72,10 @@ fn best_of(worths: &[Worth]) -> Worth {
 }
 
 impl BestDesign {
-    /// Finds it: the first figure of `figures` is to be the best, the others are those of `constraints`, in their order.
-    /// `watch` is told how far it has come, and stops the search by answering false: then the best so far comes out as it
-    /// is. `None` where no design of any was one.
+    /// Finds the best design. The first of `figures` is optimized; the others are those of
+    /// `constraints`, in their order. `watch` receives the progress and stops the search by
+    /// returning `false`; the best design so far is then returned. Returns `None` if no design was
+    /// valid.
     pub fn find(
         figures: &DesignFigures,
         constraints: &[Goal],
@@ -105,7 +109,7 @@ impl BestDesign {
             let meanwhile = &mut |_| go_on(made, best);
             let (trials, found) = settled_all(&judge, &trials, order.threads, meanwhile);
             if found.len() < worth.len() {
-                // It was stopped within a generation.
+                // The search was stopped within a generation.
                 generation.extend(trials);
                 worth.extend(found);
                 break;
@@ -151,8 +155,8 @@ impl BestDesign {
     }
 }
 
-/// Every design brought onto what is to be equal, and how good it is: found on several threads. Where `watch` answers
-/// false, those that were found until then.
+/// Projects every design onto the equality constraints, on several threads; returns the designs
+/// with their scores. If `watch` returns `false`, returns those finished until then.
 fn settled_all(
     judge: &Judge,
     designs: &[Vec<f64>],
@@ -165,7 +169,7 @@ fn settled_all(
     found.into_iter().unzip()
 }
 
-/// A design of three others, crossed with the one whose place it may take.
+/// Returns a design from three others, crossed with the one that it may replace.
 fn trial(
     generation: &[Vec<f64>],
     of: usize,
@@ -185,7 +189,7 @@ fn trial(
             let number = generation[a][i] + WEIGHT * (generation[b][i] - generation[c][i]);
             let [low, high] = axes[i].ends.unwrap_or([own[i], own[i]]);
             let (low, high) = (low.min(high), low.max(high));
-            // Beyond an end it lies half of the way to it.
+            // Beyond a bound, halfway between the old number and the bound.
             if number < low {
                 0.5 * (own[i] + low)
             } else if number > high {
@@ -197,7 +201,7 @@ fn trial(
         .collect()
 }
 
-/// Three numbers below a count of at least four, none of them `of`, all different.
+/// Returns three different numbers below a count of at least four, all different from `of`.
 fn three_others(count: usize, of: usize, chance: &mut SeededChance) -> [usize; 3] {
     let last = u32::try_from(count - 1).unwrap_or(u32::MAX);
     let mut others = [of; 3];

@@ -1,27 +1,27 @@
-//! Which designs: a grid, or a Latin hypercube. Each has a number, so that any part of them can be done by itself, and
-//! again.
+//! Plans of designs: a grid, or a Latin hypercube. Each design has a number, so that any part of a
+//! plan can be computed separately and repeated.
 
 use crate::numeric::SeededChance;
 use crate::wording::words;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// A value that varies: `a=90..110/21`, from 90 to 110 in 21 places; `a=100` or `a` stays.
+/// A value that varies: `a=90..110/21`, from 90 to 110 in 21 places; `a=100` or `a` is constant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanAxis {
     /// The name of the value.
     pub name: String,
-    /// From where to where.
+    /// The bounds; `None` for a constant value.
     pub ends: Option<[f64; 2]>,
-    /// In how many places, where that was said.
+    /// The number of places, if given.
     pub count: Option<u32>,
 }
 
-/// What is no axis.
+/// An error in the text of an axis.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{}", words().no_axis(text))]
 pub struct MistypedAxis {
-    /// What was written.
+    /// The text.
     pub text: String,
 }
 
@@ -78,7 +78,7 @@ struct PlanPlaces {
 }
 
 impl PlanPlaces {
-    /// A place between the ends, as a decimal of 15 digits: 0.3 and not 0.30000000000000004.
+    /// Returns a place between the ends as a decimal of 15 digits: 0.3 and not 0.30000000000000004.
     fn at(&self, part: f64) -> f64 {
         let [low, high] = self.ends;
         let place = low + (high - low) * part;
@@ -93,20 +93,21 @@ impl PlanPlaces {
     }
 }
 
-/// Some designs, by their numbers.
+/// A plan of designs, by number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignPlan {
     axes: Vec<PlanPlaces>,
-    /// Of a Latin hypercube, for each axis in which of its parts a design lies.
+    /// The part of each axis in which a design lies, for a Latin hypercube; `None` for a grid.
     parts: Option<Vec<Vec<u32>>>,
     count: u64,
 }
 
-/// Places where none are asked for.
+/// Default number of places.
 const USUAL_PLACES: u32 = 11;
 
 impl DesignPlan {
-    /// All combinations, the last axis going first. An axis without ends stays at what is given for it.
+    /// Creates a plan of all combinations, with the last axis varying fastest. An axis without ends
+    /// keeps its given value.
     #[must_use]
     pub fn grid(axes: &[PlanAxis], given: &[f64]) -> DesignPlan {
         let axes: Vec<PlanPlaces> = axes
@@ -122,7 +123,8 @@ impl DesignPlan {
         }
     }
 
-    /// So many designs, spread by chance so that each of as many parts of every axis has one.
+    /// Creates a plan of `count` random designs, such that each of `count` parts of every axis
+    /// contains one design.
     #[must_use]
     pub fn latin(axes: &[PlanAxis], given: &[f64], count: u32, seed: u64) -> DesignPlan {
         let mut chance = SeededChance::new(seed);
@@ -139,18 +141,18 @@ impl DesignPlan {
         }
     }
 
-    /// How many designs there are.
+    /// Returns the number of designs.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// How many places each axis has.
+    /// Returns the number of places of each axis.
     pub fn places(&self) -> impl Iterator<Item = u32> {
         self.axes.iter().map(|axis| axis.count)
     }
 
-    /// The numbers of a design.
+    /// Returns the numbers of a design.
     #[must_use]
     pub fn numbers(&self, design: u64) -> Vec<f64> {
         match &self.parts {
@@ -195,7 +197,7 @@ fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
     }
 }
 
-/// The numbers below a count in an order by chance (Fisher and Yates).
+/// Returns the numbers below a count in random order (Fisher and Yates).
 fn shuffled(count: u32, chance: &mut SeededChance) -> Vec<u32> {
     let mut all: Vec<u32> = (0..count).collect();
     for last in (1..count).rev() {

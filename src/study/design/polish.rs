@@ -1,33 +1,35 @@
-//! From a good design to the best one around it, and whether it is that: steps along the constraints, by a Hessian
-//! matrix that is gathered on the way (sequential quadratic programming with Broyden, Fletcher, Goldfarb and Shanno's
-//! update), each brought back onto the constraints, until the first-order condition of Karush, Kuhn and Tucker holds.
+//! Improves a good design to a local optimum, and checks optimality. The steps follow the
+//! constraints, with a Hessian matrix updated on the way (sequential quadratic programming with the
+//! BFGS update). Each step is projected back onto the constraints, until the first-order conditions
+//! of Karush, Kuhn and Tucker hold.
 
 use super::hold::DesignHold;
 use super::judge::{DIFFERENCE, DesignSlopes, Judge, JudgedDesign, is_finite};
 use super::kink::KinkLook;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps at the most, those at kinks, and how often one is halved that betters nothing.
+/// Maximum number of steps, of steps at kinks, and of halvings of a step that does not improve.
 const STEPS: usize = 100;
 const KINKS: usize = 30;
 const HALVINGS: i32 = 30;
-/// How far beside a kink slopes are taken, in parts of the way between the ends.
+/// Distances from a kink at which slopes are sampled, relative to the ranges.
 const BESIDE: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
-/// The longest step, in parts of the way between the ends.
+/// Maximum length of a step, relative to the ranges.
 const LONGEST: f64 = 0.25;
-/// How much of its curvature an update keeps at least, so that the matrix stays positive (Powell, 1978).
+/// Minimum fraction of the curvature that an update keeps, so that the matrix stays positive
+/// definite (Powell, 1978).
 const KEPT: f64 = 0.2;
 
 /// A design at the end of the steps.
 #[derive(Clone, Debug)]
 pub(super) struct Polished {
     pub(super) design: JudgedDesign,
-    /// Whether no small step along the constraints betters it, to first order.
+    /// `true` if no small step along the constraints improves the design, to first order.
     pub(super) is_stationary: bool,
 }
 
-/// Goes on from a design to where no small step along the constraints betters it, if it comes there before `watch`
-/// answers false.
+/// Improves a design until no small step along the constraints improves it, or until `watch`
+/// returns `false`.
 pub(super) fn polished(
     judge: &mut Judge,
     design: JudgedDesign,
@@ -60,7 +62,7 @@ pub(super) fn polished(
             curvature *= hold.free.norm().max(f64::MIN_POSITIVE);
         }
         let Some((better, after)) = step(judge, &here, &slopes, &hold, &curvature) else {
-            // Once more by the plain slope.
+            // Retries once with the plain gradient.
             if is_fresh {
                 break;
             }
@@ -86,7 +88,7 @@ pub(super) fn polished(
     }
 }
 
-/// The same from a design at which slopes are not one: by those from all sides, nearer and nearer to it.
+/// Improves a design at a kink by slopes sampled around it, at decreasing distances.
 fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() -> bool) -> Polished {
     let mut is_stationary = false;
     for beside in BESIDE {
@@ -112,7 +114,7 @@ fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() ->
     }
 }
 
-/// A step that betters the design, and the slopes there.
+/// Returns a step that improves the design, and the slopes after it.
 fn step(
     judge: &mut Judge,
     here: &JudgedDesign,
@@ -127,7 +129,8 @@ fn step(
     Some((there, slopes))
 }
 
-/// A better design on a way, halved as often as that takes, and brought back onto what is held.
+/// Returns a better design in a direction, halving the step as necessary and projecting back onto
+/// the active constraints.
 fn bettered(
     judge: &mut Judge,
     here: &JudgedDesign,
@@ -147,7 +150,7 @@ fn bettered(
     None
 }
 
-/// The step to the lowest place of the quadratic along what holds the design.
+/// Returns the step to the minimum of the quadratic model along the active constraints.
 fn way(hold: &DesignHold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DVector<f64>> {
     let (count, held) = (slope.len(), hold.normals.nrows());
     let mut matrix = DMatrix::zeros(count + held, count + held);
@@ -170,7 +173,7 @@ fn way(hold: &DesignHold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Opt
     way.iter().all(|v| v.is_finite()).then_some(way)
 }
 
-/// Takes the curvature of a step into the matrix.
+/// Updates the matrix with the curvature along a step.
 fn update(
     judge: &Judge,
     curvature: &mut DMatrix<f64>,

@@ -1,4 +1,4 @@
-//! Designs of a plan, one row each: on several cores, and always in the order of the plan.
+//! Evaluates the designs of a plan, one row each, on several cores and always in the plan's order.
 
 use super::{DesignFigures, DesignPlan, NoDesign};
 use crate::study::NoFigure;
@@ -6,51 +6,52 @@ use std::ops::Range;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread;
 
-/// Designs that are handed on together: as many as take about a millisecond.
+/// Designs per chunk, which take about a millisecond.
 const CHUNK: u64 = 32;
-/// Chunks that a thread may be ahead of who takes them.
+/// Maximum number of chunks by which a thread may be ahead of the consumer.
 const AHEAD: usize = 64;
 
-/// Whether a design is one.
+/// The validity of a design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DesignState {
-    /// It assembles as the scene does.
+    /// The design assembles as the given scene does.
     Ok,
-    /// It does not.
+    /// The design does not assemble.
     NoAssembly,
-    /// Its numbers make no scene.
+    /// The numbers do not give a valid scene.
     Unreadable,
 }
 
-/// What came of one design.
+/// The result of one design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignRow {
     /// The numbers that vary.
     pub numbers: Vec<f64>,
-    /// Whether it is one at all.
+    /// The validity.
     pub state: DesignState,
-    /// Why it is none, in words; empty where it is one.
+    /// The reason why the design is not valid; empty for a valid one.
     pub reason: String,
-    /// The figures, each or why there is none; empty where it is no design. Directions are counted from those of the
-    /// given design, and so are places in a motion that comes round: they may be negative, or a turn and more.
+    /// The figures, each a value or the reason for its absence; empty without a design. Directions,
+    /// and places in a cyclic motion, are counted from those of the given design. They may be
+    /// negative, or a turn and more.
     pub figures: Vec<Result<f64, NoFigure>>,
 }
 
-/// Which designs of a plan are looked at, and by how many threads.
+/// A run over designs of a plan.
 #[derive(Clone, Debug)]
 pub struct DesignRun<'a> {
-    /// Their figures.
+    /// The figures to compute.
     pub figures: &'a DesignFigures,
     /// The plan.
     pub plan: &'a DesignPlan,
-    /// Which of its designs.
+    /// The numbers of the plan's designs to evaluate.
     pub designs: Range<u64>,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
 }
 
 impl DesignState {
-    /// As tables and files have it.
+    /// Returns the word for tables and files.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -62,7 +63,7 @@ impl DesignState {
 }
 
 impl DesignRow {
-    /// The row of a design with these numbers.
+    /// Computes the row of a design with these numbers.
     #[must_use]
     pub fn of(numbers: Vec<f64>, figures: &mut DesignFigures) -> DesignRow {
         let (state, reason, figures) = match figures.in_row(&numbers) {
@@ -83,7 +84,7 @@ impl DesignRow {
         }
     }
 
-    /// The figure of this number, if it exists.
+    /// Returns the figure with this index, if it exists.
     #[must_use]
     pub fn figure(&self, figure: usize) -> Option<f64> {
         self.figures.get(figure)?.ok()
@@ -91,10 +92,10 @@ impl DesignRow {
 }
 
 impl DesignRun<'_> {
-    /// Hands the rows on in their order, some at a time; an error of who takes them ends it.
+    /// Passes the rows to `take` in order, some at a time; an error of `take` ends the run.
     ///
     /// # Errors
-    /// What `take` says.
+    /// Returns the error of `take`.
     pub fn each<E>(&self, take: &mut dyn FnMut(Vec<DesignRow>) -> Result<(), E>) -> Result<(), E> {
         let chunks = self
             .designs
@@ -103,7 +104,7 @@ impl DesignRun<'_> {
             .div_ceil(CHUNK);
         let threads = (self.threads.max(1) as u64).min(chunks);
         thread::scope(|scope| {
-            // Each thread has every so many-th chunk, so that they come in turn.
+            // The chunks are distributed round-robin, so that they are complete in order.
             let lines: Vec<_> = (0..threads)
                 .map(|first| {
                     let (to, from) = sync_channel(AHEAD);
@@ -120,7 +121,7 @@ impl DesignRun<'_> {
                         Ok(rows) => rows,
                         Err(_) => break,
                     },
-                    // The system creates no thread for it: its chunks are done here.
+                    // The system could not create a thread: its chunks are computed here.
                     None => self.rows(chunk, figures.get_or_insert_with(|| self.figures.clone())),
                 };
                 take(rows)?;
@@ -129,7 +130,7 @@ impl DesignRun<'_> {
         })
     }
 
-    /// The rows of some chunks, as long as somebody takes them.
+    /// Computes the rows of some chunks until the receiver is dropped.
     fn work(&self, chunks: impl Iterator<Item = u64>, to: &SyncSender<Vec<DesignRow>>) {
         let mut figures = self.figures.clone();
         for chunk in chunks {
@@ -139,7 +140,7 @@ impl DesignRun<'_> {
         }
     }
 
-    /// The rows of a chunk.
+    /// Computes the rows of a chunk.
     fn rows(&self, chunk: u64, figures: &mut DesignFigures) -> Vec<DesignRow> {
         let first = self.designs.start + chunk * CHUNK;
         let last = first.saturating_add(CHUNK).min(self.designs.end);

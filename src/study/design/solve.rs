@@ -1,48 +1,50 @@
-//! Numbers that meet goals, looked for from what is given and from many other starts.
+//! Searches numbers that meet goals, from the given numbers and from many other starts.
 
 use super::{Design, DesignFigures, DesignPlan, Goal, NoDesign, PlanAxis};
 use crate::parallel;
 use crate::study::NoFigure;
 
-/// Solutions that differ by less than this part of each number are one.
+/// The distance below which two solutions count as one, with each number relative to its size.
 const SAME: f64 = 1e-6;
-/// Where no ends are given, numbers are looked for within this part of what is given to both sides.
+/// Half the range of starts for a value without bounds, relative to its size.
 const AROUND: f64 = 0.5;
 
-/// A design that was found.
+/// The design at the end of a search.
 #[derive(Clone, Debug)]
 pub struct FoundDesign {
-    /// The numbers of the values that vary.
+    /// The numbers of the variable values.
     pub numbers: Vec<f64>,
-    /// Its figures, goal by goal.
+    /// The figures, goal by goal.
     pub figures: Vec<Result<f64, NoFigure>>,
-    /// How far it is from what is given: the root of the sum of squares, each in parts of its size.
+    /// The distance from the given design: the root of the sum of squares, each relative to its
+    /// size.
     pub distance: f64,
-    /// How many of its values are left free by the goals that are equalities: where there are any, it is one of a family
-    /// of designs that meet them.
+    /// Degrees of freedom that the equality goals leave. If positive, the design belongs to a
+    /// family of designs that meet them.
     pub freedoms: usize,
     /// The design itself.
     pub design: Design,
-    /// Whether its motion is of the kind of the given one: a goal may be met by a crank that turns no more.
+    /// `true` if the motion is of the same kind as the given design's; a goal may be met by a crank
+    /// that no longer turns fully.
     pub moves_as_given: bool,
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Clone, Debug, Default)]
 pub struct SearchOutcome {
-    /// The designs that meet every goal: those that move as the given one does before others, of these the nearest to
-    /// what is given first.
+    /// The designs that meet every goal. Designs that move like the given one come first, in each
+    /// group the nearest first.
     pub solutions: Vec<FoundDesign>,
-    /// Where there is none, the design that misses least.
+    /// The design with minimum misses if no design meets every goal.
     pub nearest: Option<FoundDesign>,
-    /// Why the given design cannot be told of, if it cannot.
+    /// The reason why the given design cannot be opened, if it cannot.
     pub unopened: Option<NoDesign>,
-    /// Starts from which was searched.
+    /// The number of starts.
     pub starts: u32,
 }
 
 impl SearchOutcome {
-    /// How many freedoms the family has that the solutions belong to; 0 where they stand alone.
+    /// Returns the degrees of freedom of the solutions' family; 0 for isolated solutions.
     #[must_use]
     pub fn freedoms(&self) -> usize {
         let each = self.solutions.iter().map(|found| found.freedoms);
@@ -59,17 +61,17 @@ pub struct GoalSearch {
     pub(super) sizes: Vec<f64>,
 }
 
-/// To which design a search from one start has come.
+/// The end of a search from one start.
 struct SearchEnd {
     found: FoundDesign,
-    /// Whether it meets every goal.
+    /// `true` if the design meets every goal.
     is_met: bool,
-    /// By how much it misses them, in parts of their sizes.
+    /// The norm of the misses, relative to the goals' sizes.
     missed: f64,
 }
 
 impl GoalSearch {
-    /// In a space, for goals; `axes` say between which ends each value may be.
+    /// Creates a search for goals in a space; `axes` hold the bounds of each value.
     #[must_use]
     pub fn new(figures: DesignFigures, goals: Vec<Goal>, axes: &[PlanAxis]) -> GoalSearch {
         let given = figures.space().given();
@@ -99,8 +101,9 @@ impl GoalSearch {
         }
     }
 
-    /// Searches from what is given, and from so many other starts by chance, by so many threads: what is found does not
-    /// depend on their number. `watch` is told the part that is done, and stops the search by answering false.
+    /// Searches from the given design and from `starts` random starts. The result does not depend
+    /// on the number of threads. `watch` receives the completed fraction and stops the search by
+    /// returning `false`.
     #[must_use]
     pub fn run(
         &self,
@@ -113,7 +116,7 @@ impl GoalSearch {
         let around = self.around(&given);
         let plan = DesignPlan::latin(&around, &given, starts, seed);
         let from = |search: &mut GoalSearch, k: usize| {
-            // The first is the given one.
+            // The first start is the given design.
             let start = k.checked_sub(1).map(|k| plan.numbers(k as u64));
             search.found_from(start.unwrap_or_else(|| given.clone()), &given)
         };
@@ -146,7 +149,7 @@ impl GoalSearch {
         outcome
     }
 
-    /// Where starts are drawn from.
+    /// Returns the ranges of the starts.
     fn around(&self, given: &[f64]) -> Vec<PlanAxis> {
         let axes = self.ends.iter().zip(given).zip(&self.sizes);
         let axis = |((ends, given), size): ((&Option<[f64; 2]>, &f64), &f64)| PlanAxis {
@@ -157,16 +160,17 @@ impl GoalSearch {
         axes.map(axis).collect()
     }
 
-    /// How far two designs are from each other: the root of the sum of squares, each number in parts of its size.
+    /// Returns the distance of two designs: the root of the sum of squares, each number relative to
+    /// its size.
     fn apart(&self, one: &[f64], other: &[f64]) -> f64 {
         let pairs = one.iter().zip(other).zip(&self.sizes);
         let squares = pairs.map(|((a, b), size)| ((a - b) / size).powi(2));
         squares.sum::<f64>().sqrt()
     }
 
-    /// The design to which a search from one start comes; `None` where it comes to none.
+    /// Searches from one start; `None` if it does not end at a design.
     fn found_from(&mut self, mut start: Vec<f64>, given: &[f64]) -> Option<SearchEnd> {
-        // What is given may lie outside of the ends.
+        // The given numbers may lie outside the bounds.
         self.keep_within(&mut start);
         let place = self.search(start)?;
         let figures = self.figures.of(&place.numbers).ok()?;

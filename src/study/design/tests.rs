@@ -1,4 +1,4 @@
-//! Designs against closed formulas, written out here.
+//! Tests designs against closed formulas, which are written out here.
 
 use super::*;
 use crate::quantity::Catalogue;
@@ -78,7 +78,8 @@ fn goals_are_converted_to_the_unit_of_their_figure() {
     }
 }
 
-/// The stroke of an offset slider-crank between its dead centres: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
+/// Returns the stroke of an offset slider-crank between its dead centres: sqrt((l + r)^2 - e^2) -
+/// sqrt((l - r)^2 - e^2).
 pub(super) fn stroke(r: f64, l: f64, e: f64) -> f64 {
     ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
 }
@@ -135,10 +136,11 @@ r5 = { from = "E", to = "D", length = 40 }
 C = [250, 200]
 "#;
 
-/// By how much, and at least, figures that are made in two ways are apart through rounding.
+/// The relative and absolute difference that rounding errors cause between two computations.
 const ROUNDED: f64 = 1e-9;
 
-/// How many of 40 designs around the given one have figures in place; all have those of the scene that is opened.
+/// Returns how many of 40 designs around the given one are evaluated in place; checks that all have
+/// the figures of the opened scene.
 fn held_in_place(space: &DesignSpace, names: &[&str], part: f64) -> u32 {
     let mut found = figures(space, names);
     let given = space.given();

@@ -1,4 +1,4 @@
-//! Where figures break: directions in them pass a full turn, or they grow beyond all bounds.
+//! Tests discontinuous quantities: directions in them pass a full turn, or they grow without bound.
 
 use super::NoFigure;
 use super::tests::{close, excursion, figures, opened};
@@ -6,7 +6,7 @@ use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 
-/// The crank-rocker, and a fixed direction v beside which the rocker passes half a turn.
+/// Returns the crank-rocker, and a fixed direction v past which the rocker swings half a turn away.
 fn beside_a_line(definitions: &str) -> (Scene, Solver) {
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replace(
@@ -110,7 +110,8 @@ fn a_pole_is_no_greatest_value() {
     assert!(figures(&scene, &["none.stroke"])[0].is_ok());
 }
 
-/// The crank-rocker with a torque of -40 N m on the rocker, times a factor over the crank's angle.
+/// Returns the crank-rocker with a torque of -40 N m on the rocker, times a factor over the crank's
+/// angle.
 fn loaded(over: &str) -> (Scene, Solver) {
     let text = presets::find("four-bar").unwrap().text;
     opened(&format!(

@@ -1,33 +1,40 @@
-//! Where a figure breaks: it jumps because a direction in it passes a full turn, or it grows beyond all bounds.
+//! Finds places where a quantity is discontinuous: it jumps because a direction in it passes a full
+//! turn, or it grows without bound.
 
 use super::sampler::{BESIDE, MotionSampler, SampledFigure};
 use super::{NoFigure, first_period};
 use crate::expression::DirectionCut;
 use crate::solver::Range;
 
-/// Halvings of a stretch towards a place that may be a pole, and those after which it is seen that it is none.
+/// Bisections of a stretch towards a possible pole, and those after which most non-poles are
+/// recognized.
 const TOWARDS: u32 = 32;
 const SEEN: u32 = 12;
-/// By how much a figure grows on these halvings, at least, where it grows beyond all bounds: less than a root would.
+/// Minimum growth of a quantity over these bisections at a pole; even an inverse square root grows
+/// more.
 const GROWN: f64 = 4096.0;
 const GROWN_SOON: f64 = 8.0;
-/// Halvings of the way to a place, from each of which to the next a figure grows by so much where it has a pole.
+/// Bisection depths near a place; at a pole the quantity grows by a minimum factor from each to the
+/// next.
 const NEARER: [i32; 3] = [10, 20, 27];
-/// So many times the largest sample is passed on the way to a pole, and on that through one: rounding does not grow.
+/// The factors by which a quantity exceeds the largest sample on the way to a pole, and on that
+/// through a pole. Rounding errors do not grow this much.
 const BEYOND: f64 = 2.0;
 const FARTHER: f64 = 512.0;
-/// Of so many samples one may change the sign.
+/// The divisor of the number of samples that limits sign changes: with more, they are rounding
+/// errors.
 const OFTEN: usize = 8;
-/// So much larger than a sample farther on is what may be a pole.
+/// The ratio to a more distant sample from which on a place may be a pole.
 const HIGH: f64 = 256.0;
 
-/// A change by less than this part of the figure's size is no jump.
+/// The change below which a quantity does not jump, relative to its size.
 const LEVEL: f64 = 1e-9;
-/// Halvings of a stretch: what has not become less by then is a jump.
+/// Bisections of a stretch; a change that has not decreased by then is a jump.
 const HALVINGS: u32 = 60;
 
 impl MotionSampler {
-    /// A place between samples where a figure goes through infinity has no greatest value.
+    /// Returns an error if a quantity passes through infinity between samples: it has no maximum
+    /// then.
     pub(super) fn check_for_poles(
         &mut self,
         column: usize,
@@ -37,14 +44,15 @@ impl MotionSampler {
         if self.cut(column) == DirectionCut::ByTurns {
             return Ok(());
         }
-        // Rounding is not the same in every place: what is no more than that of the figure's size is none of a pole.
+        // Rounding errors differ between places: a change as small as that of the quantity's size
+        // is not a pole.
         let farther = (FARTHER * sampled.most()).max(LEVEL * self.size(column));
         let changes = |k: &usize| {
             let [a, b] = [k - 1, *k].map(|k| sampled.by_degree[0][k]);
             (a < 0.0) != (b < 0.0)
         };
         let changes: Vec<usize> = (1..sampled.at.len()).filter(changes).collect();
-        // So often rounding alone changes its sign.
+        // This many sign changes are caused by rounding errors.
         if changes.len() > sampled.at.len() / OFTEN {
             return Ok(());
         }
@@ -57,7 +65,8 @@ impl MotionSampler {
         Ok(())
     }
 
-    /// Where a figure changes its sign though it comes from far away and goes there: farther than all samples are.
+    /// Returns the place of a pole in an interval: a sign change at which the quantity grows beyond
+    /// all samples on both sides.
     fn pole_between(
         &mut self,
         column: usize,
@@ -84,8 +93,8 @@ impl MotionSampler {
         is_pole.then_some(0.5 * (a.0 + b.0))
     }
 
-    /// Whether a figure grows beyond all bounds, and beyond all samples, towards a place at which it may have no value,
-    /// from either side.
+    /// Returns `true` if a quantity grows without bound, and beyond all samples, towards a place
+    /// from either side; it may have no value there.
     pub(super) fn is_pole(&mut self, column: usize, at: f64, sampled: &SampledFigure) -> bool {
         let (step, most) = (sampled.step(), sampled.most());
         if self.cut(column) == DirectionCut::ByTurns {
@@ -106,7 +115,8 @@ impl MotionSampler {
         })
     }
 
-    /// What jumps by something else than full turns has no stroke: nobody can say what it would be without the jump.
+    /// Returns an error if a quantity jumps by anything but full turns: its stroke without the jump
+    /// is undefined.
     pub(super) fn check_for_jumps(
         &mut self,
         column: usize,
@@ -119,13 +129,13 @@ impl MotionSampler {
         let size = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let last = sampled.at.len() - 1;
         let mut jump = None;
-        // Both sides of a load that jumps are no farther from each other.
+        // Both sides of a load's jump are at most this far apart.
         let sides = 4.0 * BESIDE * (sampled.at[last] - sampled.at[0]);
         for k in (1..=last).filter(|&k| sampled.at[k] - sampled.at[k - 1] > sides) {
             let ends = [k - 1, k].map(|k| (sampled.at[k], values[k]));
             jump = jump.or_else(|| self.jump_between(column, ends, LEVEL * size));
         }
-        // What counts the driver's turns goes on where the motion repeats.
+        // A quantity that counts the driver's turns changes over a period.
         let goes_on = (values[last] - values[0]).abs() > LEVEL * size;
         let jump = jump.or(match self.range() {
             Range::Full { period } if goes_on => Some(period),
@@ -135,7 +145,8 @@ impl MotionSampler {
         jump.map_or(Ok(()), |at| Err(NoFigure::Jumps(first_period(at, range))))
     }
 
-    /// A place at which a figure changes by more than `level` from one number to the next.
+    /// Returns a place at which a quantity changes by more than `level` from one double to the
+    /// next.
     fn jump_between(
         &mut self,
         column: usize,

@@ -1,7 +1,8 @@
-//! The names of what a figure does over the motion.
+//! Names of cycle figures, the properties of quantities over the motion.
 //!
-//! Behind the name of a column stands what is asked of it: `C.x.stroke`, `swing.ratio`, `r4.angle.greatest.at`,
-//! `C.x@60`. Of the mechanism as a whole there are `range`, `transmission` and `condition`.
+//! The name of a column is followed by a property: `C.x.stroke`, `swing.ratio`,
+//! `r4.angle.greatest.at`, `C.x@60`. The mechanism as a whole has `range`, `transmission` and
+//! `condition`.
 
 use crate::expression::DirectionCut;
 use crate::nearest::nearest;
@@ -9,7 +10,7 @@ use crate::quantity::{Catalogue, FigureSource, Quantity, Subject, demand, rate_u
 use crate::wording::words;
 use thiserror::Error;
 
-/// What is asked of a figure over the motion.
+/// A property of a quantity over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum FigureProperty {
     Stroke,
@@ -24,11 +25,11 @@ pub(super) enum FigureProperty {
     FastestAt,
     Hardest,
     HardestAt,
-    /// Its value at a coordinate of the driver.
+    /// The value at a coordinate of the driver.
     At(f64),
 }
 
-/// Which extreme of the driver's range.
+/// A property of the driver's range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RangeEnd {
     Width,
@@ -36,12 +37,12 @@ pub(super) enum RangeEnd {
     High,
 }
 
-/// What a figure of the cycle is of.
+/// The source of a cycle figure.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum CycleFigureSource {
     Of(Quantity, FigureProperty),
     Range(RangeEnd),
-    /// Of one group, named by what it places, or of the worst.
+    /// The transmission angle of one group, named by a part that it places, or the worst of all.
     Transmission(Option<Subject>),
     Condition(Option<Subject>),
 }
@@ -54,15 +55,15 @@ pub struct CycleFigure {
     pub(super) source: CycleFigureSource,
 }
 
-/// A name that is that of no figure of the cycle.
+/// The error for a name that is not a cycle figure.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{}", words().no_cycle_figure(name, &self.mend()))]
 pub struct UnknownCycleFigure {
-    /// What was written.
+    /// The unknown name.
     pub name: String,
-    /// The name that it is nearest to.
+    /// The most similar valid name.
     pub nearest: Option<String>,
-    /// What a column can be asked for, where it is the column that is known.
+    /// `true` if the column exists and the message should list the properties.
     pub properties: bool,
 }
 
@@ -91,10 +92,10 @@ const WHOLE: [&str; 5] = [
 ];
 
 impl CycleFigure {
-    /// The figure of this name: `C.x.stroke`, `transmission.C`, `range.low`, `C.x@60`.
+    /// Parses a cycle figure: `C.x.stroke`, `transmission.C`, `range.low`, `C.x@60`.
     ///
     /// # Errors
-    /// A name that is none, with the nearest one.
+    /// Returns an error if the name is unknown; the error holds the most similar one.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<CycleFigure, UnknownCycleFigure> {
         let name = text.trim();
         let (source, unit) = of_whole(name, catalogue)
@@ -108,19 +109,19 @@ impl CycleFigure {
         })
     }
 
-    /// As it was written.
+    /// Returns the name as it was written.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether it is of what a formula makes of other figures.
+    /// Returns `true` if a formula derives the column from others.
     pub(crate) fn is_derived(&self) -> bool {
         let is_made = |of: &Quantity| matches!(of.source, FigureSource::Derived(_));
         matches!(&self.source, CycleFigureSource::Of(of, _) if is_made(of))
     }
 
-    /// The column that it is of, if it is of one.
+    /// Returns the figure's column, if it has one.
     pub(crate) fn column(&self) -> Option<&Quantity> {
         match &self.source {
             CycleFigureSource::Of(of, _) => Some(of),
@@ -128,17 +129,18 @@ impl CycleFigure {
         }
     }
 
-    /// Whether it is of what a solver finds from loads.
+    /// Returns `true` if the column depends on loads.
     pub(crate) fn is_of_forces(&self) -> bool {
         self.column().is_some_and(|of| demand([of]).0.forces)
     }
 
-    /// Whether it is a direction, a sum of such, or a place in a turn: whole turns away it is the same.
+    /// Returns `true` for a direction, a sum of directions, or a place in a turn: these are equal
+    /// modulo full turns.
     pub(crate) fn is_round(&self) -> bool {
         self.comes_round() || self.is_place() && self.unit == "deg"
     }
 
-    /// Whether it is a direction or a sum of such.
+    /// Returns `true` for a direction or a sum of directions.
     pub(super) fn comes_round(&self) -> bool {
         let CycleFigureSource::Of(of, property) = &self.source else {
             return false;
@@ -150,7 +152,7 @@ impl CycleFigure {
         is_value && of.cut() == DirectionCut::ByTurns
     }
 
-    /// Whether it is a coordinate of the driver at which something is.
+    /// Returns `true` for a coordinate of the driver at which a property is reached.
     pub(super) fn is_place(&self) -> bool {
         let CycleFigureSource::Of(_, property) = &self.source else {
             return false;
@@ -164,7 +166,7 @@ impl CycleFigure {
         )
     }
 
-    /// Its unit; empty for a number.
+    /// Returns the unit; empty for a plain number.
     #[must_use]
     pub fn unit(&self) -> &str {
         &self.unit
@@ -190,7 +192,7 @@ impl FigureProperty {
     }
 }
 
-/// Of the mechanism as a whole.
+/// Parses a figure of the mechanism as a whole.
 fn of_whole(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
     let driver = catalogue.driver().unit.clone();
     let group = |name: &str| {
@@ -220,7 +222,7 @@ fn of_whole(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, Str
     })
 }
 
-/// A column at a coordinate of the driver.
+/// Parses a column at a coordinate of the driver.
 fn at_place(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
     let (column, at) = name.rsplit_once('@')?;
     let at = at.trim().parse::<f64>().ok().filter(|at| at.is_finite())?;
@@ -229,7 +231,7 @@ fn at_place(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, Str
     Some((CycleFigureSource::Of(of, FigureProperty::At(at)), unit))
 }
 
-/// A column over the motion.
+/// Parses a property of a column over the motion.
 fn of_column(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
     let (column, property) = parted(name)?;
     let of = catalogue.find(column)?;
@@ -237,7 +239,7 @@ fn of_column(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, St
     Some((CycleFigureSource::Of(of, property), unit))
 }
 
-/// The column and what is asked of it.
+/// Splits a name into the column and its property.
 fn parted(name: &str) -> Option<(&str, FigureProperty)> {
     PROPERTIES.into_iter().find_map(|(word, property)| {
         let column = name.strip_suffix(word)?.strip_suffix('.')?;
@@ -252,7 +254,7 @@ impl UnknownCycleFigure {
         let (before, behind) = name.rsplit_once('.').unwrap_or((name, ""));
         let knows = |column: &str| catalogue.find(column).is_some();
         let near = match parted(name) {
-            // What is asked is known, and of what is not.
+            // The property is known, and the column is not.
             Some((column, _)) => nearest(column, columns().map(|q| q.name.as_str()))
                 .map(|near| name.replacen(column, near, 1)),
             None if knows(before) => {

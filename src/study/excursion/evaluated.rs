@@ -1,4 +1,4 @@
-//! Figures of the cycle of a mechanism, and of others of its kind.
+//! Computes cycle figures of a mechanism, and of others of its kind.
 
 use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
 use super::{CycleFigure, Excursion, ExcursionWish, NoFigure};
@@ -8,12 +8,12 @@ use crate::solver::{Condition, GroupId, Range, Solver};
 /// The best transmission angle, in degrees.
 const BEST: f64 = 90.0;
 
-/// Figures of the cycle that are asked for together: of a mechanism, or of many with the same parts. What they
-/// need is looked at once.
+/// Cycle figures computed together, for one mechanism or for many with the same parts. Their
+/// requirements are determined once.
 #[derive(Clone, Debug)]
 pub struct CycleFigures {
     figures: Vec<CycleFigure>,
-    /// The columns that are followed, each once.
+    /// The columns to follow, each once.
     columns: Vec<Quantity>,
     wish: ExcursionWish,
     transmission: bool,
@@ -25,13 +25,13 @@ pub struct CycleFigures {
 pub(crate) struct PlacedFigure {
     /// The column.
     pub(crate) column: Quantity,
-    /// The driver's coordinates at which it is taken, and with which sign.
+    /// The driver's coordinates at which the column is taken, with signs.
     pub(crate) places: Vec<(f64, f64)>,
 }
 
 impl CycleFigures {
-    /// Of figures in their order; `tolerance` is that of dwells in the figure's own unit, a hundredth of the stroke
-    /// if left out.
+    /// Creates a set of figures in order. `tolerance` is that of dwells, in the figure's own unit;
+    /// the default is a hundredth of the stroke.
     #[must_use]
     pub fn new(figures: Vec<CycleFigure>, tolerance: Option<f64>) -> CycleFigures {
         let mut all = CycleFigures {
@@ -72,20 +72,21 @@ impl CycleFigures {
         }
     }
 
-    /// The same with these figures.
+    /// Returns a set of other figures with the tolerance of this one.
     pub(crate) fn again(&self, figures: Vec<CycleFigure>) -> CycleFigures {
         CycleFigures::new(figures, self.wish.tolerance)
     }
 
-    /// The figures, in their order.
+    /// Returns the figures, in their order.
     #[must_use]
     pub fn figures(&self) -> &[CycleFigure] {
         &self.figures
     }
 
-    /// For each figure the column that it is of, and the places at which it is that, with their signs: a stroke is the
-    /// greatest less the least. To first order these places stay where they are while lengths change. `None` where a
-    /// figure is made otherwise, or the driver turns back: an end of its range moves.
+    /// Returns for each figure its column and the signed places that it is computed from: a stroke
+    /// is the maximum minus the minimum. To first order these places stay fixed while lengths
+    /// change. Returns `None` if a figure has another form, or if the driver turns back, because an
+    /// end of its range moves.
     pub(crate) fn places(&self, solver: &Solver) -> Option<Vec<PlacedFigure>> {
         let Range::Full { .. } = solver.motion().range else {
             return None;
@@ -127,7 +128,7 @@ impl CycleFigures {
         self.figures.iter().map(places).collect()
     }
 
-    /// Their values for a mechanism, each or the reason why there is none.
+    /// Computes the figures for a mechanism; each is a value, or the reason for its absence.
     #[must_use]
     pub fn of(&self, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
         let excursions = Excursion::of_all(solver, &self.columns, self.wish);
@@ -205,12 +206,12 @@ impl RangeEnd {
     }
 }
 
-/// A column at a coordinate.
+/// Computes a column at a coordinate.
 fn at_place(solver: &Solver, column: &Quantity, at: f64) -> Result<f64, NoFigure> {
     let (wanted, order) = demand([column]);
     let solver = solver.only(&wanted);
     let mut state = solver.state();
-    // As any place that is asked for alone, it may be meant a turn away.
+    // A single place may be written a full turn away.
     let meant = solver
         .motion()
         .range
@@ -223,7 +224,7 @@ fn at_place(solver: &Solver, column: &Quantity, at: f64) -> Result<f64, NoFigure
     }
 }
 
-/// The least value of all groups, or of the one that is named by what it places.
+/// Returns the minimum over all groups, or over those that place the named part.
 fn worst(solver: &Solver, found: &[(GroupId, f64)], named: Option<Subject>) -> Option<f64> {
     let is_meant = |id: GroupId| {
         let Some(group) = solver.plan().group(id) else {

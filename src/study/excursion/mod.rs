@@ -1,5 +1,5 @@
-//! What a figure does over the whole motion: stroke or swing, where it turns, how long it goes each way, where it
-//! rests, how fast it is.
+//! Analyses a quantity over the whole motion: stroke or swing, extrema, time ratio, dwells and
+//! largest rates.
 //!
 //! ```text
 //! sampler       figures and their slopes by the driver's coordinate, anywhere and along the motion
@@ -13,10 +13,10 @@
 //! seam          from where directions of these are counted, so that none of them jumps at a full turn
 //! ```
 //!
-//! A slope by the coordinate is the rate at a driver's speed of 1, so that extrema are as good as the coordinate
-//! itself. The motion is looked at degree by degree, or at 360 places of a range. Between two of these a figure is
-//! taken to go one way where the cubic through both values and slopes does, with a margin; where that does not, the
-//! stretch is halved, down to a thousandth.
+//! A slope by the coordinate is the rate at a driver speed of 1, so extrema are as accurate as the
+//! coordinate itself. The motion is sampled degree by degree, or at 360 places of a range. Between
+//! two samples a quantity counts as monotonic if the cubic through both values and slopes is
+//! monotonic with a margin. If it is not, the stretch is bisected, down to a thousandth.
 
 #[cfg(test)]
 mod break_tests;
@@ -44,109 +44,113 @@ use crate::solver::{Range, Solver};
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
 use turning::Turnings;
 
-/// Where a figure has a value.
+/// A place and the value of a quantity there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FigurePlace {
     /// The driver's coordinate, in degrees or in the scene's length unit.
     pub at: f64,
-    /// The figure there.
+    /// The quantity's value.
     pub value: f64,
 }
 
-/// A place at which a figure turns.
+/// An extremum of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningPlace {
-    /// Whether it comes from below and goes back there.
+    /// `true` for a maximum.
     pub is_peak: bool,
-    /// Where, and at which value.
+    /// The place and the value.
     pub place: FigurePlace,
-    /// Until which coordinate it stays at that value, if it does: it turns behind that.
+    /// The coordinate at the end of a plateau, if the quantity stays at that value; it reverses
+    /// after that.
     pub until: Option<f64>,
-    /// Whether it turns because the driver does, at an end of the range.
+    /// `true` if the quantity reverses because the driver does, at an end of the range.
     pub is_limit: bool,
 }
 
-/// Why a figure of the cycle does not exist.
+/// The reason why a cycle figure does not exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoFigure {
-    /// It has no value at this coordinate.
+    /// The quantity has no value at this coordinate.
     Gap(f64),
-    /// It turns round with the driver: it has no stroke.
+    /// The direction makes full turns with the driver and has no stroke.
     TurnsRound,
-    /// It never turns back.
+    /// The quantity never reverses.
     NeverTurns,
-    /// It does not move.
+    /// The quantity is constant.
     Stands,
-    /// It jumps from one extreme to the other.
+    /// The quantity jumps from one extreme to the other.
     Leaps,
-    /// It stays at an extreme for a while: nobody can say when it turns.
+    /// The quantity stays at an extreme for a while, so the instant of its reversal is undefined.
     Rests,
-    /// The driver goes there and back by the same way: both take as long.
+    /// The driver moves to and fro along the same path, so both directions take equal times.
     ThereAndBack,
-    /// The driver stands still, so that nothing has a rate.
+    /// The driver's speed is zero, so rates do not exist.
     DriverStands,
-    /// The driver turns back before it has gone round.
+    /// The driver turns back before a full cycle.
     DriverTurnsBack,
-    /// Its rate is no figure of a state.
+    /// The rate is not a quantity of a state.
     NoRate,
-    /// It grows beyond all bounds towards this coordinate: a quotient where its divisor is 0, or a rate at a dead point.
+    /// The quantity grows without bound towards this coordinate: a quotient with a zero divisor, or
+    /// a rate at a dead point.
     Unbounded(f64),
-    /// It jumps at this coordinate, where a direction that its formula is made of passes a full turn.
+    /// The quantity jumps at this coordinate, where a direction in its formula passes a full turn.
     Jumps(f64),
-    /// The driver turns fully: there is no limit.
+    /// The driver turns fully, so there is no limit.
     NoLimit,
-    /// No dyad has a transmission angle, or none of this name.
+    /// There is no dyad with a transmission angle, or none of this name.
     NoDyad,
-    /// No group is solved by iteration, or none of this name.
+    /// There is no group solved by iteration, or none of this name.
     NoCoupledGroup,
-    /// The motion does not come to the coordinate.
+    /// The motion does not reach the coordinate.
     OutOfReach(f64),
 }
 
-/// How far an excursion is followed.
+/// The optional parts of an analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExcursionWish {
-    /// Whether the largest rate and that of the rate are asked for.
+    /// `true` to find the largest rate and the largest rate of the rate.
     pub rates: bool,
-    /// Whether it is asked where the figure dwells.
+    /// `true` to find dwells.
     pub dwells: bool,
-    /// Within which tolerance, in the figure's own unit; a part of the stroke if left out.
+    /// The tolerance of dwells, in the quantity's own unit; the default is [`USUAL_DWELL`] of the
+    /// stroke.
     pub tolerance: Option<f64>,
 }
 
-/// What a figure that moves by less than this part of its size does is rounding.
+/// The relative change below which a quantity counts as constant: rounding error.
 const LEVEL: f64 = 1e-11;
-/// The part of its stroke within which a figure is said to stay.
+/// The default tolerance of dwells, as a fraction of the stroke.
 pub const USUAL_DWELL: f64 = 0.01;
 
-/// What a figure does over the whole motion.
+/// The properties of a quantity over the whole motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Excursion {
-    /// Its smallest value. A direction that comes back, and a sum of such, is counted without jumps by full turns, from
-    /// its greatest value as it is in a state: the least of a direction may be negative.
+    /// The minimum. An oscillating direction, or a sum of directions, is counted without jumps by
+    /// full turns, from its maximum as it is in a state. Its minimum may therefore be negative.
     pub least: FigurePlace,
-    /// Its greatest value.
+    /// The maximum.
     pub greatest: FigurePlace,
-    /// How often a direction, or a sum of such, turns round in one period of the motion, with its sense; 0 where it comes back.
+    /// The signed number of full turns of a direction, or of a sum of directions, in one period of
+    /// the motion; 0 for an oscillation.
     pub revolutions: f64,
-    /// Every place at which it turns, by the driver's coordinate: of a limited range the ends, too.
+    /// All extrema, by the driver's coordinate; for a limited range including both ends.
     pub turnings: Vec<TurningPlace>,
-    /// How much longer the slow way between the extremes takes than the quick one.
+    /// The ratio of the slow to the quick way between the extremes.
     pub ratio: Result<TimeRatio, NoFigure>,
-    /// The tolerance of its dwells, and these.
+    /// The tolerance of dwells, and the dwells.
     pub dwells: Option<(f64, Vec<DwellStretch>)>,
-    /// The largest size of its rate, at the driver's speed.
+    /// The largest absolute rate, at the driver's speed.
     pub fastest: Result<FigurePlace, NoFigure>,
-    /// The largest size of the rate of its rate.
+    /// The largest absolute rate of the rate.
     pub hardest: Result<FigurePlace, NoFigure>,
 }
 
 impl Excursion {
-    /// How far it goes: of a direction its swing.
+    /// Returns the stroke; for a direction the swing.
     ///
     /// # Errors
-    /// Where it turns round.
+    /// Returns an error if a direction makes full turns.
     pub fn stroke(&self) -> Result<f64, NoFigure> {
         match self.revolutions == 0.0 {
             true => Ok(self.greatest.value - self.least.value),
@@ -154,13 +158,13 @@ impl Excursion {
         }
     }
 
-    /// Whether it does not move.
+    /// Returns `true` if the quantity is constant.
     #[must_use]
     pub fn is_level(&self) -> bool {
         self.ratio == Err(NoFigure::Stands)
     }
 
-    /// Follows figures over the motion; those that are solved alike share the way.
+    /// Analyses quantities over the motion; those with equal solver settings share the samples.
     #[must_use]
     pub fn of_all(
         solver: &Solver,
@@ -241,7 +245,7 @@ impl Excursion {
         Ok(excursion)
     }
 
-    /// Counts what jumps by full turns so that it is at its greatest what it is in a state.
+    /// Shifts values by full turns so that the maximum equals the direction in a state.
     fn count_from_state(&mut self, greatest: Option<f64>) {
         let turns = (self.greatest.value - greatest.unwrap_or(0.0)) / TURN;
         let off = TURN * turns.round();
@@ -255,7 +259,7 @@ impl Excursion {
     }
 }
 
-/// Which of some figures change over the motion; what has no value anywhere counts among them.
+/// Returns, for each quantity, `true` if it changes over the motion or has no value anywhere.
 #[must_use]
 pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
     let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
@@ -275,7 +279,7 @@ pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
     sampled.iter().enumerate().map(changes).collect()
 }
 
-/// A place within the first period.
+/// Returns a place reduced to the first period.
 fn reduced(place: FigurePlace, range: Range) -> FigurePlace {
     FigurePlace {
         at: first_period(place.at, range),
@@ -283,12 +287,12 @@ fn reduced(place: FigurePlace, range: Range) -> FigurePlace {
     }
 }
 
-/// A coordinate within the first period.
+/// Returns a coordinate reduced to the first period.
 fn first_period(at: f64, range: Range) -> f64 {
     match range {
         Range::Full { period } => {
             let at = at.rem_euclid(period);
-            // What is less than a rounding before the seam is at it.
+            // Coordinates up to a rounding error before the seam are at the seam.
             if period - at <= 1e-12 * period {
                 0.0
             } else {

@@ -1,21 +1,21 @@
-//! From where to where a figure stays at the value at which it turns.
+//! Finds the plateaus of a quantity at its extrema.
 
 use super::sampler::{MotionSampler, SampledFigure};
 use super::turning::Turnings;
 use super::{FigurePlace, TurningPlace};
 use crate::solver::Range;
 
-/// Values that differ by less than this part of the largest are the same; where no slope is known, of forces that many
-/// figures went into.
+/// The relative difference below which two values are equal. The larger one applies without slopes:
+/// forces depend on many quantities.
 const SAME: f64 = 8.0 * f64::EPSILON;
 const SAME_FORCE: f64 = 1e-12;
-/// What is shorter than this part of the way from one sample to the next is a turn that is round.
+/// The minimum length of a plateau, relative to the sampling step; shorter ones are smooth extrema.
 const SHORTEST: f64 = 0.1;
-/// Halvings by which the end of a plateau is found.
+/// Bisections to find the end of a plateau.
 const HALVINGS: u32 = 48;
 
 impl Turnings {
-    /// Tells of every place at which the figure turns how long it stays there: it begins where that does.
+    /// Finds the plateau of every extremum, and moves the extremum to its beginning.
     pub(super) fn find_plateaus(
         &mut self,
         sampler: &mut MotionSampler,
@@ -31,7 +31,7 @@ impl Turnings {
         let first = sampled.at[0];
         for turning in &mut self.places {
             let place = turning.place;
-            // What stays longer than that stays on one of both sides for half of it.
+            // A longer plateau extends at least half of that to one side.
             let beside = [-0.5, 0.5].map(|part| place.at + part * shortest);
             let mut stays_at = |at| {
                 let value = sampler.sample(column, at, place.value).value;
@@ -64,7 +64,8 @@ impl Turnings {
     }
 }
 
-/// How far on, or back, from a place a figure stays at its value.
+/// Returns the coordinate up to which a quantity stays at its value, forwards or backwards from a
+/// place.
 fn stays(
     sampler: &mut MotionSampler,
     column: usize,
@@ -78,7 +79,7 @@ fn stays(
         Range::Limited { .. } => None,
     };
     let is_there = |value: f64| (value - place.value).abs() <= level;
-    // The samples on this side in their order, and once round where the motion repeats.
+    // The samples on this side in order; if the motion repeats, over one further period.
     let behind = |k: &usize| match forwards {
         true => sampled.at[*k] > place.at,
         false => sampled.at[*k] < place.at,

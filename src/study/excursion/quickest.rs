@@ -1,4 +1,4 @@
-//! Where a rate is largest in size.
+//! Finds the place of the largest absolute rate.
 
 use super::sampler::{MotionSampler, SampledFigure, SlopeSource};
 use super::{FigurePlace, NoFigure};
@@ -6,20 +6,22 @@ use crate::Input;
 use crate::numeric::{Unsettled, lowest, root};
 use crate::solver::Range;
 
-/// Peaks among the samples that come so near to the highest are looked at closely.
+/// The fraction of the highest sample from which on a peak is examined closely.
 const CLOSE: f64 = 0.95;
-/// So near to each other, as a part of what is between two samples, two ways to find a place mean the same.
+/// The distance at which two methods have found the same place, relative to the interval of two
+/// samples.
 const NEAR: f64 = 1e-4;
 
-/// A rate that changes by no more than this part of itself over the motion is level, and one of a rate that comes to no
-/// more than this part of it on a radian, or on the whole way of a slide, is nought: what is left is rounding, which a
-/// second slope has some thousand times as much of as the figure.
+/// Relative tolerances for rates. A rate that changes less over the motion is constant. A
+/// second-order rate is zero if it is smaller, relative to the largest first slope per radian or
+/// over a slide's travel. The rest is rounding error, which a second slope has about a thousand
+/// times as much of as the quantity.
 const LEVEL: f64 = 1e-9;
 
-/// Halvings of the step between two samples, down to which a peak beside a near miss is looked for.
+/// Bisections of the sampling step, down to which a peak next to a near miss is searched.
 const NARROWEST: i32 = 34;
 
-/// A rate as a sum of both slopes.
+/// A rate as a linear combination of the first and the second slope.
 #[derive(Clone, Copy)]
 struct RateSum {
     first: f64,
@@ -28,19 +30,19 @@ struct RateSum {
 
 impl RateSum {
     fn of(self, first: f64, second: f64) -> f64 {
-        // What is not asked for may not exist.
+        // A slope with factor 0 may not exist.
         let of = |factor: f64, slope: f64| if factor == 0.0 { 0.0 } else { factor * slope };
         of(self.first, first) + of(self.second, second)
     }
 
-    /// How many slopes it takes.
+    /// Returns the number of slopes needed.
     fn degree(self) -> usize {
         if self.second == 0.0 { 1 } else { 2 }
     }
 }
 
 impl MotionSampler {
-    /// The largest rate of a column: f' w, where w is the driver's speed.
+    /// Finds the largest rate of a column: f' w, with the driver's speed w.
     pub(super) fn fastest(
         &mut self,
         column: usize,
@@ -59,7 +61,7 @@ impl MotionSampler {
         self.largest(column, sampled, rate, is_level)
     }
 
-    /// The largest rate of the rate: f'' w^2 + f' a.
+    /// Finds the largest rate of the rate: f'' w^2 + f' a, with the driver's acceleration a.
     pub(super) fn hardest(
         &mut self,
         column: usize,
@@ -99,7 +101,7 @@ impl MotionSampler {
         if let Some(k) = [0, last].into_iter().find(|&k| !sizes[k].is_finite()) {
             return Err(NoFigure::Unbounded(sampled.at[k]));
         }
-        // In between a formula may turn over just there.
+        // Between the ends a formula may have a kink exactly there.
         let sizes: Vec<f64> = sizes
             .iter()
             .map(|size| if size.is_finite() { *size } else { 0.0 })
@@ -112,7 +114,7 @@ impl MotionSampler {
             .iter()
             .fold(f64::INFINITY, |least, &size| least.min(size));
         let is_steady = is_nought || highest - lowest_size <= LEVEL * highest;
-        // Something may happen at a near miss, however narrow it is.
+        // A near miss may have an arbitrarily narrow peak.
         if is_steady && self.near_misses().is_empty() {
             let size = if is_nought { 0.0 } else { first.1 };
             return Ok(place((first.0, size)));
@@ -149,8 +151,8 @@ impl MotionSampler {
         Ok(place(best))
     }
 
-    /// What a rate of a second slope would be if the largest first one came about on a radian of the driver or on its
-    /// whole way; 0 of a rate that has no second slope in it.
+    /// Returns the second-order rate that would result if the largest first slope arose over a
+    /// radian of the driver, or over its whole travel. Returns 0 for a rate without a second slope.
     fn rate_of_steady(&self, sampled: &SampledFigure, rate: RateSum) -> f64 {
         let slopes = sampled.by_degree[1].iter();
         let steepest = slopes
@@ -163,7 +165,7 @@ impl MotionSampler {
         (rate.second * steepest / way).abs()
     }
 
-    /// The size of a rate somewhere, negative: it is largest where this is lowest.
+    /// Returns the negative absolute value of a rate, so that its minimum is the largest rate.
     fn size_below(&mut self, column: usize, rate: RateSum, at: f64) -> Option<f64> {
         let slope = self.degree(column, 1, at)?;
         let second = match rate.degree() {
@@ -173,7 +175,8 @@ impl MotionSampler {
         Some(-rate.of(slope, second).abs())
     }
 
-    /// The largest rate around a near miss: however narrow its peaks are, they are looked for at every size.
+    /// Finds the largest rate around a near miss; peaks are searched at every scale, however
+    /// narrow.
     fn beside_a_miss(&mut self, column: usize, at: f64, step: f64, rate: RateSum) -> (f64, f64) {
         let mut f = |at: f64| self.size_below(column, rate, at);
         let mut best = (at, -f(at).unwrap_or(0.0));
@@ -194,7 +197,8 @@ impl MotionSampler {
 }
 
 impl MotionSampler {
-    /// The largest slope to the last digits of its place: where the slope of it is 0, if that is known.
+    /// Refines the place of the largest slope to full precision: the zero of the second slope, if
+    /// known.
     fn settled(&mut self, column: usize, [low, high]: [f64; 2], found: (f64, f64)) -> (f64, f64) {
         let ends = [low, high].map(|at| Some((at, self.degree(column, 2, at)?)));
         let [Some(a), Some(b)] = ends else {
@@ -202,7 +206,7 @@ impl MotionSampler {
         };
         let finest = f64::EPSILON * (high - low);
         let level = root(a, b, finest, |at| self.degree(column, 2, at)).ok();
-        // Between the same places another one may be level, too.
+        // Another stationary place may lie in the same interval.
         let is_near = |at: &f64| (at - found.0).abs() <= NEAR * (high - low);
         level.filter(is_near).map_or(found, |at| (at, found.1))
     }

@@ -1,4 +1,4 @@
-//! Figures and their slopes by the driver's coordinate.
+//! Samples quantities and their slopes by the driver's coordinate.
 
 use crate::angle::{self, TURN, radians};
 use crate::expression::DirectionCut;
@@ -7,23 +7,25 @@ use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::study::motor::{load_bends, repeats};
 use crate::{Driver, Input, LANES, Lanes, Mechanism};
 
-/// Places in a turn, or in a limited range.
+/// Number of samples per turn, or over a limited range.
 const PLACES: usize = 360;
-/// Places of a motion that repeats after many turns, at the most.
+/// Maximum number of samples of a motion that repeats after many turns.
 const MOST_PLACES: usize = 36_000;
-/// A limit may be a dead point, which has no rates; they are looked at from this far inside, as a part of the range.
+/// The distance from a limit at which rates are sampled, relative to the range. A limit may be a
+/// dead point, which has no rates.
 const INSIDE: f64 = 1e-9;
-/// As a part of the motion, how far beside a place at which a load may jump the figure is looked at.
+/// The distance from a possible jump of a load at which the quantity is sampled, relative to the
+/// motion.
 pub(super) const BESIDE: f64 = 1e-12;
 
-/// At which speed of the driver rates are slopes.
+/// The driver motion at which rates equal slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SlopeSource {
-    /// Of a position: at a speed of 1.
+    /// Slopes of positions: rates at a speed of 1.
     Geometry,
-    /// Of a velocity: at the scene's speed, kept.
+    /// Slopes of velocities: rates at the scene's speed, without acceleration.
     Steady,
-    /// Of all else no slope is known.
+    /// Other quantities have no slopes.
     Nothing,
 }
 
@@ -43,7 +45,7 @@ impl SlopeSource {
     }
 }
 
-/// A figure, its slope and the slope of that in one place; NaN for what does not exist.
+/// A quantity and its slope at one place; NaN if missing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FigureSample {
     pub(super) at: f64,
@@ -51,23 +53,23 @@ pub(super) struct FigureSample {
     pub(super) slope: f64,
 }
 
-/// A figure along the motion, and its slopes.
+/// A quantity along the motion, and its slopes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SampledFigure {
     pub(super) at: Vec<f64>,
-    /// By degree: the figure, its slope, the slope of that; as many as are known. NaN for what does not exist.
+    /// By degree: the quantity, its slope and its second slope, as far as known; NaN if missing.
     pub(super) by_degree: Vec<Vec<f64>>,
 }
 
-/// A figure and those that are its rates.
+/// A quantity and its rates.
 struct SlopedFigure {
     cut: DirectionCut,
     by_degree: Vec<Quantity>,
-    /// What each is multiplied by for the slope of the figure by the coordinate.
+    /// The factors that convert each rate to a slope by the coordinate.
     factors: [f64; 3],
 }
 
-/// Solves for figures, alone or in lanes.
+/// Evaluates quantities, one place at a time or in lanes.
 pub(super) struct MotionSampler {
     solver: Solver,
     order: Order,
@@ -76,9 +78,10 @@ pub(super) struct MotionSampler {
     lanes: Workspace<Lanes>,
     source: SlopeSource,
     range: Range,
-    /// Where a load bends or jumps, or an input begins to follow its driver in another way.
+    /// Coordinates where a load has a kink or jumps, or where an input changes its relation to the
+    /// driver.
     marks: Vec<f64>,
-    /// As the scene has it.
+    /// The driver as in the scene.
     driver: Driver,
     reach: f64,
 }
@@ -131,12 +134,14 @@ impl MotionSampler {
         }
     }
 
-    /// That of the motion; of forces over as many periods as it takes until the loads repeat, too.
+    /// Returns the range of the motion; for forces, as many periods of it as the loads need to
+    /// repeat.
     pub(super) fn range(&self) -> Range {
         self.range
     }
 
-    /// Where a place is looked at: a load that does not repeat begins anew with the motion.
+    /// Returns the coordinate to solve for a place: a load that does not repeat restarts with the
+    /// motion.
     fn coordinate(&self, at: f64) -> f64 {
         match (self.order, self.range) {
             (Order::Force, Range::Full { period }) => at.rem_euclid(period),
@@ -144,12 +149,12 @@ impl MotionSampler {
         }
     }
 
-    /// The driver as the scene has it.
+    /// Returns the driver as in the scene.
     pub(super) fn driver(&self) -> &Driver {
         &self.driver
     }
 
-    /// How long the driver takes for a way, in s; `None` where it stands still or does not keep its speed.
+    /// Returns the driver's time for a distance, in s; `None` if its speed is zero or not constant.
     pub(super) fn seconds(&self, way: f64) -> Option<f64> {
         let driver = &self.driver;
         let way = match driver.input {
@@ -160,7 +165,7 @@ impl MotionSampler {
         (driver.acceleration == 0.0 && seconds.is_finite()).then_some(seconds)
     }
 
-    /// Where the motion comes close to a change point or a dead point, and passes by.
+    /// Returns the coordinates where the motion passes close to a change point or a dead point.
     pub(super) fn near_misses(&self) -> Vec<f64> {
         let misses = self.solver.motion().near_misses.iter();
         misses.map(|miss| miss.at).collect()
@@ -170,12 +175,13 @@ impl MotionSampler {
         self.source
     }
 
-    /// How a figure jumps where a direction in it passes a full turn.
+    /// Returns the kind of jump of a quantity when a direction in it passes a full turn.
     pub(super) fn cut(&self, column: usize) -> DirectionCut {
         self.columns[column].cut
     }
 
-    /// The size of what a figure comes from, by which its rounding is judged.
+    /// Returns the size of the values that a quantity is computed from, which scales its rounding
+    /// error.
     pub(super) fn size(&self, column: usize) -> f64 {
         let figure = &self.columns[column].by_degree[0];
         let size = match figure.unit.as_str() {
@@ -192,7 +198,7 @@ impl MotionSampler {
         }
     }
 
-    /// What a slope by the coordinate is multiplied by for the rate at a speed of 1.
+    /// Returns the factor from a slope by the coordinate to the rate at a speed of 1.
     pub(super) fn unit_of_slope(&self, column: usize) -> f64 {
         let factor = self.columns[column].factors[1];
         let speed = match self.source {
@@ -202,7 +208,7 @@ impl MotionSampler {
         1.0 / (factor * speed)
     }
 
-    /// The coordinate that the driver goes in 1 s at a speed of 1.
+    /// Returns the change of the coordinate in 1 s at a speed of 1.
     pub(super) fn coordinate_of_speed(&self) -> f64 {
         match self.driver.input {
             Input::Turn(_) => 1_f64.to_degrees(),
@@ -210,17 +216,17 @@ impl MotionSampler {
         }
     }
 
-    /// Whether slopes of a column are known.
+    /// Returns `true` if the slopes of a column are known.
     pub(super) fn has_slope(&self, column: usize) -> bool {
         self.columns[column].by_degree.len() > 1
     }
 
-    /// What a figure is, without its slopes.
+    /// Returns the value of a quantity.
     pub(super) fn value(&mut self, column: usize, at: f64) -> Option<f64> {
         self.degree(column, 0, at)
     }
 
-    /// A figure (0) or one of its slopes by the coordinate.
+    /// Returns a quantity (degree 0) or one of its slopes by the coordinate.
     pub(super) fn degree(&mut self, column: usize, degree: usize, at: f64) -> Option<f64> {
         let figure = self.columns[column].by_degree.get(degree)?;
         let order = figure.order();
@@ -231,7 +237,8 @@ impl MotionSampler {
         Some(value * self.columns[column].factors[degree])
     }
 
-    /// A figure with its slope; NaN for what does not exist. What jumps by full turns is counted from a value beside.
+    /// Returns a quantity with its slope; NaN if missing. A direction is unwrapped to the value
+    /// nearest to a reference value.
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.cut(column) {
@@ -242,7 +249,7 @@ impl MotionSampler {
         FigureSample { at, value, slope }
     }
 
-    /// Every column along the whole motion.
+    /// Samples every column along the whole motion.
     pub(super) fn along_motion(&mut self) -> Vec<SampledFigure> {
         let places = places(self.range, &self.marks);
         let columns = self.columns.iter();
@@ -265,7 +272,7 @@ impl MotionSampler {
         sampled
     }
 
-    /// One place, for all columns.
+    /// Samples all columns at one place.
     fn read(&mut self, at: f64, to: &mut [SampledFigure]) {
         let at = self.coordinate(at);
         let condition = self.solver.solve(at, self.order, &mut self.state);
@@ -279,7 +286,7 @@ impl MotionSampler {
         }
     }
 
-    /// Several places at once; whether that could be done.
+    /// Samples several places at once; returns `false` if that is impossible.
     fn block_in_lanes(&mut self, block: &[f64], to: &mut [SampledFigure]) -> bool {
         let Some(&last) = block.last() else {
             return true;
@@ -290,7 +297,7 @@ impl MotionSampler {
         if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
             return false;
         }
-        // A formula that turns over between the lanes has no value in all of them at once.
+        // A formula with a branch between the lanes has no value in all of them at once.
         let figures = self.columns.iter().flat_map(|column| &column.by_degree);
         let read: Option<Vec<_>> = figures.map(|figure| figure.value(&self.lanes)).collect();
         let Some(read) = read else {
@@ -308,7 +315,8 @@ impl MotionSampler {
 }
 
 impl SlopedFigure {
-    /// `pace` is the driver's speed in units of its coordinate, at which the rates are read.
+    /// Creates the rates of a quantity; `pace` is the driver's speed in units of its coordinate at
+    /// which the rates are read.
     fn new(figure: &Quantity, highest: usize, pace: f64) -> SlopedFigure {
         let mut by_degree = vec![figure.clone()];
         while by_degree.len() <= highest {
@@ -332,7 +340,7 @@ impl SlopedFigure {
 }
 
 impl SampledFigure {
-    /// The last sample that stands for a place of its own: round a period the very last repeats the first.
+    /// Returns a sample with its slope.
     pub(super) fn sample(&self, k: usize) -> FigureSample {
         let slope = self.by_degree.get(1).map_or(f64::NAN, |slopes| slopes[k]);
         FigureSample {
@@ -342,11 +350,11 @@ impl SampledFigure {
         }
     }
 
-    /// Counts on what jumps by full turns, without these.
+    /// Unwraps a direction: removes its jumps by full turns.
     fn unwrap_turns(&mut self) {
         for k in 1..self.at.len() {
             let before = self.sample(k - 1);
-            // The lesser slope: at a dead point the other one has no bound.
+            // The smaller slope: at a dead point the other one is unbounded.
             let slope = lesser(before.slope, self.sample(k).slope);
             let way = slope * (self.at[k] - before.at);
             let expected = before.value + if way.is_finite() { way } else { 0.0 };
@@ -355,7 +363,8 @@ impl SampledFigure {
         }
     }
 
-    /// How often it has turned round when the motion repeats; 0 of what jumps by no full turns.
+    /// Returns the number of full turns when the motion repeats; 0 for quantities that are not
+    /// directions.
     pub(super) fn revolutions(&self, range: Range, cut: DirectionCut) -> f64 {
         let values = &self.by_degree[0];
         match (range, cut, values.first(), values.last()) {
@@ -366,38 +375,40 @@ impl SampledFigure {
         }
     }
 
-    /// Where it has no value, if anywhere.
+    /// Returns the first place without a value, if there is one.
     pub(super) fn gap(&self) -> Option<f64> {
         let values = &self.by_degree[0];
         let missing = values.iter().position(|value| !value.is_finite())?;
         Some(self.at[missing])
     }
 
-    /// The largest size of its values.
+    /// Returns the largest absolute value.
     pub(super) fn most(&self) -> f64 {
         let values = self.by_degree[0].iter().map(|value| value.abs());
         values.filter(|size| size.is_finite()).fold(0.0, f64::max)
     }
 
-    /// How far it is from one place to the next, in the mean.
+    /// Returns the mean distance between places.
     pub(super) fn step(&self) -> f64 {
         let last = self.at.len() - 1;
         (self.at[last] - self.at[0]) / last as f64
     }
 
-    /// The place before the first one of a motion that repeats: the last but one, a period before.
+    /// Returns the place before the first one of a periodic motion: the last but one, a period
+    /// earlier.
     pub(super) fn before_first(&self) -> f64 {
         let last = self.at.len() - 1;
         self.at[0] - (self.at[last] - self.at[last - 1])
     }
 }
 
-/// The one that is smaller in size.
+/// Returns the argument with the smaller absolute value.
 fn lesser(a: f64, b: f64) -> f64 {
     if a.abs() < b.abs() { a } else { b }
 }
 
-/// Over how far a motion is followed until its loads repeat, too, and where on it they bend or jump: on both sides.
+/// Returns the range after which the loads repeat too, and the coordinates where they have kinks or
+/// jump, with both sides of each.
 fn loaded(solver: &Solver) -> (Range, Vec<f64>) {
     let range = match solver.motion().range {
         Range::Full { period } => {
@@ -414,7 +425,7 @@ fn loaded(solver: &Solver) -> (Range, Vec<f64>) {
     (range, sides.collect())
 }
 
-/// The knots of tables by which inputs follow the driver.
+/// Returns the knots of the tables by which inputs follow the driver.
 fn knots(mechanism: &Mechanism, range: Range) -> Vec<f64> {
     let (low, high) = range.ends();
     let tables = mechanism.timed().iter().filter_map(|timed| timed.table());
@@ -434,8 +445,8 @@ fn knots(mechanism: &Mechanism, range: Range) -> Vec<f64> {
     knots.collect()
 }
 
-/// Where the motion is looked at, ascending: beside round coordinates, where symmetry puts turns, and at the marks; the
-/// last place of a period is the first one of the next.
+/// Returns the places to sample, in ascending order: offset from round coordinates, where symmetry
+/// puts extrema, plus the marks. The last place of a period is the first one of the next.
 fn places(range: Range, marks: &[f64]) -> Vec<f64> {
     let mut places: Vec<f64> = match range {
         Range::Full { period } => {

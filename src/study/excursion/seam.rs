@@ -1,16 +1,16 @@
-//! From where directions, and places in a motion that comes round, are counted: whole turns away they are the same, and
-//! those of like mechanisms are to go on from one to the next without a jump.
+//! Reference values for directions and for places in a cyclic motion. They are equal modulo full
+//! turns, and should change continuously between similar mechanisms.
 
 use super::{CycleFigure, CycleFigures, NoFigure};
 use crate::angle::{TURN, beside_within};
 use crate::solver::{Range, Solver};
 
-/// For each figure that comes round what it is counted from, and after how much it comes round.
+/// For each cyclic figure its reference value and its period.
 #[derive(Clone, Debug)]
 pub(crate) struct FigureSeams(Vec<Option<(f64, f64)>>);
 
 impl FigureSeams {
-    /// Of the figures of the mechanism that the others are like.
+    /// Takes the reference values from the figures of a reference mechanism.
     pub(crate) fn of(figures: &CycleFigures, solver: &Solver) -> FigureSeams {
         let range = solver.motion().range;
         let periods = figures.figures().iter().map(|figure| figure.period(range));
@@ -27,7 +27,7 @@ impl FigureSeams {
         )
     }
 
-    /// Values of the figures, each as near as can be to what it is counted from.
+    /// Shifts each cyclic value by whole periods to the one nearest to its reference.
     pub(crate) fn count(&self, found: &mut [Result<f64, NoFigure>]) {
         for (value, seam) in found.iter_mut().zip(&self.0) {
             if let (Ok(value), Some((from, period))) = (value, seam) {
@@ -38,7 +38,8 @@ impl FigureSeams {
 }
 
 impl CycleFigure {
-    /// After how much it is the same again: a direction, and a sum of such, after a turn, a place in a motion that comes round after that.
+    /// Returns the period of a figure: a turn for a direction or a sum of directions, and the
+    /// period of the motion for a place in it.
     fn period(&self, range: Range) -> Option<f64> {
         match range {
             _ if self.comes_round() => Some(TURN),

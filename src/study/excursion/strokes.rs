@@ -1,4 +1,4 @@
-//! From the places where a figure turns: how long it goes each way, and where it stays.
+//! Computes time ratios and dwells from the extrema of a quantity.
 
 use super::sampler::{BESIDE, MotionSampler};
 use super::{Excursion, FigurePlace, NoFigure, TurningPlace};
@@ -6,44 +6,45 @@ use crate::numeric::root;
 use crate::quantity::Clock;
 use crate::solver::Range;
 
-/// Turning places that differ by less than this part of the stroke are as far out as each other.
+/// The difference below which two extrema are equal, relative to the stroke.
 const SAME: f64 = 1e-9;
 
-/// As a part of the motion, what is no more between two extremes is a jump: both of its sides are looked at.
+/// The distance of two extremes below which the quantity jumps, relative to the motion: both sides
+/// of the jump were sampled.
 const LEAP: f64 = 4.0 * BESIDE;
 
-/// How much longer one way between the extremes takes than the other.
+/// The time ratio of both ways between the extremes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeRatio {
-    /// Slow by quick: at least 1.
+    /// The ratio of the slow to the quick way, at least 1.
     pub value: f64,
-    /// The driver's way while the figure goes slowly and quickly, in degrees or in the scene's length unit; of a
-    /// driver that does not keep its speed the times in s.
+    /// The driver's travel during the slow and the quick way, in degrees or in the scene's length
+    /// unit. These are times in s if the driver's speed is not constant.
     pub ways: [f64; 2],
-    /// Whether these are times.
+    /// `true` if `ways` are times.
     pub are_times: bool,
-    /// Whether the slow way is that from the least to the greatest value, as the driver goes.
+    /// `true` if the slow way leads from the minimum to the maximum, in the driver's direction.
     pub rises_slowly: bool,
 }
 
-/// A stretch on which a figure stays within a tolerance.
+/// A stretch on which a quantity stays within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellStretch {
-    /// The turning place that it is about, at one edge of the tolerance.
+    /// The extremum of the stretch, at one edge of the tolerance.
     pub about: TurningPlace,
-    /// From which coordinate of the driver,
+    /// The driver's coordinate at its beginning.
     pub from: f64,
-    /// to which.
+    /// The driver's coordinate at its end.
     pub to: f64,
-    /// The way of the driver between; at a limit, where it turns, there and back.
+    /// The driver's travel on the stretch; to and fro if it includes a limit.
     pub way: f64,
-    /// Whether that is at a limit: it counts the stretch twice.
+    /// `true` if the stretch includes a limit, so that it counts twice.
     pub there_and_back: bool,
-    /// The same in s; `None` where the driver stands still or does not keep its speed.
+    /// The duration in s; `None` if the driver's speed is zero or not constant.
     pub seconds: Option<f64>,
 }
 
-/// Which extreme a turning place is.
+/// The kind of an extreme.
 #[derive(Clone, Copy, PartialEq)]
 enum ExtremeEnd {
     Least,
@@ -51,7 +52,7 @@ enum ExtremeEnd {
 }
 
 impl Excursion {
-    /// The ways from extreme to extreme: where one is reached several times, all of them together.
+    /// Computes the time ratio; if an extreme is reached several times, the ways are summed.
     pub(super) fn time_ratio(&self, sampler: &MotionSampler) -> Result<TimeRatio, NoFigure> {
         let Range::Full { period } = sampler.range() else {
             return Err(NoFigure::ThereAndBack);
@@ -72,7 +73,7 @@ impl Excursion {
             true => Clock::new(driver),
             false => None,
         };
-        // In the driver's order from where the scene opens, once round.
+        // In the driver's order from the scene's start, over one period.
         let ahead = |at: f64| match forwards {
             true => driver.start + (at - driver.start).rem_euclid(period),
             false => driver.start - (driver.start - at).rem_euclid(period),
@@ -106,7 +107,7 @@ impl Excursion {
         }
         let ways = [rising.max(falling), rising.min(falling)];
         let value = ways[0] / ways[1];
-        // Without a way back there is nothing to compare.
+        // Without a way back there is no ratio.
         match value.is_finite() {
             true => Ok(TimeRatio {
                 value,
@@ -118,20 +119,20 @@ impl Excursion {
         }
     }
 
-    /// Where it is at its least and at its greatest value, by coordinate.
+    /// Returns the coordinates of the minimum and the maximum values, in order.
     fn extremes(&self) -> Vec<(f64, ExtremeEnd)> {
         let end = |turning: &TurningPlace| Some((turning.place.at, self.end_at(turning)?));
         self.turnings.iter().filter_map(end).collect()
     }
 
-    /// Whether it stays at its least or at its greatest value for a while.
+    /// Returns `true` if the quantity has a plateau at its minimum or maximum.
     fn rests(&self) -> bool {
         let stays = |turning: &&TurningPlace| turning.until.is_some();
         let mut staying = self.turnings.iter().filter(stays);
         staying.any(|turning| self.end_at(turning).is_some())
     }
 
-    /// Which extreme it is at where it turns.
+    /// Returns the kind of extreme at an extremum; `None` for a local one.
     fn end_at(&self, turning: &TurningPlace) -> Option<ExtremeEnd> {
         let near = SAME * (self.greatest.value - self.least.value);
         let ends = [
@@ -143,8 +144,8 @@ impl Excursion {
         is_at.map(|(_, end)| end)
     }
 
-    /// Every stretch on which it stays within a tolerance of a turning place, on the side on which it turns, as the driver
-    /// goes; what lies more than half within a longer one is not told.
+    /// Returns the stretches on which the quantity stays within a tolerance of an extremum, on the
+    /// side of its reversal. Stretches that lie more than half within a longer one are left out.
     pub(super) fn dwelling(
         &self,
         sampler: &mut MotionSampler,
@@ -191,7 +192,7 @@ impl Excursion {
                 from = from.max(to - period);
                 false
             }
-            // At a limit the driver turns and comes by once more.
+            // At a limit the driver reverses and passes the stretch again.
             Range::Limited { low, high } => from <= low || to >= high,
         };
         if there_and_back {
@@ -207,7 +208,8 @@ impl Excursion {
         })
     }
 
-    /// How far on, from a turning place, the figure stays between it and the other edge of the tolerance.
+    /// Returns how far from an extremum the quantity stays between its value and the other edge of
+    /// the tolerance.
     fn stays_until(
         &self,
         about: usize,
@@ -243,7 +245,7 @@ impl Excursion {
         Some((here.at - turning.place.at).abs())
     }
 
-    /// The turning place so many on from one, round and round where the motion repeats.
+    /// Returns the extremum `hop` places after or before another, cyclic for a periodic motion.
     fn hop(&self, about: usize, hop: usize, forwards: bool, range: Range) -> Option<FigurePlace> {
         let count = self.turnings.len();
         let (index, rounds) = match forwards {
@@ -265,20 +267,21 @@ impl Excursion {
     }
 }
 
-/// How much of the driver's way two dwells share, the longer one last.
+/// Returns the driver's travel that two dwells share, the longer one last.
 fn shared(dwell: &DwellStretch, longer: &DwellStretch, period: Option<f64>) -> f64 {
     let common =
         |shift: f64| (dwell.to + shift).min(longer.to) - (dwell.from + shift).max(longer.from);
     let Some(period) = period else {
         return common(0.0).max(0.0);
     };
-    // Once round, one begins before the other, and a second time within it.
+    // In a periodic motion a dwell may overlap the longer one twice: from before its beginning, and
+    // before its end.
     let near = period * ((longer.from - dwell.from) / period).floor();
     let shifts = [near, near + period];
     shifts.into_iter().map(|by| common(by).max(0.0)).sum()
 }
 
-/// Where a figure passes a value between two neighbouring turning places.
+/// Finds the coordinate where a quantity passes a value between two neighbouring extrema.
 fn crossing(
     [a, b]: [FigurePlace; 2],
     value: f64,

@@ -1,4 +1,4 @@
-//! Against closed formulas: each is written out beside what it stands for.
+//! Tests excursions against closed formulas, which are written out here.
 
 use super::{CycleFigure, CycleFigures, Excursion, ExcursionWish, NoFigure};
 use crate::quantity::Catalogue;
@@ -53,7 +53,7 @@ pub(super) fn close(found: &[Result<f64, NoFigure>], wanted: &[f64], within: f64
     }
 }
 
-/// A slider-crank whose guide lies `offset` beside the crank's pivot.
+/// Returns a slider-crank whose guide is offset from the crank's pivot by `offset`.
 pub(super) fn slider_crank(crank: f64, rod: f64, offset: f64) -> (Scene, Solver) {
     opened(&format!(
         "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"crank\"\nangle = 60\nspeed = \"10 rad/s\"\n\

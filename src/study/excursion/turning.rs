@@ -1,26 +1,28 @@
-//! Where a figure turns.
+//! Finds the extrema of a quantity.
 
 use super::sampler::{FigureSample, MotionSampler, SampledFigure};
 use super::{FigurePlace, NoFigure, TurningPlace, first_period};
 use crate::numeric::{Unsettled, lowest, root, turns};
 use crate::solver::Range;
 
-/// A turn that is undone within this part of the stroke is rounding; where only values are known, within so much.
+/// The reversal below which an extremum is a rounding error, relative to the stroke; the larger one
+/// applies without slopes.
 const UNDONE: f64 = 1e-9;
 const UNDONE_BY_VALUES: f64 = 1e-6;
-/// As a part of a stretch, how far beside a place without a slope one is looked for.
+/// The distance from a place without a slope at which a slope is sampled, relative to the stretch.
 const ASIDE: f64 = 1e-6;
-/// Halvings by which a jump of a slope is found.
+/// Bisections to find a jump of a slope.
 const BISECTIONS: u32 = 60;
-/// Halvings of a stretch between two samples.
+/// Bisections of a stretch between two samples.
 const HALVINGS: u32 = 10;
-/// Slopes at both ends in parts of the mean slope: where they come to no more than this, the cubic goes one way
-/// (the sum may be 4 where they are alike; Fritsch and Carlson 1980), and the slope half-way is 3/4 of the mean.
+/// Maximum sum of the slopes at both ends, relative to the mean slope, for which the cubic counts
+/// as monotonic. A sum of 4 is also monotonic for equal slopes (Fritsch and Carlson 1980). At 3 the
+/// slope half-way is 3/4 of the mean.
 const ONE_WAY: f64 = 3.0;
 
-/// The turning places of a figure, and its extremes.
+/// All extrema of a quantity.
 pub(super) struct Turnings {
-    /// By coordinate, over one period or with both ends of the range.
+    /// The extrema by coordinate, over one period or including both ends of the range.
     pub(super) places: Vec<TurningPlace>,
     pub(super) least: FigurePlace,
     pub(super) greatest: FigurePlace,
@@ -89,7 +91,7 @@ impl FigureSample {
     }
 }
 
-/// Turns where the slope changes its sign.
+/// Finds extrema as sign changes of the slope.
 fn by_slope(
     sampler: &mut MotionSampler,
     column: usize,
@@ -104,7 +106,7 @@ fn by_slope(
     found
 }
 
-/// The turns between two samples.
+/// Finds the extrema between two samples.
 fn look_between(
     sampler: &mut MotionSampler,
     column: usize,
@@ -113,7 +115,8 @@ fn look_between(
     halvings: u32,
     found: &mut Vec<FigurePlace>,
 ) {
-    // Just where a formula turns over, or a rate grows beyond all bounds, there is no slope: a little aside there is.
+    // At a kink of a formula, or at a pole of a rate, the slope does not exist; it exists next to
+    // it.
     let aside = ASIDE * (b.at - a.at);
     for (end, by) in [(&mut a, aside), (&mut b, -aside)] {
         if !end.slope.is_finite() {
@@ -128,7 +131,7 @@ fn look_between(
         let finest = f64::EPSILON * (b.at - a.at);
         let slope = |at| sampler.degree(column, 1, at);
         let level = root((a.at, a.slope), (b.at, b.slope), finest, slope).ok();
-        // Where a formula turns over the slope jumps to the other side.
+        // At a kink of a formula the slope jumps to the other sign.
         let at = level.unwrap_or_else(|| jump(sampler, column, [a, b]));
         let value = sampler.sample(column, at, a.value).value;
         found.push(FigurePlace { at, value });
@@ -142,7 +145,7 @@ fn look_between(
     look_between(sampler, column, [middle, b], noise, halvings - 1, found);
 }
 
-/// Where a slope goes from one side to the other without being nought, to the last digits.
+/// Finds the place where a slope changes sign by a jump, to full precision.
 fn jump(sampler: &mut MotionSampler, column: usize, [a, b]: [FigureSample; 2]) -> f64 {
     let (mut low, mut high) = (a.at, b.at);
     for _ in 0..BISECTIONS {
@@ -156,17 +159,17 @@ fn jump(sampler: &mut MotionSampler, column: usize, [a, b]: [FigureSample; 2]) -
     0.5 * (low + high)
 }
 
-/// Whether the cubic through two samples goes one way, with a margin.
+/// Returns `true` if the cubic through two samples is monotonic, with a margin.
 fn goes_one_way([a, b]: [FigureSample; 2], noise: f64) -> bool {
     let way = b.at - a.at;
     let change = b.value - a.value;
     let slopes = (a.slope + b.slope) * way;
-    // Both are as small as rounding.
+    // Both are as small as rounding errors.
     let is_level = change.abs() + slopes.abs() <= 16.0 * noise;
     is_level || (change * slopes > 0.0 && slopes / change <= ONE_WAY)
 }
 
-/// Turns of what has values alone.
+/// Finds extrema of a quantity without slopes.
 fn by_values(
     sampler: &mut MotionSampler,
     column: usize,
@@ -182,7 +185,7 @@ fn by_values(
     let mut found: Vec<FigurePlace> = inner
         .map(|turn| {
             let k = turn.sample;
-            // Round the seam one sample stands before the first.
+            // At the seam, the previous sample is a period earlier.
             let before = match k {
                 0 => sampled.before_first(),
                 _ => at[k - 1],
@@ -203,7 +206,7 @@ fn by_values(
     found
 }
 
-/// Of the candidates of one period those that are turns.
+/// Selects the extrema among the candidates of one period.
 fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
     let Some(first) = candidates.first() else {
         return Vec::new();
@@ -223,7 +226,7 @@ fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
     found
 }
 
-/// A turn between two others, of what never comes back.
+/// Returns the extremum at the second of three candidates, for a quantity that makes full turns.
 fn middle(three: &[FigurePlace]) -> Option<TurningPlace> {
     let [before, place, behind] = *three else {
         return None;
@@ -237,7 +240,8 @@ fn middle(three: &[FigurePlace]) -> Option<TurningPlace> {
     })
 }
 
-/// Of the candidates of a range those that are turns, and both ends, where the driver turns.
+/// Selects the extrema among the candidates of a range, and adds both ends, where the driver
+/// reverses.
 fn between_ends(
     sampled: &SampledFigure,
     candidates: &[FigurePlace],

@@ -1,12 +1,13 @@
-//! Numbers that are pleasant to work with by hand.
+//! Round numbers for calculations by hand.
 
 use crate::scene::figure;
 
-/// From here on the second digit is 0 or 5.
+/// The number of two digits from which on the second digit is 0 or 5.
 const LARGE: u32 = 50;
 
-/// The agreeable number nearest to a size: two digits, the second 0 or 5 from 50 on (12, 45, 60, 85, 270), as it
-/// is written in a scene; 0 stays, and so does a sign. `None` for what is not finite or too small for a number.
+/// Returns the nearest round number as it is written in a scene: two digits, the second 0 or 5 from
+/// 50 on (12, 45, 60, 85, 270). Zero and the sign are kept. Returns `None` if the value is not
+/// finite or underflows.
 pub(super) fn agreeable(value: f64) -> Option<String> {
     if value == 0.0 {
         return Some("0".into());
@@ -23,7 +24,7 @@ pub(super) fn agreeable(value: f64) -> Option<String> {
     (size > 0.0 && size.is_finite()).then(|| figure(size.copysign(value)))
 }
 
-/// A number in full where six digits do not hold it, as a scene may have it.
+/// Formats a number with six digits, or in full if they do not represent it.
 pub(super) fn exactly(value: f64) -> String {
     let short = figure(value);
     let is_same = short

@@ -1,4 +1,4 @@
-//! Which numbers of a scene are its dimensions, and how they hang together.
+//! Finds the dimensions of a scene and their relations.
 
 use super::agreeable::{agreeable, exactly};
 use crate::numeric::SeededChance;
@@ -8,47 +8,48 @@ use std::collections::{HashMap, HashSet};
 /// The dimensions of a scene.
 #[derive(Clone, Debug)]
 pub(super) struct Dimensions {
-    /// Different sizes: what is equal in the scene stays equal.
+    /// The distinct sizes: dimensions that are equal in the scene stay equal.
     sizes: Vec<f64>,
     list: Vec<VariedNumber>,
 }
 
-/// A number that is a dimension.
+/// A dimension.
 #[derive(Clone, Debug)]
 struct VariedNumber {
     value: Value,
     rule: DimensionRule,
 }
 
-/// How a dimension follows from the sizes.
+/// The relation of a dimension to the sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum DimensionRule {
-    /// It is one of them, by its sign.
+    /// A size, with the dimension's sign.
     Size(usize),
-    /// It is so many halves of a size: a centre of mass at mid-length stays there.
+    /// A number of halves of a size: a centre of mass at mid-length stays there.
     Halves(usize, f64),
-    /// It grows with a size.
+    /// Proportional to a size.
     With(usize),
-    /// It grows with the whole: where a driven slide stands.
+    /// Proportional to the whole: the start of a driven slide.
     Whole,
 }
 
-/// How far the dimensions are to move.
+/// The variation of the dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DrawnApart {
-    /// Each by itself, by up to so many percent.
+    /// Each independently, by up to this percentage.
     Each(u32),
     /// All by the same factor.
     Together,
 }
 
-/// The factors by which a whole scene is made larger or smaller: agreeable numbers stay agreeable.
+/// The factors that scale a whole scene; round numbers stay round.
 const FACTORS: [f64; 8] = [0.4, 0.5, 0.8, 1.2, 1.25, 1.5, 2.0, 2.5];
-/// The size of the whole, in percent.
+/// The range of the whole's size, in percent.
 const WHOLE: [u32; 2] = [60, 160];
 
 impl Dimensions {
-    /// The dimensions of a scene: lengths of links, points on links and on the ground, guides, centres of mass.
+    /// Finds the dimensions of a scene: lengths of links, points on links and on the ground,
+    /// guides, and centres of mass.
     pub(super) fn of(scene: &Scene) -> Dimensions {
         let values = scene.values();
         let lengths = LengthParameters::of(&values);
@@ -75,7 +76,7 @@ impl Dimensions {
             of.max_by_key(|(name, _)| name.len())
                 .map(|(_, length)| *length)
         };
-        // Lengths and points of the ground first: what lies on a link may follow from them.
+        // Lengths and ground points first: dimensions on links may depend on them.
         let is_local = |value: &Value| is_on(value, scene);
         for value in values.iter().filter(|v| !is_local(v)) {
             let rule = match value.owner {
@@ -108,7 +109,7 @@ impl Dimensions {
         })
     }
 
-    /// A coordinate on a link, or a distance on it; the link may have a length.
+    /// Returns the rule of a coordinate or distance on a link, whose length is given if it has one.
     fn local(&mut self, value: &Value, length: Option<f64>) -> DimensionRule {
         let of_length = length.and_then(|length| Some((length, self.find(length)?)));
         let Some((length, size)) = of_length else {
@@ -125,12 +126,12 @@ impl Dimensions {
         }
     }
 
-    /// Whether there is anything to change.
+    /// Returns `true` if there are no dimensions to change.
     pub(super) fn is_empty(&self) -> bool {
         self.sizes.is_empty()
     }
 
-    /// Other dimensions by chance: for each value what is to stand in its place.
+    /// Draws random dimensions; returns the new text of each value.
     pub(super) fn changed(
         &self,
         chance: &mut SeededChance,
@@ -183,7 +184,7 @@ impl Dimensions {
     }
 }
 
-/// The parameters that stand for lengths: parts are made of them, and no angle, no time and no plain number is.
+/// Parameters that lengths of parts depend on, but not angles, times or plain numbers.
 struct LengthParameters {
     names: HashSet<String>,
 }
@@ -195,7 +196,7 @@ impl LengthParameters {
             .filter(|value| value.measure == Measure::Parameter)
             .map(|value| (value.name.as_str(), value))
             .collect();
-        // All that a value follows from, by whatever way.
+        // All names that a value depends on, directly or indirectly.
         let behind = |of: &mut dyn Iterator<Item = &Value>| {
             let mut met: HashSet<String> = HashSet::new();
             let mut names: Vec<String> = of.flat_map(Value::follows_from).collect();
@@ -218,28 +219,28 @@ impl LengthParameters {
         }
     }
 
-    /// Whether a value is one of them, and a number.
+    /// Returns `true` if a value is such a parameter and a nonzero number.
     fn has(&self, value: &Value) -> bool {
         let is_own = value.is_number() && value.number != 0.0;
         value.measure == Measure::Parameter && is_own && self.names.contains(&value.name)
     }
 }
 
-/// Whether a value is a length of a part.
+/// Returns `true` if a value is a length of a part.
 fn is_of_a_part(value: &Value) -> bool {
     let is_length = matches!(value.measure, Measure::Length | Measure::Coordinate);
     let is_of_part = matches!(value.owner, ValueOwner::Element(_) | ValueOwner::Driver);
     is_length && is_of_part && !value.name.contains(" knot ")
 }
 
-/// Whether a value is a dimension that is not 0: zeros place things on axes. What acts, where it starts and what a
-/// motor keeps is none; what follows from a formula keeps it.
+/// Returns `true` for a dimension that is not 0; zeros place points on axes. Loads, start values
+/// and motor data are not dimensions, and values with a formula keep it.
 fn is_dimension(value: &Value) -> bool {
     value.formula.is_none() && value.number != 0.0 && is_of_a_part(value)
 }
 
-/// Whether a value tells of a place on a link: a coordinate, or how far it is from another place. A link's own length
-/// does not.
+/// Returns `true` if a value gives a place on a link: a coordinate, or the distance from another
+/// place. A link's own length does not.
 fn is_on(value: &Value, scene: &Scene) -> bool {
     let mut links = scene.mechanism.link_ids();
     links.any(|link| {

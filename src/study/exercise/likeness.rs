@@ -1,17 +1,17 @@
-//! Whether a mechanism moves as the one does that it was made from.
+//! Compares the kind of motion of an exercise with that of its original.
 
 use crate::angle::TURN;
 use crate::scene::figure;
 use crate::solver::{DrivenLoop, GroupKind, LoopKind, Order, Range, Solver, Workspace};
 use crate::{Input, Mechanism};
 
-/// What has to stay as it is.
+/// The properties of a motion that an exercise must keep.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MotionKind {
     groups: Vec<GroupKind>,
     redundant: usize,
     first_loop: Option<LoopKind>,
-    /// Whether the driver turns fully, and after how many turns the motion repeats.
+    /// The period of the motion if the driver turns fully.
     period: Option<f64>,
     dead_points: usize,
     change_points: usize,
@@ -36,14 +36,14 @@ impl MotionKind {
     }
 }
 
-/// Degrees between two places of a driver that turns.
+/// The step between places of a turning driver, in degrees.
 const STEP: i32 = 5;
-/// Parts of a limited range from either end that are too near to its limits.
+/// The fraction of a limited range at either end that is too close to the limit.
 const NEAR_END: f64 = 0.1;
-/// Places over the range of a driver that is pushed.
+/// Number of places over the range of a pushed driver.
 const PUSHED: u32 = 16;
 
-/// The places of the motion at which an exercise may stand: multiples of 5 degrees, or numbers of two digits, well
+/// Returns possible places of an exercise: multiples of 5 degrees, or numbers of two digits, well
 /// inside a limited range.
 pub(super) fn places(mechanism: &Mechanism, solver: &Solver) -> Vec<f64> {
     let range = solver.motion().range;
@@ -74,8 +74,8 @@ pub(super) fn places(mechanism: &Mechanism, solver: &Solver) -> Vec<f64> {
     }
 }
 
-/// How far a motion is from singularities at its places: for each of them the smallest margin of a group, 0 where the
-/// state is no ordinary one. That of a coupled group tells in parts of its largest alone.
+/// Returns for each place the smallest margin of a group from singularities; 0 if the state is not
+/// regular. The margin of a coupled group is relative to its largest one.
 pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> Vec<f64> {
     let all: Vec<_> = places.iter().map(|&at| solver.margins(at, work)).collect();
     let groups = &solver.plan().groups;
@@ -102,12 +102,13 @@ pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> 
     all.iter().map(|m| least(m).unwrap_or(0.0)).collect()
 }
 
-/// Below this part of the largest rate a figure is too small to be asked for; below the second it is 0.
+/// Rates from `ZERO` to `SMALL`, relative to the largest one, are too small for an exercise;
+/// smaller ones count as 0.
 const SMALL: f64 = 0.01;
 const ZERO: f64 = 1e-12;
 
-/// Whether all rates exist at a place, and none is all but 0: nobody is asked for rounding, and no crank
-/// stands where a rocker turns back.
+/// Returns `true` if all rates exist at a place, and none is nearly but not exactly zero. Such a
+/// rate would consist of rounding errors, or occur near a dead point of a rocker.
 pub(super) fn is_lively(solver: &Solver, at: f64, work: &mut Workspace) -> bool {
     let condition = solver.solve(at, Order::Acceleration, work);
     if condition != crate::solver::Condition::Ok {

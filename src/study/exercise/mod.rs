@@ -1,7 +1,8 @@
-//! Exercises: a scene with other dimensions, drawn by chance and the same for the same seed on every machine.
+//! Exercises: a scene with random dimensions, equal for equal seeds on every machine.
 //!
-//! What is drawn moves as the scene does from which it was made: the same groups, the same class, a crank that turns
-//! fully where it did, the same assembly; and it stands well away from dead points and change points.
+//! The exercise moves like the original scene. It has the same groups and class, a crank that turns
+//! fully if the original did, and the same assembly. Its position is well away from dead points and
+//! change points.
 
 mod agreeable;
 mod dimensions;
@@ -16,58 +17,59 @@ use agreeable::agreeable;
 use dimensions::{Dimensions, DrawnApart};
 use likeness::{MotionKind, is_lively, margins, places};
 
-/// How often dimensions are drawn, and how far apart: where lengths stand in relations that chance does not
-/// keep, the whole grows or shrinks.
+/// The number of attempts and the variation of dimensions. If lengths have relations that random
+/// changes break, the whole scene is scaled.
 const TRIES: [(usize, DrawnApart); 3] = [
     (60, DrawnApart::Each(25)),
     (30, DrawnApart::Each(12)),
     (12, DrawnApart::Together),
 ];
-/// At no place of the motion is a group nearer to a singularity than this: 18 degrees of a dyad, as the square of a sine.
+/// Minimum margin of all groups from singularities over the motion: 18 degrees of a dyad, as the
+/// square of a sine.
 const WORST: f64 = 0.1;
-/// The same at the place of the exercise: 30 degrees.
+/// Minimum margin at the position of the exercise: 30 degrees.
 const ASKED: f64 = 0.25;
-/// Where the scene itself comes nearer, an exercise may come so much nearer still.
+/// The factor on the original's own margins if they are smaller.
 const LESS: f64 = 0.8;
-/// How many places are tried of one mechanism.
+/// Number of positions to try for one mechanism.
 const PLACES: usize = 6;
-/// Speeds in percent of the scene's.
+/// The range of speeds, in percent of the scene's speed.
 const SPEEDS: [u32; 2] = [50, 200];
 
-/// A scene from which exercises are made.
+/// A generator of exercises from a scene.
 #[derive(Debug)]
 pub struct ExerciseMaker<'a> {
     scene: &'a Scene,
     solver: &'a Solver,
     dimensions: Dimensions,
     kind: MotionKind,
-    /// What is asked of the smallest margin over the motion, and of the one at the place of the exercise.
+    /// The required smallest margins over the motion and at the position of the exercise.
     worst: f64,
     asked: f64,
 }
 
-/// What an exercise is called, where it comes from, and what is to be said of it.
+/// The texts of an exercise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExerciseTitles {
     /// The title.
     pub name: String,
-    /// Where it comes from.
+    /// The source.
     pub source: String,
-    /// What there is to know.
+    /// The note.
     pub note: String,
 }
 
-/// An exercise: a scene of its own.
+/// An exercise: a separate scene.
 #[derive(Debug)]
 pub struct Exercise {
-    /// The scene, which opens where the exercise stands.
+    /// The scene, which opens at the position of the exercise.
     pub scene: Scene,
     /// Its solver.
     pub solver: Solver,
 }
 
 impl<'a> ExerciseMaker<'a> {
-    /// Looks at a scene in the assembly that its solver follows.
+    /// Analyses a scene in the assembly that its solver follows.
     #[must_use]
     pub fn new(scene: &'a Scene, solver: &'a Solver) -> ExerciseMaker<'a> {
         let own = margins(
@@ -82,19 +84,20 @@ impl<'a> ExerciseMaker<'a> {
             solver,
             dimensions: Dimensions::of(scene),
             kind: MotionKind::of(solver),
-            // Nobody asks more of an exercise than of what it is made from.
+            // The requirements are no stricter than the original allows.
             worst: WORST.min(LESS * worst),
             asked: ASKED.min(LESS * best),
         }
     }
 
-    /// Whether there are lengths that chance can change.
+    /// Returns `true` if the scene has dimensions to change.
     #[must_use]
     pub fn has_dimensions(&self) -> bool {
         !self.dimensions.is_empty()
     }
 
-    /// The exercise of a seed; `None` where no dimensions were found with which the scene still moves as it did.
+    /// Creates the exercise of a seed; `None` if no dimensions were found that keep the kind of
+    /// motion.
     #[must_use]
     pub fn exercise(&self, seed: u64, titles: &ExerciseTitles) -> Option<Exercise> {
         if !self.has_dimensions() {
@@ -104,7 +107,8 @@ impl<'a> ExerciseMaker<'a> {
         let told = self
             .scene
             .retold(&titles.name, &titles.source, &titles.note);
-        // Values are put into the text in which they were found: first numbers, then titles.
+        // Values are replaced in the text in which they were found: first the numbers, then the
+        // titles.
         let template = self.scene.again(&told)?;
         let of_template = template.values();
         for (tries, spread) in TRIES {
@@ -125,7 +129,7 @@ impl<'a> ExerciseMaker<'a> {
         None
     }
 
-    /// Dimensions, and how fast the driver is.
+    /// Draws dimensions and the driver's speed.
     fn drawn(&self, chance: &mut SeededChance, spread: DrawnApart) -> Option<Vec<(Value, String)>> {
         let mut changes = self.dimensions.changed(chance, spread)?;
         let [low, high] = SPEEDS;
@@ -146,7 +150,7 @@ impl<'a> ExerciseMaker<'a> {
         Some(changes)
     }
 
-    /// The exercise with these numbers, if it moves as it should.
+    /// Creates the exercise with these numbers, if it meets the requirements.
     fn tried(
         &self,
         template: &Scene,
@@ -177,7 +181,7 @@ impl<'a> ExerciseMaker<'a> {
     }
 }
 
-/// The scene as it opens at a place in the assembly of its solver.
+/// Returns the scene opened at a position in the assembly of its solver.
 fn opened(scene: &Scene, solver: &Solver, at: f64) -> Option<Exercise> {
     let key = match scene.mechanism.driver().input {
         Input::Turn(_) => Measure::Angle,

@@ -17,7 +17,7 @@ fn open(name: &str) -> (Scene, Solver) {
     (scene, solver)
 }
 
-/// The places of the motion, by every fifteenth degree.
+/// Returns `true` if the scene assembles at every fifteenth degree of the motion.
 fn assembles_everywhere(solver: &Solver) -> bool {
     let mut state = solver.state();
     let (low, high) = match solver.motion().range {

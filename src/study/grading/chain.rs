@@ -1,7 +1,7 @@
-//! The loop equations as a chain: what follows from figures that somebody found before.
+//! The loop equations as a chain: computes values from values found before.
 //!
-//! Whatever is given stands at its face value, rounded or wrong as it is; the rest is solved from the equations of its
-//! group as by hand, and what is given too much of is met as well as can be.
+//! Given values are used at face value, even if rounded or wrong. The others are solved from the
+//! equations of their group as by hand; overdetermined equations are solved by least squares.
 
 use crate::Vec2;
 use crate::quantity::{Aspect, Quantity, Subject};
@@ -10,53 +10,53 @@ use crate::study::{LoopSum, SoughtKind, SoughtVector, VectorPart};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// What is sought, with its rates: angles in rad, lengths in the scene's unit, per s and s^2.
+/// The values and rates of the unknowns: angles in rad, lengths in the scene's unit, per s and s^2.
 pub type ChainValues = Vec<[f64; 3]>;
 
-/// How the figures of one state follow from each other.
+/// The dependencies between the values of one state.
 #[derive(Clone, Debug)]
 pub struct SolutionChain {
-    /// What each variable is; the first is the driver's coordinate.
+    /// The kind of each variable; the first is the driver's coordinate.
     pub kinds: Vec<SoughtKind>,
-    /// Their true values.
+    /// The exact values of the variables.
     pub exact: ChainValues,
-    /// The groups, in the order in which they are solved.
+    /// The groups, in the order of solution.
     pub groups: Vec<ChainGroup>,
     /// The angles of the links.
     pub links: Vec<VectorPart>,
     /// The slides: the position along the guide, and the guide's angle.
     pub slides: Vec<[VectorPart; 2]>,
-    /// The way to every point, from the frame's origin.
+    /// The path to every point from the frame's origin.
     pub points: Vec<Option<LoopSum>>,
 }
 
-/// A group: its loops, and the variables that are sought in them.
+/// A group: its loops, and its unknowns.
 #[derive(Clone, Debug)]
 pub struct ChainGroup {
-    /// The sums that are nought.
+    /// The sums that must be zero.
     pub loops: Vec<LoopSum>,
-    /// By their numbers.
+    /// The indices of the unknowns.
     pub sought: Vec<usize>,
 }
 
-/// A variable, and which of its rates.
+/// A variable or one of its rates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChainSlot {
-    /// 0 for itself, 1 and 2 for its rates.
+    /// 0 for the value, 1 and 2 for its rates.
     pub order: usize,
-    /// Its number.
+    /// The index of the variable.
     pub variable: usize,
 }
 
-/// Steps of Newton's method; from the true values it takes a few.
+/// Maximum number of Newton steps; from the exact values a few suffice.
 const STEPS: usize = 30;
-/// A step that is so small, in rad or in parts of the longest vector, is the last.
+/// The step below which the iteration ends, in rad or relative to the longest vector.
 const ARRIVED: f64 = 1e-13;
-/// Singular values below this part of the largest one are none.
+/// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-12;
 
 impl SolutionChain {
-    /// The slots of all that is sought, in the order in which it is found.
+    /// Returns the slots of all unknowns, in the order of solution.
     #[must_use]
     pub fn slots(&self) -> Vec<ChainSlot> {
         let sought = || self.groups.iter().flat_map(|group| &group.sought);
@@ -64,7 +64,8 @@ impl SolutionChain {
         (0..3).flat_map(of).collect()
     }
 
-    /// The slot that a figure tells, and what its angle is more than that of the variable, in rad.
+    /// Returns the slot that a value determines, and the offset of its angle from the variable, in
+    /// rad; `None` if it determines none.
     #[must_use]
     pub fn slot_of(&self, figure: &Quantity) -> Option<(ChainSlot, f64)> {
         let (subject, aspect) = (figure.subject()?, figure.aspect()?);
@@ -83,20 +84,22 @@ impl SolutionChain {
         }
     }
 
-    /// The true value of a slot.
+    /// Returns the exact value of a slot.
     #[must_use]
     pub fn exact_at(&self, slot: ChainSlot) -> Option<f64> {
         self.exact.get(slot.variable)?.get(slot.order).copied()
     }
 
-    /// All variables, where some are given: `given` tells which, and as what. `None` where nothing follows.
+    /// Computes all variables from given ones: `given` returns the value of a given slot. Returns
+    /// `None` if the equations cannot be solved.
     #[must_use]
     pub fn follow(&self, given: &dyn Fn(ChainSlot) -> Option<f64>) -> Option<ChainValues> {
         let all: Vec<usize> = (0..self.kinds.len()).collect();
         self.follow_for(&all, given)
     }
 
-    /// The same where only these variables are wanted, with all that they hang on; the others stay as they are.
+    /// Computes the `wanted` variables and those they depend on; the others keep their exact
+    /// values.
     pub(super) fn follow_for(
         &self,
         wanted: &[usize],
@@ -122,7 +125,8 @@ impl SolutionChain {
         Some(values)
     }
 
-    /// Whether nothing in the loops of a group is other than it truly is: then nothing is to be solved.
+    /// Returns `true` if all variables in a group's loops are exact, so that solving is
+    /// unnecessary.
     fn is_exact(&self, group: &ChainGroup, order: usize, values: &[[f64; 3]]) -> bool {
         group.loops.iter().flat_map(variables).all(|variable| {
             let up_to =
@@ -131,11 +135,11 @@ impl SolutionChain {
         })
     }
 
-    /// The variables that a figure hangs on, by their numbers.
+    /// Returns the indices of the variables that a quantity depends on.
     #[must_use]
     pub fn variables_of(&self, figure: &Quantity) -> Vec<usize> {
         let parts = std::cell::RefCell::new(Vec::new());
-        // Whatever the values are: what it is made of is asked for.
+        // The values are irrelevant: only the parts of the quantity are collected.
         let _ = figure.made_of(|subject, aspect| {
             parts.borrow_mut().extend(self.parts_of(subject, aspect));
             Some(1.0)
@@ -152,7 +156,7 @@ impl SolutionChain {
         found
     }
 
-    /// The variables that a part of a figure is told by.
+    /// Returns the variables that determine a part of a quantity.
     fn parts_of(&self, subject: Subject, aspect: Aspect) -> Vec<usize> {
         let sought = |part: Option<VectorPart>| match part {
             Some(VectorPart::Sought(variable, _)) => vec![variable],
@@ -175,7 +179,7 @@ impl SolutionChain {
         }
     }
 
-    /// Rates for these positions, all of them solved.
+    /// Returns the exact rates for given positions.
     #[must_use]
     pub fn rates_at(&self, positions: &[f64]) -> Option<ChainValues> {
         self.follow(&|slot| match slot.order {
@@ -184,7 +188,7 @@ impl SolutionChain {
         })
     }
 
-    /// A figure of these values; `None` for what is no motion.
+    /// Computes a quantity from these values; `None` if it is not a motion quantity.
     #[must_use]
     pub fn figure(&self, figure: &Quantity, values: &[[f64; 3]]) -> Option<f64> {
         figure.made_of(|subject, aspect| self.value(subject, aspect, values))
@@ -201,7 +205,7 @@ impl SolutionChain {
             return Some(());
         }
         if order > 0 {
-            // Rates are linear: what the others leave is what these have to make good.
+            // Rates are linear: the open ones balance the given ones.
             for &variable in open {
                 values.get_mut(variable)?[order] = 0.0;
             }
@@ -285,7 +289,7 @@ impl SolutionChain {
     }
 }
 
-/// The variables in a sum.
+/// Returns the indices of the variables in a sum.
 fn variables(of: &LoopSum) -> Vec<usize> {
     let parts = of
         .sought
@@ -298,7 +302,7 @@ fn variables(of: &LoopSum) -> Vec<usize> {
     own.collect()
 }
 
-/// What solves the open variables of a group to first order.
+/// Returns the step that solves for a group's open variables to first order.
 fn step(group: &ChainGroup, order: usize, open: &[usize], values: &[[f64; 3]]) -> Option<Vec<f64>> {
     let rows = 2 * group.loops.len();
     let mut matrix = DMatrix::zeros(rows, open.len());
@@ -336,7 +340,7 @@ fn longest(group: &ChainGroup, values: &[[f64; 3]]) -> f64 {
     lengths.fold(f64::MIN_POSITIVE, f64::max)
 }
 
-/// A length or an angle, or one of its rates.
+/// Returns a length or an angle, or one of its rates.
 fn part_of(part: VectorPart, order: usize, values: &[[f64; 3]]) -> Option<f64> {
     match part {
         VectorPart::Known(value) if order == 0 => Some(value),
@@ -348,13 +352,13 @@ fn part_of(part: VectorPart, order: usize, values: &[[f64; 3]]) -> Option<f64> {
     }
 }
 
-/// Length and direction of a vector.
+/// Returns the length and the direction of a vector.
 fn heading(vector: &SoughtVector, values: &[[f64; 3]]) -> Option<(f64, Vec2)> {
     let (sin, cos) = part_of(vector.angle, 0, values)?.sin_cos();
     Some((part_of(vector.length, 0, values)?, Vec2::new(cos, sin)))
 }
 
-/// The sum of some vectors, its rate, and the rate of that.
+/// Returns the sum of some vectors, its rate, and the rate of that.
 fn motion(of: &LoopSum, values: &[[f64; 3]]) -> Option<[Vec2; 3]> {
     let mut sum = [of.known, Vec2::ZERO, Vec2::ZERO];
     for vector in &of.sought {
@@ -375,7 +379,7 @@ fn motion(of: &LoopSum, values: &[[f64; 3]]) -> Option<[Vec2; 3]> {
     Some(sum)
 }
 
-/// A figure of the vector between two points.
+/// Returns a quantity of the vector between two points; `None` for an aspect of something else.
 fn between([r, v, a]: [Vec2; 3], aspect: Aspect) -> Option<f64> {
     let length = r.norm();
     let u = r / length;
@@ -391,7 +395,7 @@ fn between([r, v, a]: [Vec2; 3], aspect: Aspect) -> Option<f64> {
     })
 }
 
-/// Degrees from 0 to below 360.
+/// Converts radians to degrees in [0, 360).
 fn degrees(radians: f64) -> f64 {
     crate::angle::wrapped(radians.to_degrees())
 }

@@ -1,15 +1,15 @@
-//! How a figure follows from earlier ones, as they were written.
+//! Explains an answer as a consequence of earlier answers as they were written.
 
 use super::verdict::{FEWEST, FigureVerdict, MOST, RoundedEarly, Truth};
 use super::{AnswerKey, AskedFigure, ChainSlot, FacedSlot, SolutionChain, WrittenFigure};
 
-/// Earlier answers are tried together in so many ways at the most: each takes solving the loop equations again.
+/// Maximum number of sets of earlier answers to try; each requires solving the loop equations.
 const MOST_SETS: usize = 40;
-/// So few wrong answers may each have been carried on with all digits.
+/// Maximum number of wrong answers for which unwritten digits are considered.
 const FEW_WRONG: usize = 2;
 
 impl AnswerKey {
-    /// The figure as it follows from earlier ones, all that were written so far or one of them alone.
+    /// Explains a value by earlier answers: by several of them together, or by a single one.
     pub(super) fn explained(
         &self,
         figure: &AskedFigure,
@@ -27,15 +27,16 @@ impl AnswerKey {
             Some(own) => place(face.slot).is_some_and(|place| place < own),
             None => face.slot.order <= order,
         };
-        // What it does not hang on explains nothing.
+        // Answers that the value does not depend on explain nothing.
         let hangs_on = chain.variables_of(&figure.quantity);
         let is_earlier =
             |face: &&FacedSlot| is_earlier(face) && hangs_on.contains(&face.slot.variable);
         let mut earlier: Vec<&FacedSlot> = faced.iter().filter(is_earlier).collect();
         earlier.sort_by_key(|face| place(face.slot));
-        // Who writes figures down goes on with them; but some carry the last ones on with all digits.
+        // Most students continue with the values they write, but some keep more digits of the last
+        // ones.
         let counts = (1..=earlier.len()).rev().take(MOST_SETS / 2);
-        // Of one alone: first those that are wrong, and the last ones.
+        // Single answers: the wrong ones and the last ones first.
         let mut single: Vec<&FacedSlot> = earlier.iter().rev().copied().collect();
         single.sort_by_key(|face| face.is_sound);
         single.truncate(MOST_SETS / 2);
@@ -45,8 +46,8 @@ impl AnswerKey {
         let mut sets = counts
             .map(|count| &earlier[..count])
             .chain(single.chunks(1));
-        // Among many wrong answers one that comes near is chance: digits that were carried on are allowed for where few
-        // are wrong, or all are taken together.
+        // With many wrong answers a close value may be a coincidence. Unwritten digits are
+        // therefore allowed only if few answers are wrong, or if all are used together.
         let wrong = earlier.iter().filter(|face| !face.is_sound).count();
         sets.find_map(|set| {
             let is_carried = wrong <= FEW_WRONG || set.len() == earlier.len();
@@ -55,7 +56,8 @@ impl AnswerKey {
         })
     }
 
-    /// The figure as it follows from some at their face value, where that is what was written.
+    /// Explains a value by a set of answers at face value; `None` if the written value is
+    /// different.
     fn explanation(
         &self,
         (chain, hangs_on): (&SolutionChain, &[usize]),
@@ -74,7 +76,7 @@ impl AnswerKey {
         let followed = by(&|face| Some(face.value))?;
         let apart = truth.with(followed).apart(written.value).abs();
         let unit = written.unit_of(FEWEST, MOST);
-        // What is no nearer to it than to the exact figure explains nothing.
+        // A value closer to the exact one is not explained.
         if !(apart <= 0.5 * truth.apart(written.value).abs()) {
             return None;
         }
@@ -82,7 +84,8 @@ impl AnswerKey {
         if apart > unit && !(is_carried && apart <= unit + there.carried()) {
             return None;
         }
-        // Who carried all digits on wrote fewer: what half of the last digit of each does.
+        // The effect of half of the last digit of each answer, for a student who kept more digits
+        // than written.
         let carried = |one: &FacedSlot| {
             let more = by(&|face| match face.slot == one.slot {
                 true => Some(face.value + face.half),
@@ -96,7 +99,7 @@ impl AnswerKey {
                 return None;
             }
         }
-        // What one of them does while the others are exact.
+        // The effect of one answer while the others are exact.
         let effect = |one: &FacedSlot| {
             let alone = by(&|face| match face.slot == one.slot {
                 true => Some(face.value),
@@ -111,7 +114,7 @@ impl AnswerKey {
             wanted.max_by(|a, b| a.0.total_cmp(&b.0)).copied()
         };
         Some(match largest(&|face| !face.is_sound) {
-            // Who writes the same number everywhere follows from nothing.
+            // A number that is written everywhere is not a consequence of earlier answers.
             Some((effect, face)) if effect > unit && face.number == written.value => return None,
             Some((effect, face)) if effect > unit => FigureVerdict::Followed(face.figure),
             _ => {

@@ -1,16 +1,17 @@
-//! Finds the given value that a student misread: with it the wrong answers are right.
+//! Finds a given value that a student misread, so that the wrong answers follow from it.
 
 use super::verdict::{FEWEST, FigureVerdict, MOST, Truth};
 use super::{AnswerKey, GivenAnswer, WrittenFigure};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
 
-/// The scene of a sheet at the place that is asked about: its given values can be changed.
+/// The scene of an exercise sheet at the position of the questions; its given values can be
+/// changed.
 #[derive(Clone, Copy, Debug)]
 pub struct SheetScene<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Its solver.
+    /// The scene's solver.
     pub solver: &'a Solver,
     /// The driver's coordinate.
     pub at: f64,
@@ -21,26 +22,27 @@ pub struct SheetScene<'a> {
 pub struct MisreadValue {
     /// The value.
     pub value: Value,
-    /// What it was read as.
+    /// The number it was read as.
     pub number: f64,
-    /// The first answer that shows it, by its number.
+    /// The index of the first answer that shows the mistake.
     pub figure: usize,
 }
 
-/// So many answers must be explained beside the first, or all that are wrong: fewer may be chance.
+/// Minimum number of other answers to explain, or all wrong ones if there are fewer; an explanation
+/// of fewer may be a coincidence.
 const FEWEST_EXPLAINED: usize = 2;
-/// Steps of the secant method.
+/// Maximum number of secant steps.
 const STEPS: usize = 30;
-/// A step of it is halved at the most so often.
+/// Maximum number of halvings of a step.
 const HALVINGS: i32 = 8;
-/// A step below this part of the value is the last.
+/// The step below which the iteration ends, relative to the value.
 const ARRIVED: f64 = 1e-12;
-/// The part of a value by which its first slope is found.
+/// The relative change for the first slope.
 const FIRST_STEP: f64 = 1e-4;
 
 impl AnswerKey {
-    /// Explains wrong answers by one given value that was misread: the first of them keeps its verdict, the others are
-    /// right by it.
+    /// Explains wrong answers by one misread given value. The first of them keeps its verdict; the
+    /// others count as consequential.
     #[must_use]
     pub fn misread(
         &self,
@@ -58,7 +60,8 @@ impl AnswerKey {
         if lost.len() < 2 {
             return None;
         }
-        // The first of the positions, of the velocities and of the accelerations; of two both.
+        // Candidates: the first answer of the positions, of the velocities and of the
+        // accelerations; with two wrong answers both.
         let mut orders: Vec<Order> = Vec::new();
         let firsts = lost.iter().filter(|(number, _)| {
             let order = self.figures[*number].quantity.order();
@@ -66,7 +69,7 @@ impl AnswerKey {
             orders.push(order);
             is_first || lost.len() == 2
         });
-        // The value that explains most of the others, and the first of these.
+        // Choose the value that explains most of the others, and the first one of equals.
         let most = lost.len() - 1;
         let fewest = FEWEST_EXPLAINED.min(most);
         let mut best: Option<(MisreadValue, Vec<usize>)> = None;
@@ -98,7 +101,7 @@ impl AnswerKey {
         Some(misread)
     }
 
-    /// The number of a value with which a figure is what was written.
+    /// Finds the number for a given value at which a quantity equals the written one.
     fn read_as(
         &self,
         (figure, written): (usize, WrittenFigure),
@@ -122,7 +125,7 @@ impl AnswerKey {
             if (next - here.0).abs() <= ARRIVED * value.number.abs() {
                 return Some(next);
             }
-            // A step too far may end where nothing closes.
+            // A long step may end where the loops do not close.
             let mut halved = (0..HALVINGS).map(|k| here.0 + (next - here.0) / f64::from(1 << k));
             let (next, miss) = halved.find_map(|next| Some((next, off(next)?)))?;
             (last, here) = (here, (next, miss));
@@ -130,7 +133,7 @@ impl AnswerKey {
         None
     }
 
-    /// The number that a value was read as, and the answers, but the first, that are right by it.
+    /// Returns the number that a value was read as, and the other answers that it explains.
     fn reading(
         &self,
         (first, written): (usize, WrittenFigure),
@@ -150,7 +153,8 @@ impl AnswerKey {
             let there = Truth::of(&self.figures[figure]).with(beside.0[figure]?);
             Some(there.apart(beside.1[figure]?).abs())
         };
-        // What the digits that the first answer does not have do to the value: they may have been cut off.
+        // The change of the value by the digits that the first answer lacks, because they may have
+        // been cut off.
         let last = written.unit_of(FEWEST, i32::MAX);
         let parts = last / moved(first).filter(|by| *by > 0.0)?;
         let is_explained = |there: &[Option<f64>], figure: usize, own: WrittenFigure| {
@@ -159,7 +163,7 @@ impl AnswerKey {
             let apart = followed.apart(own.value).abs();
             let carried = (parts * moved(figure)?).min(followed.carried());
             let is_nearer = apart <= 0.5 * truth.apart(own.value).abs();
-            // Who writes the same number everywhere follows from nothing.
+            // A number that is written everywhere is not a consequence of earlier answers.
             let is_copied = own.value == written.value;
             Some(is_nearer && !is_copied && apart <= own.unit_of(FEWEST, MOST) + carried)
         };
@@ -173,7 +177,7 @@ impl AnswerKey {
                 explained.map(|(number, _)| *number).collect::<Vec<_>>(),
             ))
         };
-        // A round number, unless another explains more.
+        // A round number is preferred, unless the exact one explains more.
         let round = roundest(found, (parts * FIRST_STEP * found).abs());
         let (round, exact) = (explained(round), explained(found));
         match (round, exact) {
@@ -184,7 +188,8 @@ impl AnswerKey {
     }
 }
 
-/// The number with the fewest digits, four at the most, that is no farther from another than this; else that one.
+/// Returns the number with the fewest digits, up to four, within a distance; without one, the
+/// number itself.
 fn roundest(number: f64, within: f64) -> f64 {
     let rounded = (0..4).filter_map(|digits| format!("{number:.digits$e}").parse::<f64>().ok());
     let mut near = rounded.filter(|rounded| (rounded - number).abs() <= within);
@@ -192,7 +197,7 @@ fn roundest(number: f64, within: f64) -> f64 {
 }
 
 impl SheetScene<'_> {
-    /// The given values that can be misread: numbers other than 0.
+    /// Returns the given values that can be misread: numbers other than 0.
     fn given(&self) -> Vec<Value> {
         let mut values = self.scene.values();
         values.retain(|value| {
@@ -221,7 +226,7 @@ impl SheetScene<'_> {
             };
             is_given && value.formula.is_none() && value.number != 0.0
         });
-        // What the driver does is misread before a length is.
+        // The driver's values are misread more often than lengths.
         values.sort_by_key(|value| value.owner != ValueOwner::Driver);
         values
     }
@@ -250,7 +255,7 @@ fn solved<T>(solver: &Solver, at: f64, read: impl FnOnce(&crate::solver::State) 
     (condition == Condition::Ok).then(|| read(&state))
 }
 
-/// Whether an answer earns nothing and may follow from a misread value.
+/// Returns `true` if an answer earns nothing and may follow from a misread value.
 fn is_lost(verdict: FigureVerdict) -> bool {
     match verdict {
         FigureVerdict::Wrong

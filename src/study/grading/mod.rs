@@ -1,7 +1,7 @@
-//! Figures of a student, graded: what is right, and of what is not, what may have happened.
+//! Grades a student's answers: finds the right ones, and the probable causes of the others.
 //!
-//! A figure that is not the exact one may follow from earlier figures as they were written: then it was rounded early,
-//! or it is right by what was wrong before. Which of them explains it is told.
+//! A value that differs from the exact one may follow from earlier answers as they were written. It
+//! was then rounded early, or it is consequential. The verdict names the earlier answer.
 
 mod chain;
 mod explained;
@@ -20,54 +20,55 @@ use crate::quantity::{Quantity, known_unit, unit_factor};
 use points::{FacedVector, VectorSlot};
 use verdict::{FEWEST, Truth};
 
-/// A figure that is asked for.
+/// A required value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedFigure {
-    /// Which.
+    /// The quantity.
     pub quantity: Quantity,
-    /// Its value.
+    /// The exact value.
     pub exact: f64,
-    /// What the error of that does not exceed, where it was proved.
+    /// The proved bound of its error, if there is one.
     pub bound: Option<f64>,
-    /// The largest of its kind: beside it this one may be 0.
+    /// The largest value of its kind; a value much smaller counts as 0.
     pub scale: f64,
 }
 
-/// All that grading one state takes.
+/// The data for grading one state.
 #[derive(Clone, Debug)]
 pub struct AnswerKey {
-    /// What is asked for, positions first, then velocities, then accelerations; then what else is judged.
+    /// The required values, positions first, then velocities, then accelerations; then further
+    /// values to judge.
     pub figures: Vec<AskedFigure>,
-    /// So many of them are asked for.
+    /// The number of required values.
     pub asked: usize,
-    /// How the figures follow from each other, where that is known.
+    /// The dependencies between the values, if known.
     pub chain: Option<SolutionChain>,
-    /// The variables of the chain in other assemblies.
+    /// The chain's variables in other assemblies.
     pub others: Vec<ChainValues>,
-    /// The points of each link: their motions are in proportion.
+    /// The points of each link; their motions are proportional.
     pub bodies: Vec<LinkPoints>,
 }
 
-/// What stands in the place of an answer.
+/// The contents of an answer field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GivenAnswer {
-    /// Nothing.
+    /// An empty field.
     Empty,
-    /// Something that is no figure.
+    /// Text that is not a number.
     Unreadable,
-    /// A figure.
+    /// A number.
     Figure(WrittenFigure),
-    /// A figure in another unit than it was asked for, which it says.
+    /// A number with a unit other than the required one.
     Converted {
-        /// In the unit that was asked for.
+        /// The number in the required unit.
         figure: WrittenFigure,
-        /// As it stands there.
+        /// The number as written.
         face: WrittenFigure,
     },
 }
 
 impl GivenAnswer {
-    /// Returns the figure in the unit that was asked for.
+    /// Returns the number in the required unit; `None` without one.
     fn figure(self) -> Option<WrittenFigure> {
         match self {
             GivenAnswer::Empty | GivenAnswer::Unreadable => None,
@@ -76,42 +77,42 @@ impl GivenAnswer {
     }
 }
 
-/// One way to read an answer, and what is to be said of it then.
+/// One interpretation of an answer, and its verdict.
 #[derive(Clone, Copy)]
 struct JudgedReading {
     written: WrittenFigure,
     verdict: FigureVerdict,
 }
 
-/// What was graded so far: what it tells of the variables, and of the points.
+/// The answers graded so far, as values of variables and of points' vectors.
 #[derive(Default)]
 struct Faced {
     slots: Vec<FacedSlot>,
     vectors: Vec<FacedVector>,
 }
 
-/// What a figure that was graded tells of the variables.
+/// A graded answer as the value of a variable.
 struct FacedSlot {
-    /// Its number among the figures.
+    /// The index of the answer.
     figure: usize,
     slot: ChainSlot,
     value: f64,
-    /// Half of its last digit.
+    /// Half a unit of the last digit.
     half: f64,
-    /// The number that was written.
+    /// The written number.
     number: f64,
     is_sound: bool,
 }
 
 impl AnswerKey {
-    /// Returns whether the figure of a column is asked for.
+    /// Returns `true` if the value of a column is required.
     #[must_use]
     pub fn asks(&self, column: &str) -> bool {
         let mut asked = self.figures.iter().take(self.asked);
         asked.any(|figure| figure.quantity.name == column)
     }
 
-    /// A verdict for every answer; answers that are missing are empty.
+    /// Grades every answer; missing answers count as empty.
     #[must_use]
     pub fn graded(&self, answers: &[GivenAnswer]) -> Vec<FigureVerdict> {
         let mut verdicts: Vec<FigureVerdict> = Vec::with_capacity(self.figures.len());
@@ -135,7 +136,8 @@ impl AnswerKey {
         verdicts
     }
 
-    /// An answer as it is meant: of all that it may mean what is right, or nearest to that.
+    /// Grades an answer in its most favourable interpretation: the right one, or the one closest to
+    /// that.
     fn judged(&self, figure: &AskedFigure, written: WrittenFigure, faced: &Faced) -> JudgedReading {
         let judge = |written| JudgedReading {
             written,
@@ -156,7 +158,8 @@ impl AnswerKey {
         best
     }
 
-    /// An answer that says its unit; what is right but for that stands in the unit that was asked for.
+    /// Grades an answer with a unit. A number that is right except for its unit gets
+    /// [`FigureVerdict::OtherUnit`].
     fn of_two_units(
         &self,
         figure: &AskedFigure,
@@ -178,7 +181,7 @@ impl AnswerKey {
         }
     }
 
-    /// What an answer tells of the variables; one in another unit is meant as what it is in its own.
+    /// Returns the value of the variable that an answer determines; a wrong unit is corrected.
     fn faced(
         &self,
         number: usize,
@@ -220,7 +223,7 @@ impl AnswerKey {
         }
         let is_position = figure.quantity.order() == crate::solver::Order::Position;
         let other = || self.is_of_other_assembly(figure, written);
-        // A length of another assembly is no figure that was carried on; its velocity may be.
+        // A length of another assembly is not consequential; its velocity may be.
         if is_position && other() {
             return FigureVerdict::OtherAssembly;
         }
@@ -256,7 +259,7 @@ impl AnswerKey {
     }
 }
 
-/// What an answer tells of a point.
+/// Returns the vector part of a point that an answer determines.
 fn faced_vector(
     number: usize,
     figure: &AskedFigure,
@@ -274,7 +277,7 @@ fn faced_vector(
     })
 }
 
-/// An answer in the unit that was asked for, where it stands in another.
+/// Returns an answer in the required unit, if its verdict is another unit.
 fn meant(
     figure: &AskedFigure,
     written: WrittenFigure,

@@ -1,4 +1,4 @@
-//! How the motion of a point follows from those of other points of its link, as they were written.
+//! Explains the motion of a point by the answers for other points of its link.
 
 use super::verdict::{FEWEST, FigureVerdict, MOST, RoundedEarly, Truth};
 use super::{AnswerKey, AskedFigure, WrittenFigure};
@@ -8,7 +8,7 @@ use crate::{PointId, Vec2};
 /// The points of a link with their places on it.
 pub type LinkPoints = Vec<(PointId, Vec2)>;
 
-/// Which part of which vector a figure is: the size or the direction of a point's velocity or acceleration.
+/// A part of a vector: the magnitude or the direction of a point's velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct VectorSlot {
     point: PointId,
@@ -17,22 +17,22 @@ pub(super) struct VectorSlot {
     is_direction: bool,
 }
 
-/// A size or a direction as it was answered.
+/// An answered magnitude or direction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FacedVector {
     pub(super) figure: usize,
     pub(super) slot: VectorSlot,
     pub(super) value: f64,
-    /// Half of its last digit.
+    /// Half a unit of the last digit.
     pub(super) half: f64,
-    /// The number that was written.
+    /// The written number.
     pub(super) number: f64,
     pub(super) is_sound: bool,
 }
 
-/// So few wrong answers may each have been carried on with all digits.
+/// Maximum number of wrong answers for which unwritten digits are considered.
 const FEW_WRONG: usize = 2;
-/// The ends of names, with the order and whether it is a direction.
+/// The suffixes of names, with the order, and `true` for directions.
 const ENDS: [(&str, usize, bool); 4] = [
     (".v", 1, false),
     (".v.angle", 1, true),
@@ -41,7 +41,8 @@ const ENDS: [(&str, usize, bool); 4] = [
 ];
 
 impl VectorSlot {
-    /// Returns the slot of a figure that is the size or the direction of a point's velocity or acceleration.
+    /// Returns the slot of a quantity; `None` if it is not the magnitude or direction of a point's
+    /// velocity or acceleration.
     pub(super) fn of(figure: &Quantity) -> Option<VectorSlot> {
         let Some(Subject::Point(point)) = figure.subject() else {
             return None;
@@ -63,12 +64,12 @@ impl VectorSlot {
     }
 }
 
-/// A face in place of its figure's exact value, changed by `by`.
+/// An answer that replaces the exact value, changed by the number.
 type UsedFace<'a> = (&'a FacedVector, f64);
 
 impl AnswerKey {
-    /// The figure as it follows from the answers for other points of the same link: by the proportion of their
-    /// distances, or by the turning of the link.
+    /// Explains a value by the answers for other points of the link: by the proportion of their
+    /// distances, or by the link's rotation.
     pub(super) fn follows_from_points(
         &self,
         figure: &AskedFigure,
@@ -111,7 +112,7 @@ impl AnswerKey {
         None
     }
 
-    /// How far the exact vector of a slot's point is from that of another point.
+    /// Returns the exact vector of a slot's point minus that of another point.
     fn exact_difference(&self, slot: VectorSlot, other: PointId) -> Option<Vec2> {
         let chain = self.chain.as_ref()?;
         let (x, y) = match slot.order {
@@ -125,7 +126,7 @@ impl AnswerKey {
         Some(vector(slot.point)? - vector(other)?)
     }
 
-    /// The figure as it is made of the vectors of two points, where that is what was written.
+    /// Explains a value by the vectors of two points; `None` if the written value is different.
     fn explained_by(
         &self,
         (slot, of): (VectorSlot, [PointId; 2]),
@@ -154,7 +155,7 @@ impl AnswerKey {
             more[number].1 = more[number].0.half;
             followed.apart(with(&more)).abs()
         };
-        // Among many wrong answers one that comes near is chance.
+        // With many wrong answers a close value may be a coincidence.
         let wrong = used.iter().filter(|(face, _)| !face.is_sound).count();
         let carried: f64 = match wrong <= FEW_WRONG {
             true => (0..used.len()).map(carried).sum(),
@@ -169,7 +170,7 @@ impl AnswerKey {
             let faces = faces.map(|(face, _)| (effect(face), *face));
             faces.max_by(|a, b| a.0.total_cmp(&b.0))
         };
-        // Who writes the same number everywhere follows from nothing.
+        // A number that is written everywhere is not a consequence of earlier answers.
         let is_copied = |(face, _): &UsedFace<'_>| {
             !face.is_sound && face.number == written.value && !self.is_shared(face, figure, written)
         };
@@ -183,14 +184,15 @@ impl AnswerKey {
         }
     }
 
-    /// Whether a figure truly is the same as another, and was written with digits enough to tell.
+    /// Returns `true` if both exact values are equal, and the answer has enough digits to show it.
     fn is_shared(&self, face: &FacedVector, figure: &AskedFigure, written: WrittenFigure) -> bool {
         let exact = self.figures.get(face.figure).map(|other| other.exact);
         let is_same = exact.is_some_and(|exact| Truth::of(figure).is_near(exact));
         is_same && written.digits >= FEWEST
     }
 
-    /// The vector of a point: what was answered of it, and the exact figure for the rest. What is not asked is 0.
+    /// Returns the vector of a point from its answers, and from exact values for missing parts;
+    /// zero if a part is not a graded value.
     fn vector(&self, point: PointId, order: usize, faces: &[UsedFace<'_>]) -> Vec2 {
         let part = |is_direction: bool| {
             let slot = VectorSlot {
@@ -218,12 +220,13 @@ fn place_on(body: &LinkPoints, point: PointId) -> Option<Vec2> {
     found.map(|(_, place)| *place)
 }
 
-/// The quotient of two vectors as complex numbers: how far one is turned and stretched into the other.
+/// Returns the quotient of two vectors as complex numbers: the rotation and scaling from `other` to
+/// `one`.
 fn over(one: Vec2, other: Vec2) -> Vec2 {
     Vec2::new(other.dot(one), other.cross(one)) / other.dot(other)
 }
 
-/// The product of two vectors as complex numbers.
+/// Returns the product of two vectors as complex numbers.
 fn times(ratio: Vec2, of: Vec2) -> Vec2 {
     of * ratio.x + of.perp() * ratio.y
 }

@@ -1,49 +1,49 @@
-//! What one figure says by itself, beside the exact one.
+//! Compares one answer with the exact value.
 
 use super::{AskedFigure, WrittenFigure};
 use crate::angle::TURN;
 use crate::quantity::other_units;
 
-/// What is to be said of an answer.
+/// The verdict on an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureVerdict {
-    /// The exact figure, rounded to the digits that were written.
+    /// The exact value, rounded to the written digits.
     Right,
-    /// Right but for rounding on the way.
+    /// Right except for early rounding.
     Rounded(RoundedEarly),
-    /// Right by this earlier figure, which is wrong: its number.
+    /// Consequential: right if computed from the wrong answer with this index.
     Followed(usize),
     /// The opposite sign.
     Sign,
-    /// A direction the other way round.
+    /// The opposite direction.
     Opposite,
-    /// In another unit than it was asked for.
+    /// The value in another unit than the required one.
     OtherUnit(&'static str),
-    /// Of another assembly.
+    /// The value in another assembly.
     OtherAssembly,
-    /// None of these.
+    /// Wrong without a known cause.
     Wrong,
-    /// Not answered.
+    /// An empty answer.
     Empty,
-    /// No figure.
+    /// Text that is not a number.
     Unreadable,
 }
 
-/// What explains a figure that was rounded on the way.
+/// The cause of early rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RoundedEarly {
-    /// An earlier figure, by its number, as it was written.
+    /// An earlier answer as it was written, by index.
     By(usize),
-    /// Digits that were cut off instead of rounded.
+    /// Digits cut off instead of rounded.
     Cut,
-    /// It has too few digits itself.
+    /// Too few digits in the answer itself.
     Coarse,
-    /// Nothing that was written: it is near.
+    /// The answer is close, and the cause is unknown.
     Near,
 }
 
 impl FigureVerdict {
-    /// Whether it is worth a point: right, but for rounding and for what was wrong before.
+    /// Returns `true` if the answer earns a point: right, rounded early, or consequential.
     #[must_use]
     pub fn is_worth_a_point(self) -> bool {
         matches!(
@@ -52,7 +52,7 @@ impl FigureVerdict {
         )
     }
 
-    /// Where an answer may be read in several ways, the least of these is meant.
+    /// Returns the rank of a verdict. The interpretation with the lowest rank is chosen.
     pub(super) fn rank(self) -> u8 {
         match self {
             FigureVerdict::Right => 0,
@@ -64,24 +64,24 @@ impl FigureVerdict {
     }
 }
 
-/// Digits that are asked of a figure at the least, and looked at when it follows from others.
+/// Minimum digits required of an answer, and maximum digits considered when it follows from others.
 pub(super) const FEWEST: i32 = 3;
 pub(super) const MOST: i32 = 6;
-/// What is nearer than this part is taken for rounding: of the figure itself, of a direction in radians.
+/// The relative difference that counts as rounding; for directions in radians.
 const NEAR: f64 = 1e-3;
-/// What is smaller than this part of the largest of its kind is 0.
+/// The fraction of the largest value of its kind below which a value counts as 0.
 const NOUGHT: f64 = 1e-9;
-/// Too few digits are good enough where half of the last one is no more than this part; directions are told to a
-/// degree at the least, and nobody turns so often.
+/// The relative limit of half the last digit for answers with too few digits; the limit for
+/// directions in degrees; and the largest direction accepted, in degrees.
 const COARSEST: f64 = 0.05;
 const DEGREE: f64 = 1.0;
 const FARTHEST: f64 = 1e4;
-/// More than this part is not done by digits that were carried on and not written.
+/// Maximum relative effect of unwritten digits.
 const CARRIED: f64 = 5e-3;
-/// The rounding of a decimal into a double, and of a comparison.
+/// Relative allowance for converting a decimal to a double, and for comparisons.
 const FUZZ: f64 = 1e-9;
 
-/// A figure as it should be.
+/// The exact value of an answer.
 #[derive(Clone, Copy)]
 pub(super) struct Truth {
     exact: f64,
@@ -100,12 +100,12 @@ impl Truth {
         }
     }
 
-    /// Another value of the same figure.
+    /// Returns another value of the same quantity.
     pub(super) fn with(self, exact: f64) -> Truth {
         Truth { exact, ..self }
     }
 
-    /// How far a value is from it, directions by less than half a turn.
+    /// Returns the difference of a value from the exact one; for directions within half a turn.
     pub(super) fn apart(&self, value: f64) -> f64 {
         let apart = value - self.exact;
         if self.is_direction {
@@ -115,7 +115,7 @@ impl Truth {
         }
     }
 
-    /// The size by which nearness is measured.
+    /// Returns the size that relative differences refer to.
     fn size(&self) -> f64 {
         match self.is_direction {
             true => 1_f64.to_degrees(),
@@ -124,7 +124,7 @@ impl Truth {
         }
     }
 
-    /// What digits that were carried on and not written may do to it at the most.
+    /// Returns the maximum effect of unwritten digits.
     pub(super) fn carried(&self) -> f64 {
         CARRIED * self.size()
     }
@@ -133,12 +133,13 @@ impl Truth {
         !self.is_direction && self.exact.abs() <= (NOUGHT * self.scale).max(self.bound)
     }
 
-    /// Directions are the same after a turn, but of so many turns nothing is left of the digits.
+    /// Returns `true` for a direction of so many turns that its digits are lost.
     pub(super) fn is_out_of_reach(&self, written: WrittenFigure) -> bool {
         self.is_direction && written.value.abs() > FARTHEST
     }
 
-    /// Whether it is the exact figure rounded to its own digits, three at the least, or within the bound.
+    /// Returns `true` if the answer is the exact value rounded to its own digits, at least three,
+    /// or within the bound.
     pub(super) fn is_right(&self, written: WrittenFigure) -> bool {
         let apart = self.apart(written.value).abs();
         if self.is_nought() && written.value == 0.0 {
@@ -153,10 +154,11 @@ impl Truth {
         apart <= (half + FUZZ * half).max(self.bound)
     }
 
-    /// One unit of the last digit that counts; a direction may be written small, and is not the more exact.
+    /// Returns one unit of the last significant digit. A small direction is not more accurate than
+    /// a large one.
     fn last_of(&self, written: WrittenFigure) -> f64 {
         let own = written.unit_of(FEWEST, i32::MAX);
-        // 0.5 deg has a digit; its last is no more exact than that of 120.5 deg would be.
+        // 0.5 deg has a digit, which is as accurate as the last one of 120.5 deg.
         if self.is_direction {
             let small = written.unit_of(0, i32::MAX).min(NEAR * self.size());
             own.max(small).min(DEGREE)
@@ -169,7 +171,8 @@ impl Truth {
         self.apart(value).abs() <= NEAR * self.size()
     }
 
-    /// Rounding that the figure tells by itself: digits cut off, or too few of them.
+    /// Returns the cause of early rounding visible in the answer itself: digits cut off, or too few
+    /// digits.
     pub(super) fn rounded(&self, written: WrittenFigure) -> Option<RoundedEarly> {
         let apart = self.apart(written.value);
         let own = 0.5 * written.unit_of(0, i32::MAX) * (1.0 + FUZZ);
@@ -181,12 +184,12 @@ impl Truth {
         if is_coarse && apart.abs() <= own {
             return Some(RoundedEarly::Coarse);
         }
-        // Cut off, it is nearer to 0 than the exact figure.
+        // Truncation moves a value towards 0.
         let is_smaller = apart * written.value < 0.0;
         (is_smaller && apart.abs() < self.last_of(written)).then_some(RoundedEarly::Cut)
     }
 
-    /// What may have happened, where no earlier figure explains it.
+    /// Returns the probable mistake if no earlier answer explains the value.
     pub(super) fn mistaken(&self, written: WrittenFigure, unit: &str) -> Option<FigureVerdict> {
         let value = written.value;
         let half = 0.5 * written.unit_of(FEWEST, i32::MAX) * (1.0 + FUZZ);
@@ -194,14 +197,14 @@ impl Truth {
             true => 0.5 * DEGREE,
             false => f64::INFINITY,
         };
-        // Nothing is to be told from 0 by its sign or its unit.
+        // Sign and unit of a zero are meaningless.
         let is_telling = !self.is_nought() && value != 0.0;
         let is_exact = |factor: f64| {
             is_telling && self.apart(value * factor).abs() <= (half * factor.abs()).min(most)
         };
         let units = other_units(unit);
         let exact_unit = units.iter().find(|(_, factor)| is_exact(*factor));
-        // A small direction is near to what it is with the other sign, or in another unit.
+        // A small direction is close to its opposite, and to its value in another unit.
         if self.is_near(value) {
             return Some(match exact_unit {
                 _ if is_exact(-1.0) => FigureVerdict::Sign,

@@ -1,29 +1,32 @@
-//! Figures as students write them: with a comma or a point, and with as many digits as they like.
+//! Parses numbers as students write them: with a decimal comma or point, and with any number of
+//! digits.
 
 use crate::scene::are_thousands;
 
-/// Longer texts are no figures.
+/// Maximum length of a number's text.
 const LONGEST: usize = 64;
 
-/// A figure that somebody wrote, and how exactly.
+/// A written number and its accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrittenFigure {
-    /// Its value.
+    /// The value.
     pub value: f64,
-    /// Its significant digits; a 0 has none.
+    /// The number of significant digits; zero has none.
     pub digits: i32,
-    /// One unit of its last digit.
+    /// One unit of the last digit.
     last: f64,
-    /// Zeros at the end of a whole number, which may only hold places; three digits stand before them.
+    /// The number of trailing zeros of an integer that may be placeholders; at least three digits
+    /// precede them.
     zeros: i32,
-    /// Whether its one mark may stand behind thousands.
+    /// `true` if the only separator may be a thousands separator.
     may_be_thousands: bool,
 }
 
 impl WrittenFigure {
-    /// Reads a figure and the unit behind it: `29.38`, `29,38`, `1.234,5`, `-4.6e5 mm/s`, blanks among the digits. Where
-    /// a point and a comma stand in it, the last is the decimal mark; the other one, or one that stands there
-    /// repeatedly, parts groups of three digits. `None` for anything else.
+    /// Parses a number and the unit after it: `29.38`, `29,38`, `1.234,5`, `-4.6e5 mm/s`; blanks
+    /// between digits are allowed. If both a point and a comma occur, the last one is the decimal
+    /// separator. The other one, or a repeated one, separates groups of three digits. Returns
+    /// `None` for any other text.
     #[must_use]
     pub fn read(text: &str) -> Option<(WrittenFigure, String)> {
         let text = text.trim();
@@ -54,7 +57,7 @@ impl WrittenFigure {
         let bare: String = mantissa.chars().filter(char::is_ascii_digit).collect();
         let significant = bare.trim_start_matches('0');
         let digits = i32::try_from(significant.len()).ok()?;
-        // A nought has no size, whatever its exponent.
+        // A zero has no size, so a positive exponent does not change its accuracy.
         let power = if digits == 0 { power.min(0) } else { power };
         let is_whole = decimals.is_none() && exponent.is_none();
         let written = WrittenFigure {
@@ -72,13 +75,14 @@ impl WrittenFigure {
         Some((written, unit.trim().to_owned()))
     }
 
-    /// One unit of the last of so many digits: of the figure's own, but no fewer and no more than these.
+    /// Returns one unit of the last digit, with the number of digits limited to the range from
+    /// `fewest` to `most`.
     #[must_use]
     pub fn unit_of(&self, fewest: i32, most: i32) -> f64 {
         self.last * ten_to(self.digits - self.digits.clamp(fewest, most))
     }
 
-    /// The same in a unit of which this is so many.
+    /// Returns the number multiplied by a factor, as in a unit conversion.
     #[must_use]
     pub fn times(self, factor: f64) -> WrittenFigure {
         WrittenFigure {
@@ -88,11 +92,12 @@ impl WrittenFigure {
         }
     }
 
-    /// The figure a thousand times as large, where its one mark may stand behind thousands, as in `8,259`.
+    /// Returns the number a thousand times as large if its only separator may be a thousands
+    /// separator, as in `8,259`.
     #[must_use]
     pub fn with_thousands(self) -> Option<WrittenFigure> {
         self.may_be_thousands.then(|| {
-            // Three decimals, which are whole now: the product is rounded twice, and the number is not.
+            // Three decimals become an integer; rounding removes the error of the product.
             let value = (self.value * 1000.0).round();
             WrittenFigure {
                 value,
@@ -104,7 +109,8 @@ impl WrittenFigure {
         })
     }
 
-    /// All that it may mean: with thousands, and with zeros at its end that only hold places.
+    /// Returns all interpretations: with thousands separators, and with trailing zeros as
+    /// placeholders.
     pub(super) fn readings(self) -> impl Iterator<Item = WrittenFigure> {
         let both = [Some(self), self.with_thousands()];
         both.into_iter().flatten().flat_map(|one| {
@@ -119,7 +125,7 @@ impl WrittenFigure {
     }
 }
 
-/// Where the letters of a unit begin; the `e` of an exponent is none of them.
+/// Returns the position of the unit's first letter; the `e` of an exponent is not a letter.
 fn unit_begins(text: &str) -> usize {
     let is_exponent = |at: usize| {
         let before = text[..at].trim_start_matches(['-', '+']);
@@ -134,14 +140,15 @@ fn unit_begins(text: &str) -> usize {
     first.map_or(text.len(), |(at, _)| at)
 }
 
-/// Zeros at the end of these digits, as far as three digits are left.
+/// Returns the number of trailing zeros of these digits, leaving at least three digits.
 fn spare_zeros(digits: &str) -> i32 {
     let zeros = digits.len() - digits.trim_end_matches('0').len();
     let spare = zeros.min(digits.len().saturating_sub(3));
     i32::try_from(spare).unwrap_or(0)
 }
 
-/// The same with a point for a decimal mark, and none among the thousands.
+/// Returns the text with a decimal point and without thousands separators; `None` if the separators
+/// are inconsistent.
 fn with_point(text: &str) -> Option<String> {
     let marks = |mark: char| text.matches(mark).count();
     let is_comma_last = text.rfind(',') > text.rfind('.');
@@ -153,7 +160,7 @@ fn with_point(text: &str) -> Option<String> {
     let (whole, decimals) = match (marks(last), marks(other)) {
         (0, _) => return Some(text.to_owned()),
         (1, _) => text.split_once(last)?,
-        // Thousands alone.
+        // Only thousands separators.
         (_, 0) => (text, ""),
         _ => return None,
     };
@@ -165,7 +172,7 @@ fn with_point(text: &str) -> Option<String> {
     })
 }
 
-/// Whether marks part groups of three digits.
+/// Returns `true` if the separators delimit groups of three digits.
 fn are_groups(text: &str) -> bool {
     let mut groups = text.trim_start_matches(['-', '+']).split(['.', ',']);
     let is_led = groups

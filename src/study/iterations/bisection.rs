@@ -1,32 +1,32 @@
-//! Halving an interval in which a function changes its sign.
+//! Bisection of an interval in which a function changes its sign.
 
-/// An interval, and its middle.
+/// An interval and its midpoint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Halving {
-    /// Where it begins.
+    /// The first end.
     pub a: f64,
-    /// Where it ends.
+    /// The other end.
     pub b: f64,
-    /// Half way.
+    /// The midpoint.
     pub middle: f64,
-    /// The function there.
+    /// The function's value at the midpoint.
     pub value: f64,
 }
 
-/// An interval halved until it is small.
+/// An interval bisected until it is small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bisection {
-    /// The function at both ends of the first interval.
+    /// The function's values at both ends of the first interval.
     pub ends: [f64; 2],
-    /// The intervals; none where the signs at the ends do not differ.
+    /// The intervals; empty if the signs at the ends do not differ.
     pub halvings: Vec<Halving>,
 }
 
-/// Halvings after which no double lies between the ends.
+/// Maximum number of bisections; after that there is no double between the ends.
 const MOST_HALVINGS: usize = 64;
 
 impl Bisection {
-    /// Halves the interval from `a` to `b` until it is no longer than `finest`.
+    /// Bisects the interval from `a` to `b` until its length is at most `finest`.
     #[must_use]
     pub fn of(a: f64, b: f64, finest: f64, f: impl Fn(f64) -> f64) -> Bisection {
         let ends = [f(a), f(b)];
@@ -35,7 +35,7 @@ impl Bisection {
             halvings: Vec::new(),
         };
         let differ = ends[0] * ends[1] <= 0.0 && ends.iter().all(|v| v.is_finite());
-        // A root at an end counts for the sign that the other end has not.
+        // A root at an end takes the sign opposite to the other end's.
         let is_above = if ends[0] == 0.0 {
             ends[1] < 0.0
         } else {
@@ -66,7 +66,7 @@ impl Bisection {
         bisection
     }
 
-    /// Where it ended.
+    /// Returns the last midpoint; `None` without a bisection.
     #[must_use]
     pub fn root(&self) -> Option<f64> {
         self.halvings.last().map(|last| last.middle)

@@ -1,8 +1,9 @@
-//! Methods to be watched: the loop equations solved as a student does it by hand, every iteration kept.
+//! Numerical methods for demonstration: the loop equations solved as by hand, with every iteration
+//! recorded.
 //!
-//! The solver itself does nothing of the kind: these are plain methods without damping, without a second try,
-//! so that what becomes of a bad guess can be seen. Nothing here has a name or a unit; what is sought is known
-//! by its place.
+//! The solver does not use these methods. They have no damping and no retries, so that the effects
+//! of a bad guess are visible. The unknowns have neither names nor units here and are identified by
+//! index.
 
 mod bisection;
 mod newton;
@@ -13,7 +14,7 @@ pub use newton::{NewtonIteration, NewtonOutcome, NewtonTrace};
 use crate::Vec2;
 use std::f64::consts::{PI, TAU};
 
-/// What is sought in a loop.
+/// The kind of an unknown in a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SoughtKind {
     /// An angle, in rad.
@@ -25,49 +26,49 @@ pub enum SoughtKind {
 /// The length or the angle of a vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VectorPart {
-    /// It is this.
+    /// A known value.
     Known(f64),
-    /// It is what is sought at this place, and so much more.
+    /// The unknown with this index, plus an offset.
     Sought(usize, f64),
 }
 
-/// A vector of a loop of which something is sought.
+/// A vector of a loop with at least one unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoughtVector {
-    /// 1, or -1 where the loop goes against it.
+    /// 1, or -1 if the loop traverses the vector backwards.
     pub sign: f64,
-    /// Its length.
+    /// The length.
     pub length: VectorPart,
-    /// Its angle, in rad.
+    /// The angle, in rad.
     pub angle: VectorPart,
 }
 
-/// A loop: what is known of it added up, and the vectors that are not.
+/// A loop: the sum of its known vectors, and the other vectors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoopSum {
     /// The sum of the known vectors.
     pub known: Vec2,
-    /// The others.
+    /// The other vectors.
     pub sought: Vec<SoughtVector>,
 }
 
-/// The equations of one or more loops: each sum is nought, in x and in y.
+/// The equations of one or more loops: each sum is zero, in x and in y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopSystem {
     /// The loops.
     pub loops: Vec<LoopSum>,
-    /// What is sought.
+    /// The kinds of the unknowns.
     pub kinds: Vec<SoughtKind>,
-    /// The longest length: errors of lengths are parts of it.
+    /// The longest length; errors of lengths are relative to it.
     pub longest: f64,
 }
 
-/// The errors of one method on one group, iteration by iteration.
+/// The errors of one method for one group, iteration by iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorCurve {
-    /// What marks it in a chart.
+    /// The mark in a chart.
     pub mark: char,
-    /// Angles in rad, lengths in parts of the longest.
+    /// The errors: angles in rad, lengths relative to the longest.
     pub errors: Vec<f64>,
 }
 
@@ -81,13 +82,13 @@ impl VectorPart {
 }
 
 impl LoopSystem {
-    /// Whether there are as many equations as unknowns, and any.
+    /// Returns `true` if there are as many equations as unknowns, and at least one.
     #[must_use]
     pub fn is_square(&self) -> bool {
         !self.kinds.is_empty() && self.kinds.len() == 2 * self.loops.len()
     }
 
-    /// What is left of every equation: of each loop its x and its y.
+    /// Returns the residuals of the equations, x and y of each loop in turn.
     #[must_use]
     pub fn residuals(&self, values: &[f64]) -> Vec<f64> {
         let left = |of: &LoopSum| {
@@ -98,7 +99,7 @@ impl LoopSystem {
         self.loops.iter().flat_map(left).collect()
     }
 
-    /// The derivatives of the equations by what is sought, row by row.
+    /// Returns the derivatives of the equations by the unknowns, row by row.
     #[must_use]
     pub fn jacobian(&self, values: &[f64]) -> Vec<f64> {
         let n = self.kinds.len();
@@ -119,7 +120,7 @@ impl LoopSystem {
         matrix
     }
 
-    /// A difference of what is sought at a place: in rad, or in parts of the longest length.
+    /// Returns the absolute difference of an unknown: in rad, or relative to the longest length.
     fn part(&self, place: usize, difference: f64) -> f64 {
         match self.kinds.get(place) {
             Some(SoughtKind::Length) => difference.abs() / self.longest,
@@ -127,14 +128,14 @@ impl LoopSystem {
         }
     }
 
-    /// The largest of many differences.
+    /// Returns the maximum of the absolute differences of all unknowns.
     #[must_use]
     pub fn largest(&self, differences: &[f64]) -> f64 {
         let parts = differences.iter().enumerate();
         parts.fold(0.0, |most, (i, &d)| nan_or_max(most, self.part(i, d)))
     }
 
-    /// How far values are from others, angles counted within a turn.
+    /// Returns the error of values against the right ones, with angles compared modulo a turn.
     #[must_use]
     pub fn error(&self, values: &[f64], right: &[f64]) -> f64 {
         let apart = |(i, (v, r)): (usize, (&f64, &f64))| match self.kinds.get(i) {
@@ -151,7 +152,7 @@ fn direction(of: &SoughtVector, values: &[f64]) -> Vec2 {
     Vec2::new(cos, sin)
 }
 
-/// NaN stays: it is larger than anything.
+/// Returns the maximum; NaN if an argument is NaN.
 fn nan_or_max(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN
@@ -160,7 +161,7 @@ fn nan_or_max(a: f64, b: f64) -> f64 {
     }
 }
 
-/// An angle in rad, from -pi to below pi.
+/// Reduces an angle in rad to [-pi, pi).
 #[must_use]
 pub fn half_turn(radians: f64) -> f64 {
     (radians + PI).rem_euclid(TAU) - PI

@@ -1,67 +1,67 @@
-//! Newton and Raphson's method, in full steps.
+//! The Newton-Raphson method with full steps.
 
 use super::{LoopSystem, SoughtKind};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// It has arrived where a step is no larger: in rad, and in parts of the longest length.
+/// The step below which the method has converged: in rad, and relative to the longest length.
 const ARRIVED: f64 = 1e-12;
-/// And nearer than this to the right values.
+/// The maximum error of values that count as the right ones.
 const SAME: f64 = 1e-6;
-/// It does not settle in so many steps: four or five are usual.
+/// Maximum number of steps; four or five are usual.
 const MOST_STEPS: usize = 30;
-/// A matrix is singular where its smallest singular value is less than this part of the largest: of digits,
-/// three are left.
+/// The ratio of the smallest to the largest singular value below which a matrix is singular: three
+/// digits are left.
 const SINGULAR: f64 = 1e-13;
-/// It has run away where an angle is so many turns from its guess,
+/// The change of an angle from its guess, in turns, at which the method diverges.
 const FAR_TURNS: f64 = 100.0;
-/// or a length so many times the longest.
+/// The length relative to the longest one, at which the method diverges.
 const FAR_LENGTHS: f64 = 1000.0;
 
-/// Values, and what the method makes of them.
+/// One iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NewtonIteration {
-    /// What is sought, in its order.
+    /// The unknowns in order.
     pub values: Vec<f64>,
-    /// What is left of each equation.
+    /// The residuals of the equations.
     pub residuals: Vec<f64>,
     /// The derivatives, row by row.
     pub jacobian: Vec<f64>,
-    /// Their determinant.
+    /// The determinant of the derivatives.
     pub determinant: f64,
-    /// What is added to the values; `None` where the method ends.
+    /// The step to the next values; `None` at the end of the method.
     pub step: Option<Vec<f64>>,
-    /// How far the values are from the right ones, where these are known.
+    /// The error of the values, if the right ones are known.
     pub error: Option<f64>,
 }
 
-/// What becomes of a guess.
+/// The outcome for a guess.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NewtonOutcome {
-    /// The values that are right.
+    /// The right values.
     Found,
-    /// Values that close the loops, and not the right ones.
+    /// Values that close the loops, but are not the right ones.
     OtherAssembly,
-    /// Values far away from all that is meant.
+    /// Values far from the guess.
     Diverged,
-    /// The matrix of this iteration has no inverse.
+    /// The matrix of this iteration is singular.
     Singular(usize),
     /// The steps do not become small.
     Unsettled,
 }
 
-/// All iterations from a guess, the guess first.
+/// All iterations, beginning with the guess.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NewtonTrace {
     /// The iterations.
     pub iterations: Vec<NewtonIteration>,
-    /// How it ends.
+    /// The outcome.
     pub outcome: NewtonOutcome,
 }
 
 impl LoopSystem {
-    /// Newton and Raphson's method from a guess; `right` are the values that are sought, if there are any. A
-    /// system that is not square ends at once as a singular one.
+    /// Runs the Newton-Raphson method from a guess; `right` are the expected values, if known. A
+    /// system that is not square ends at once as singular.
     #[must_use]
     pub fn newton(&self, guess: &[f64], right: Option<&[f64]>) -> NewtonTrace {
         let mut values = guess.to_vec();
@@ -124,13 +124,14 @@ impl LoopSystem {
         DMatrix::from_row_slice(2 * self.loops.len(), self.kinds.len(), jacobian)
     }
 
-    /// J d = -f; `None` where J has no inverse.
+    /// Solves J d = -f; `None` if J is singular.
     fn step(&self, here: &NewtonIteration) -> Option<Vec<f64>> {
         let matrix = self.matrix(&here.jacobian);
         if !self.is_square() || here.jacobian.iter().any(|v| !v.is_finite()) {
             return None;
         }
-        // A column of an angle is longer by a length: beside one of a length that says nothing.
+        // The columns of angles have the dimension of a length, those of lengths have none; scaling
+        // makes them comparable.
         let mut scaled = matrix.clone();
         for (place, kind) in self.kinds.iter().enumerate() {
             if *kind == SoughtKind::Angle {

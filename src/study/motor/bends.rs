@@ -1,15 +1,16 @@
-//! Where springs that are no straight lines bend or jump: gas springs at the lengths of their knots, torsion springs
-//! opposite their free angle, where the count of it begins anew.
+//! Finds the coordinates at which nonlinear springs have kinks or jumps. Gas springs have kinks at
+//! the lengths of their knots, and torsion springs jump opposite their free angle, where the angle
+//! wraps around.
 
 use crate::angle::{TURN, unit};
 use crate::numeric::roots;
 use crate::solver::{Condition, Demand, Order, Solver, Workspace};
 use crate::{Body, LinkId, Load, PointId, Profile};
 
-/// Places of the motion between which two bends of a spring are told from none.
+/// Number of places of the motion; two kinks of a spring between neighbours may be missed.
 const PLACES: u32 = 720;
 
-/// Finds the coordinates of the driver at which springs bend or jump.
+/// Finds the driver's coordinates at which springs have kinks or jumps.
 pub(super) struct SpringBends<'a> {
     solver: &'a Solver,
     places: Vec<f64>,
@@ -29,7 +30,7 @@ impl SpringBends<'_> {
         }
     }
 
-    /// Adds those of a load.
+    /// Adds the coordinates of a load.
     pub(super) fn of(&self, load: &Load, to: &mut Vec<f64>) {
         match *load {
             Load::GasSpring {
@@ -49,7 +50,7 @@ impl SpringBends<'_> {
         }
     }
 
-    /// Where two points are as far from each other as a knot says.
+    /// Adds the coordinates at which the distance of two points equals a knot's length.
     fn lengths(&self, ends: [PointId; 2], force: &Profile, to: &mut Vec<f64>) {
         let demand = Demand {
             points: ends.to_vec(),
@@ -66,7 +67,7 @@ impl SpringBends<'_> {
         }
     }
 
-    /// Where two bodies stand half a turn from the free angle.
+    /// Adds the coordinates at which two bodies are half a turn from the free angle.
     fn turns(&self, (link, fixed): (LinkId, Body), free: f64, to: &mut Vec<f64>) {
         let links = match fixed {
             Body::Ground => vec![link],
@@ -83,7 +84,7 @@ impl SpringBends<'_> {
             Some(unit(angles.first()? - other - free - 0.5 * TURN))
         };
         let found = self.zeros(&demand, |state| {
-            // Far from there nothing changes its sign.
+            // Only sign changes near half a turn count.
             let turn = turn(state)?;
             (turn.x > 0.0).then_some(turn.y)
         });

@@ -1,43 +1,43 @@
-//! The driver's way through one cycle.
+//! The driver's travel through one cycle.
 //!
-//! A driver that turns goes on through whole turns; one that is stopped at limits goes there and back.
-//! The way w counts from 0 in the driver's own unit, always forwards. At a limit that is a dead point
-//! the torque can grow like 1 / sqrt(d) with the distance d from it, and its work stays finite all the
-//! same: there the way is laid so that q = low + (high - low) sin^2(phi / 2), and what is integrated over
-//! it is smooth.
+//! A driver that turns fully continues through whole turns; one with limits moves to and fro. The
+//! travel w counts from 0 in the driver's own unit and always increases. At a limit that is a dead
+//! point the torque can grow like 1 / sqrt(d) with the distance d from it, while its work stays
+//! finite. There the travel is defined by q = low + (high - low) sin^2(phi / 2), which makes the
+//! integrand smooth.
 
 use crate::solver::Range;
 use std::f64::consts::PI;
 
-/// The way of the driver through a cycle.
+/// The travel of the driver through a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course {
-    /// The least of its coordinates, in degrees or in the scene's length unit.
+    /// The minimum coordinate, in degrees or in the scene's length unit.
     pub low: f64,
-    /// The greatest.
+    /// The maximum coordinate.
     pub high: f64,
-    /// Whether it goes on where it began; otherwise it goes there and back.
+    /// `true` if the cycle is periodic, `false` if the driver moves to and fro.
     pub goes_round: bool,
-    /// Whether it ends at dead points.
+    /// `true` if at least one end is a dead point.
     pub ends_dead: bool,
-    /// Whether the coordinate first becomes less: the driver's speed is negative.
+    /// `true` if the coordinate decreases first, because the driver's speed is negative.
     pub falls: bool,
 }
 
-/// Where the driver is on its way.
+/// The driver's place in the cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CoursePlace {
-    /// Its coordinate.
+    /// The driver's coordinate.
     pub(super) at: f64,
-    /// Whether it goes against its given speed: on the way back.
+    /// `true` on the way back, with the opposite of the given speed.
     pub(super) back: bool,
-    /// By how much the coordinate changes with the way: 1 or -1, but between dead points.
+    /// The derivative of the coordinate by the travel: 1 or -1, except between dead points.
     pub(super) weight: f64,
 }
 
 impl Course {
-    /// The cycle of a motion: a turning driver's period, which may be repeated for loads that take
-    /// longer, or the range, or a part of it, there and back.
+    /// Creates the cycle of a motion: the period of a turning driver, repeated for loads with
+    /// longer periods, or the range to and fro.
     #[must_use]
     pub fn new(range: Range, repeats: u32, falls: bool, dead_points: &[f64]) -> Course {
         let (low, high, goes_round) = match range {
@@ -54,21 +54,21 @@ impl Course {
         }
     }
 
-    /// A part of the motion, there and back.
+    /// Creates the cycle of a part of the motion, to and fro.
     #[must_use]
     pub fn between(low: f64, high: f64, falls: bool, dead_points: &[f64]) -> Course {
         Course::new(Range::Limited { low, high }, 1, falls, dead_points)
     }
 
-    /// How long the way is, in the driver's unit.
+    /// Returns the length of the travel, in the driver's unit.
     #[must_use]
     pub fn length(&self) -> f64 {
         let once = self.high - self.low;
         if self.goes_round { once } else { 2.0 * once }
     }
 
-    /// The way after which the driver first comes by a coordinate; of one that goes round also by one that
-    /// lies whole cycles away. `None` where it never does.
+    /// Returns the travel until the driver first passes a coordinate, modulo the cycle if that is
+    /// periodic. Returns `None` if it never does.
     #[must_use]
     pub fn way(&self, at: f64) -> Option<f64> {
         let at = if self.goes_round {
@@ -81,7 +81,7 @@ impl Course {
         ways.first().copied()
     }
 
-    /// Where the driver is after this way.
+    /// Returns the driver's place after this travel.
     pub(super) fn place(&self, way: f64) -> CoursePlace {
         let once = self.high - self.low;
         let back = !self.goes_round && way > once;
@@ -93,7 +93,7 @@ impl Course {
             (self.low, self.high)
         };
         if !self.ends_dead {
-            // Each half of the way there counted from its own end, so that both are met to the last digit.
+            // Each half is counted from its own end, so that both ends are exact.
             let (first, forth) = if self.goes_round || 2.0 * gone < once {
                 (begin, gone)
             } else {
@@ -111,7 +111,7 @@ impl Course {
             };
         }
         let phi = PI * gone / once;
-        // Each half counted from its own end, so that nothing is lost beside it.
+        // Each half is counted from its own end, so that no digits are lost next to it.
         let part = |phi: f64| (0.5 * phi).sin().powi(2);
         let at = if 2.0 * gone < once {
             begin + (end - begin) * part(phi)
@@ -125,7 +125,8 @@ impl Course {
         }
     }
 
-    /// Adds the ways on which the driver comes by a coordinate; `every` is what it repeats after, or 0.
+    /// Adds the travels at which the driver passes a coordinate; `every` is the coordinate's
+    /// period, or 0.
     pub(super) fn ways(&self, at: f64, every: f64, to: &mut Vec<f64>) {
         let first = if every > 0.0 {
             self.low + (at - self.low).rem_euclid(every)

@@ -1,4 +1,4 @@
-//! The figures of a cycle.
+//! The results of a cycle.
 
 use super::course::Course;
 use super::periodic::{Means, Periodic, periodic};
@@ -7,41 +7,41 @@ use super::{CHANNELS, DriverUnits, Effort, MOMENT, TORQUES};
 use crate::Vec2;
 use crate::numeric::chebyshev::{Basis, crossings};
 
-/// The largest or the least value of something, and where.
+/// A maximum or minimum, and its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
     /// The value.
     pub value: f64,
     /// The driver's coordinate, in degrees or in the scene's length unit.
     pub at: f64,
-    /// Whether that is on the way back of a driver that goes there and back.
+    /// `true` on the way back of a driver that moves to and fro.
     pub back: bool,
 }
 
-/// What the driver must do, or one part of that, over the cycle. A figure that does not exist there is
-/// `None`: the torque may grow beyond all bounds towards a dead point.
+/// The driving torque over the cycle, or one part of it. A value that does not exist is `None`: the
+/// torque may grow without bound towards a dead point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DriveEffort {
-    /// The largest torque, in N m, or force in N.
+    /// The maximum torque, in N m, or force, in N.
     pub largest: Option<Peak>,
-    /// The least: the largest the other way, where it is negative.
+    /// The minimum torque or force; if negative, the maximum in the opposite direction.
     pub least: Option<Peak>,
-    /// The largest power in W.
+    /// The maximum power in W.
     pub largest_power: Option<Peak>,
-    /// The least power: where it is negative, what comes back to the driver.
+    /// The minimum power in W; if negative, it flows back to the driver.
     pub least_power: Option<Peak>,
     /// The mean torque over the cycle.
     pub mean: Option<f64>,
-    /// The root of its mean square.
+    /// The root mean square of the torque.
     pub rms: Option<f64>,
-    /// The work of the driver where its power is positive, in J per cycle.
+    /// The driver's work while its power is positive, in J per cycle.
     pub put_in: Option<f64>,
-    /// What comes back where it is negative, in J per cycle, not negative.
+    /// The returned work while its power is negative, in J per cycle, as a positive number.
     pub given_back: Option<f64>,
 }
 
 impl DriveEffort {
-    /// The largest torque in size, either way: the worst instant.
+    /// Returns the torque with the largest absolute value: the worst instant.
     #[must_use]
     pub fn worst(&self) -> Option<Peak> {
         let (largest, least) = (self.largest?, self.least?);
@@ -52,13 +52,13 @@ impl DriveEffort {
         })
     }
 
-    /// The work of a cycle in J: what is put in less what is given back.
+    /// Returns the net work of a cycle in J: the input minus the returned work.
     #[must_use]
     pub fn work(&self) -> Option<f64> {
         Some(self.put_in? - self.given_back?)
     }
 
-    /// Whether there is no such part: it takes nothing but what rounding leaves of the others.
+    /// Returns `true` if this part consists of the rounding errors of the others.
     #[must_use]
     pub fn is_nothing_beside(&self, others: &[DriveEffort]) -> bool {
         let energy = |e: &DriveEffort| Some(e.put_in? + e.given_back?);
@@ -67,83 +67,85 @@ impl DriveEffort {
     }
 }
 
-/// How far the work of the driver is from that of its mean, over the cycle.
+/// The fluctuation of the driver's work about that of its mean torque over the cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fluctuation {
-    /// Between the largest excess and the largest want, in J.
+    /// The difference between the largest excess and the largest deficit, in J.
     pub energy: f64,
-    /// Where a driver of constant torque would be slowest: the mechanism has taken most.
+    /// The coordinate at which a driver of constant torque would be slowest: the mechanism has
+    /// absorbed the most energy.
     pub slowest: f64,
-    /// Where it would be fastest.
+    /// The coordinate at which it would be fastest.
     pub fastest: f64,
 }
 
-/// What the ground feels.
+/// The shaking force and moment on the ground.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CycleShaking {
     /// The largest force in N.
     pub force: Option<Peak>,
-    /// That force.
+    /// The largest force as a vector in N.
     pub vector: Option<Vec2>,
-    /// The root of the mean square of the force in N.
+    /// The root mean square of the force in N.
     pub force_rms: Option<f64>,
-    /// The moment about the scene's origin that is largest in size, in N m.
+    /// The moment about the scene's origin with the largest absolute value, in N m.
     pub moment: Option<Peak>,
-    /// The root of its mean square in N m.
+    /// The root mean square of the moment in N m.
     pub moment_rms: Option<f64>,
 }
 
-/// How means were found.
+/// The quadrature rule of the means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// The trapezoid rule at so many places of a smooth periodic cycle.
+    /// The trapezoidal rule with this number of places on a smooth periodic cycle.
     Periodic(usize),
-    /// Sums of polynomials on so many pieces.
+    /// Sums of polynomials on this number of pieces.
     Pieces(usize),
 }
 
-/// What the driver must do over one cycle.
+/// The analysis of the driver over one cycle.
 #[derive(Clone, Debug)]
 pub struct Cycle {
-    /// The driver's way.
+    /// The driver's travel.
     pub course: Course,
-    /// The driver's speed without its sign, in rad/s or m/s.
+    /// The absolute value of the driver's speed, in rad/s or m/s.
     pub speed: f64,
-    /// All that the driver must do.
+    /// The total driving torque.
     pub all: DriveEffort,
-    /// What of it loads, gravity and inertia ask for.
+    /// Its parts due to loads, gravity and inertia.
     pub parts: [DriveEffort; 3],
-    /// `None` where the driver does not go round, or nothing is known.
+    /// `None` if the driver does not turn fully, or if the torque is unknown.
     pub fluctuation: Option<Fluctuation>,
-    /// What the ground feels.
+    /// The forces on the ground.
     pub shaking: CycleShaking,
-    /// How the means were found.
+    /// The quadrature rule of the means.
     pub rule: Rule,
-    /// What the means can be off by, as a part of the largest torque: what the last two rules differ by,
-    /// or what the last terms of all sums contribute.
+    /// The error estimate of the means, relative to the largest torque: the difference of the last
+    /// two rules, or the contribution of the last terms of all sums.
     pub error: f64,
-    /// States that were solved.
+    /// The number of solved states.
     pub states: usize,
     pieces: Pieces,
-    /// The work in J of a torque of 1 over a way of 1.
+    /// The work in J of a torque of 1 over a travel of 1.
     joule: f64,
 }
 
-/// Peaks that are farther apart than this part of the way are two places.
+/// The distance of peaks from which on they are different places, relative to the travel.
 const APART: f64 = 1e-4;
-/// What rounding leaves, as a part of what cancels.
+/// The rounding error of a cancellation, relative to the terms.
 const ROUNDING: f64 = 1e-12;
-/// Two pieces whose ends differ by less of the largest torque hang together.
+/// The difference of the torques at the ends of two pieces below which they are continuous,
+/// relative to the largest torque.
 const JUMP: f64 = 1e-6;
-/// Inside a piece, as a part of it.
+/// A distance inside a piece, relative to its length.
 const INSIDE: f64 = 1e-9;
-/// Means that agree no better than this are not believed.
+/// The error above which means are not trusted.
 const CONVERGED: f64 = 1e-10;
 
 impl Cycle {
-    /// Goes through the cycle once. `effort` solves at a coordinate, on the way back where that is said;
-    /// `marks` are the ways at which a load bends or jumps, 0 where the end does not go on at the
-    /// beginning.
+    /// Analyses a cycle. `effort` solves at a coordinate; its second argument is `true` on the way
+    /// back. `marks` are the travels at which a load has a kink or jumps; 0 if the end does not
+    /// continue at the beginning.
     pub fn new(
         course: Course,
         marks: &[f64],
@@ -183,14 +185,14 @@ impl Cycle {
         cycle
     }
 
-    /// Whether the means can be believed to 10 digits.
+    /// Returns `true` if the means are accurate to 10 digits.
     #[must_use]
     pub fn has_converged(&self) -> bool {
         !self.pieces.has_gap && self.error <= CONVERGED
     }
 
-    /// Torque, its parts, the force on the ground and its moment after this way, as they were solved
-    /// for; `None` where there are none. Between dead points a torque is that over the way.
+    /// Returns the torque, its parts, and the force and moment on the ground after this travel,
+    /// from the sums; `None` if they do not exist.
     #[must_use]
     pub fn at(&self, way: f64) -> Option<Effort> {
         let mut channels = self.pieces.at(way)?;
@@ -206,12 +208,13 @@ impl Cycle {
         channels.iter().all(|c| c.is_finite()).then_some(effort)
     }
 
-    /// The work in J of a torque of 1 over one unit of the way.
+    /// Returns the work in J of a torque of 1 over one unit of the travel.
     pub(super) fn joule(&self) -> f64 {
         self.joule
     }
 
-    /// The work of the driver in J since the beginning, after this way.
+    /// Returns the driver's work in J from the beginning to this travel; `None` if the torque is
+    /// not known everywhere.
     #[must_use]
     pub fn work(&self, way: f64) -> Option<f64> {
         if self.pieces.has_gap {
@@ -231,15 +234,15 @@ impl Cycle {
         Some(work * self.joule)
     }
 
-    /// 1 where the driver's coordinate grows with the way, -1 where it becomes less: the sign of the
-    /// speed, by which torque becomes power.
+    /// Returns 1 if the driver's coordinate increases with the travel, or -1: the sign of the
+    /// speed, for the power of a torque.
     #[must_use]
     pub fn sense(&self, way: f64) -> f64 {
         self.course.place(way).weight.signum()
     }
 
-    /// What the driver must do over its coordinate, in at least so many points: pairs of coordinate and
-    /// torque, hanging together as far as nothing jumps.
+    /// Returns the torque over the driver's coordinate in at least `points` points: pairs of
+    /// coordinate and torque, split at jumps.
     #[must_use]
     pub fn curve(&self, points: u32) -> Vec<Vec<[f64; 2]>> {
         let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
@@ -255,7 +258,7 @@ impl Cycle {
             let steps = (share * f64::from(points)).ceil().max(1.0) as u32;
             let point = |k: u32| {
                 let t = 2.0 * f64::from(k) / f64::from(steps) - 1.0;
-                // Of the weight at the joint of there and back, that of the piece.
+                // At the reversal, the weight of the piece's own side.
                 let way = piece.way(t);
                 let weight = self
                     .course
@@ -283,7 +286,7 @@ impl Cycle {
         parts
     }
 
-    /// The driver's coordinate after this way.
+    /// Returns the driver's coordinate after this travel.
     #[must_use]
     pub fn coordinate(&self, way: f64) -> f64 {
         self.course.place(way).at
@@ -303,7 +306,7 @@ impl Cycle {
         }
     }
 
-    /// The means of the sums.
+    /// Computes the means from the sums.
     fn means(&self) -> Means {
         let mut means = Means::default();
         let length = self.course.length();
@@ -369,10 +372,10 @@ impl Cycle {
         }
     }
 
-    /// Takes a value that is larger than what is known.
+    /// Replaces a peak if the value is larger.
     fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &SmoothPiece, t: f64) {
         let place = self.course.place(piece.way(t));
-        // What is as large in several places, or on both ways, is told of the first.
+        // Of equal values at several places, or in both directions, the first one is kept.
         let apart = APART * self.course.length();
         let margin = |peak: Peak| {
             let is_elsewhere = (place.at - peak.at).abs() > apart;
@@ -391,7 +394,8 @@ impl Cycle {
         }
     }
 
-    /// The extremes of the work of the torque less its mean: they lie where the two are equal.
+    /// Computes the extrema of the work of the torque minus its mean, which are at the places where
+    /// both are equal.
     fn fluctuate(&self, mean: f64) -> Option<Fluctuation> {
         let (mut least, mut most) = ((0.0, 0.0), (0.0, 0.0));
         let mut before = 0.0;
@@ -423,7 +427,7 @@ impl Cycle {
         for piece in &self.pieces.list {
             let [x, y] = [&piece.sums[TORQUES], &piece.sums[TORQUES + 1]];
             let (dx, dy) = (x.slope(), y.slope());
-            // Where the square of the force turns.
+            // The extrema of the squared force.
             let turns = crossings(|t| x.at(t) * dx.at(t) + y.at(t) * dy.at(t));
             for &t in turns.iter().chain(&[-1.0, 1.0]) {
                 let here = Vec2::new(x.at(t), y.at(t));
@@ -462,7 +466,8 @@ impl Cycle {
     }
 }
 
-/// The marks on the way, in its order; without its ends and without those that rounding tells apart.
+/// Returns the marks in order, without the ends of the travel and without those that differ only by
+/// rounding errors.
 fn sorted(marks: &[f64], course: &Course) -> Vec<f64> {
     let length = course.length();
     let mut marks = marks.to_vec();
@@ -476,10 +481,10 @@ fn sorted(marks: &[f64], course: &Course) -> Vec<f64> {
     marks
 }
 
-/// Marks that are closer, as a part of the way, are one.
+/// The distance below which marks are equal, relative to the travel.
 const SAME: f64 = 1e-14;
 
-/// All channels there are.
+/// Checks that the moment is the last channel.
 const _: () = assert!(MOMENT + 1 == CHANNELS);
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Cycles of functions whose integrals are known.
+//! Tests cycles of functions with known integrals.
 
 use super::*;
 use crate::solver::Range;

@@ -1,4 +1,4 @@
-//! A mechanism and its solver over the cycle.
+//! The driving torque of a mechanism over a cycle.
 
 use super::course::Course;
 use super::cycle::{Cycle, CycleShaking, DriveEffort};
@@ -10,45 +10,46 @@ use crate::scene::Motor;
 use crate::solver::{Range, Solver};
 use crate::{Input, Link, LinkId, Mechanism, angle};
 
-/// Why there is nothing to tell of a cycle.
+/// The reason why a cycle has no results.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoDuty {
-    /// Nothing acts on the mechanism.
+    /// The scene has no loads, springs or masses.
     NothingActs,
-    /// Forces that the cycle is made of are withheld; this is the first state of which they are.
+    /// Forces of the cycle are not shown; this is the first state concerned.
     Withheld(Hidden),
 }
 
-/// What a mechanism asks of its driver over a cycle, and where it is singular.
+/// The driving torque of a mechanism over a cycle, with its singularities.
 #[derive(Clone, Debug)]
 pub struct Duty {
-    /// The figures.
+    /// The results.
     pub cycle: Cycle,
-    /// Dead points at the ends of the way: there the torque may be beyond all bounds.
+    /// Dead points at the ends of the travel, where the torque may be unbounded.
     pub dead_points: Vec<f64>,
-    /// Change points on the way, as coordinates of one period: there the joints' forces need not exist.
+    /// Change points in one period, where the joint forces need not exist.
     pub change_points: Vec<f64>,
-    /// Whether accelerations grow beyond all bounds towards a dead point: a driver that keeps its speed
-    /// cannot come there, and what inertia asks for has no integral.
+    /// `true` if accelerations grow without bound towards a dead point: a driver of constant speed
+    /// cannot reach it, and the work of inertia forces has no integral.
     pub runs_dead: bool,
-    /// Whether the loads repeat after more turns than are gone through: the cycle is the motion's alone.
+    /// `true` if the loads repeat only after too many turns: the cycle is that of the motion alone.
     pub is_cut_short: bool,
-    /// The loads whose factor over the driver's coordinate does not come again though the driver goes
-    /// round, by their number from 1: the cycle is the first one.
+    /// The loads, by number from 1, whose factor over the driver's coordinate is not periodic
+    /// although the driver turns fully; the cycle is the first one.
     pub unrepeated: Vec<usize>,
-    /// Whether the driver keeps its speed; one that does not leaves some of its work in the masses.
+    /// `true` if the driver's speed is constant; if not, some of its work stays in the masses.
     pub is_steady: bool,
-    /// Metres, or radians, of the unit in which the driver's speed is given.
+    /// The unit of the driver's speed in metres or radians.
     unit: f64,
     source: CycleSource,
 }
 
 impl Duty {
-    /// Goes through a cycle: the period of the motion and of the loads, or the range there and back, or
-    /// the part of the motion between two coordinates there and back.
+    /// Analyses a cycle: the period of the motion and of the loads, or the range to and fro. With
+    /// `between`, it is the part of the motion between two coordinates to and fro.
     ///
     /// # Errors
-    /// Where nothing acts, or where what does is withheld somewhere.
+    /// Returns an error if the scene has no loads, springs or masses, or if forces are not shown in
+    /// a state.
     pub fn new(
         mechanism: &Mechanism,
         solver: &Solver,
@@ -122,32 +123,32 @@ impl Duty {
         })
     }
 
-    /// What the driver must do at a coordinate, as it goes there for the first time.
+    /// Returns the driving torque at a coordinate, in the direction of the given speed.
     #[must_use]
     pub fn step(&self, at: f64) -> Step {
         self.source.step(at, false, &mut self.source.states())
     }
 
-    /// The cycle in equal steps of the way: each with the way gone and what was solved for there.
+    /// Returns the cycle in equal steps of the travel; each with its travel and the solved step.
     pub fn steps(&self, count: u32) -> impl Iterator<Item = (f64, Step)> {
         self.source.steps(self.cycle.course, count)
     }
 
-    /// The work of the driver in J since the beginning, after this way; `None` where what inertia asks
-    /// for has no integral.
+    /// Returns the driver's work in J from the beginning to this travel; `None` if the work of
+    /// inertia forces has no integral.
     #[must_use]
     pub fn work(&self, way: f64) -> Option<f64> {
         self.cycle.work(way).filter(|_| !self.runs_dead)
     }
 
-    /// What the driver must do over its coordinate, in at least so many points: pairs of coordinate and
-    /// torque, hanging together as far as nothing jumps.
+    /// Returns the torque over the driver's coordinate in at least `points` points: pairs of
+    /// coordinate and torque, split at jumps.
     #[must_use]
     pub fn curve(&self, points: u32) -> Vec<Vec<[f64; 2]>> {
         if !self.runs_dead {
             return self.cycle.curve(points);
         }
-        // The sums know nothing of inertia here: the states do.
+        // The sums have no inertia here, so the states are solved instead.
         let once = 0.5 * self.cycle.course.length();
         let mut parts = vec![Vec::new()];
         for (way, step) in self.steps(2 * points) {
@@ -162,14 +163,14 @@ impl Duty {
         parts
     }
 
-    /// A motor against the cycle.
+    /// Compares a motor with the cycle.
     #[must_use]
     pub fn fit(&self, motor: &Motor) -> MotorFit {
         let speed = motor.speed.map(|speed| speed * self.unit);
         MotorFit::new(&self.cycle, motor.rated, motor.peak, speed)
     }
 
-    /// The whole turns, or ways there and back, of the driver in a cycle.
+    /// Returns the number of the driver's full turns in a cycle; 1 for a motion to and fro.
     #[must_use]
     pub fn turns(&self) -> f64 {
         let course = &self.cycle.course;
@@ -180,7 +181,7 @@ impl Duty {
         }
     }
 
-    /// How long a cycle takes in s; `None` where the driver stands still.
+    /// Returns the duration of a cycle in s; `None` if the driver's speed is zero.
     #[must_use]
     pub fn seconds(&self) -> Option<f64> {
         let cycle = &self.cycle;
@@ -190,7 +191,8 @@ impl Duty {
     }
 }
 
-/// Whether anything but a driven link, which keeps its speed, resists being accelerated.
+/// Returns `true` if a link other than the driven one, whose speed is constant, has mass or
+/// inertia.
 fn has_inertia(mechanism: &Mechanism) -> bool {
     let driven = |id: LinkId| mechanism.is_directed(id);
     let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
@@ -198,7 +200,8 @@ fn has_inertia(mechanism: &Mechanism) -> bool {
     links.any(|id| !driven(id) && has_mass(mechanism.link(id)))
 }
 
-/// The range of a motion holds both coordinates, and the first is below the second.
+/// Returns `true` if the range of a motion contains both coordinates, and the first is below the
+/// second.
 #[must_use]
 pub fn is_within(range: Range, low: f64, high: f64) -> bool {
     match range {

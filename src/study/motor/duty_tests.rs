@@ -1,4 +1,4 @@
-//! Cycles of mechanisms against the textbooks' closed formulas, written out here.
+//! Tests cycles of mechanisms against the textbooks' closed formulas, which are written out here.
 
 use super::*;
 use crate::scene::{Scene, presets};
@@ -62,7 +62,7 @@ fn piston(theta: f64) -> [f64; 2] {
     [first, second]
 }
 
-/// The mean over a turn by the midpoint rule, which is a trapezoid rule shifted by half a step.
+/// Returns the mean over a turn by the midpoint rule, a trapezoidal rule shifted by half a step.
 fn mean(f: impl Fn(f64) -> f64) -> f64 {
     let n = 4000;
     let sum: f64 = (0..n)

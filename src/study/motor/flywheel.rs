@@ -1,74 +1,76 @@
-//! A flywheel and a motor against a cycle.
+//! Compares a flywheel and a motor with a cycle.
 
 use super::Cycle;
 
-/// The moment of inertia in kg m^2 on the driver's shaft that keeps the coefficient of fluctuation
-/// C = (w_max - w_min) / w_mean, where the work of the driver goes `energy` (J) up and down at the speed
-/// w (rad/s): delta E = I w^2 C. What turns already is left out of account. `None` where nothing turns.
+/// Returns the moment of inertia in kg m^2 on the driver's shaft for a coefficient of fluctuation C
+/// = (w_max - w_min) / w_mean. The driver's work fluctuates by `energy` (J) at the speed w (rad/s):
+/// delta E = I w^2 C. The inertia of the mechanism itself is neglected. Returns `None` if the
+/// result is not finite.
 ///
-/// Of a pushed slide it is the mass in kg, with the speed in m/s.
+/// For a pushed slide, the result is a mass in kg, with the speed in m/s.
 #[must_use]
 pub fn flywheel_for(energy: f64, speed: f64, fluctuation: f64) -> Option<f64> {
     let inertia = energy / (speed * speed * fluctuation);
     inertia.is_finite().then_some(inertia)
 }
 
-/// The coefficient of fluctuation with a flywheel.
+/// Returns the coefficient of fluctuation with a flywheel; `None` if it is not finite.
 #[must_use]
 pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
     let fluctuation = energy / (speed * speed * flywheel);
     fluctuation.is_finite().then_some(fluctuation)
 }
 
-/// Above this the fluctuation of a flywheel is a rough figure: energy and speed change in proportion for
-/// small ones only.
+/// The coefficient above which the fluctuation is a rough estimate: changes of energy and speed are
+/// proportional only for small fluctuations.
 pub const SMALL_FLUCTUATION: f64 = 0.2;
 
-/// No fluctuation is larger: (greatest - least) by their mean is 2 where the least is 0, and the driver stands still.
+/// The largest possible fluctuation: (max - min) / mean is 2 if the minimum is 0 and the driver
+/// stops.
 pub const LARGEST_FLUCTUATION: f64 = 2.0;
 
-/// What is asked of a motor, and what it has.
+/// A requirement of a cycle and the motor's capacity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorDemand {
-    /// What the cycle asks for.
+    /// The requirement of the cycle.
     pub asked: f64,
-    /// What the motor has.
+    /// The capacity of the motor.
     pub has: f64,
 }
 
-/// A motor against a cycle; what one of both does not say is `None`.
+/// The comparison of a motor with a cycle; `None` for values that one of both lacks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotorFit {
-    /// The root of the mean square against the rated torque: they heat the motor alike.
+    /// The root mean square against the rated torque, with equal heating of the motor.
     pub rated: Option<MotorDemand>,
-    /// The largest torque in size against the peak torque.
+    /// The largest absolute torque against the peak torque.
     pub peak: Option<MotorDemand>,
     /// The driver's speed against the motor's.
     pub speed: Option<MotorDemand>,
-    /// The transmission that the motor's surplus of speed allows, and what it makes of both torques
-    /// without losses; where the motor is faster than the driver.
+    /// The gear that the motor's excess speed allows, without losses; `None` if the motor is not
+    /// faster than the driver, or if its torques are unknown.
     pub geared: Option<Geared>,
-    /// Whether no largest torque exists: no motor can be judged.
+    /// `true` if the torque is unbounded, so that no motor can be assessed.
     pub is_unbounded: bool,
 }
 
-/// A motor behind a gear that brings it down to the driver's speed.
+/// A motor with a gear that reduces its speed to the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geared {
-    /// Turns of the motor to one of the driver.
+    /// Turns of the motor per turn of the driver.
     pub ratio: f64,
-    /// Whether it would be enough.
+    /// `true` if the geared motor suffices.
     pub is_enough: bool,
 }
 
 impl MotorDemand {
-    /// Whether there is enough.
+    /// Returns `true` if the capacity suffices.
     #[must_use]
     pub fn is_enough(&self) -> bool {
         self.asked <= self.has
     }
 
-    /// What is wanting; negative where something is left.
+    /// Returns the deficit; negative for a surplus.
     #[must_use]
     pub fn lacks(&self) -> f64 {
         self.asked - self.has
@@ -76,8 +78,8 @@ impl MotorDemand {
 }
 
 impl MotorFit {
-    /// A motor on the driver's shaft against a cycle: what it can keep up, in N m or N, the most that it
-    /// can do for an instant, and its speed in rad/s or m/s; what is not known of it is not asked.
+    /// Compares a motor on the driver's shaft with a cycle: its rated and peak torque in N m or N,
+    /// and its speed in rad/s or m/s. Unknown values are not compared.
     #[must_use]
     pub fn new(
         cycle: &Cycle,
@@ -102,7 +104,7 @@ impl MotorFit {
         }
     }
 
-    /// What becomes of it behind a gear, where the motor is the faster one and its torques are known.
+    /// Returns the motor with a gear, if the motor is faster and a torque is known.
     fn geared(&self, ratio: f64) -> Option<Geared> {
         let torques = [self.rated, self.peak].into_iter().flatten();
         let enough = torques.map(|a| a.asked <= a.has * ratio);
@@ -111,8 +113,8 @@ impl MotorFit {
         is_faster.then_some(Geared { ratio, is_enough })
     }
 
-    /// Whether the motor on the driver's shaft is enough in everything that is known; `None` where
-    /// nothing is, or no largest torque exists.
+    /// Returns `true` if the motor on the driver's shaft suffices in all known respects; `None` if
+    /// none are known, or if the torque is unbounded.
     #[must_use]
     pub fn is_enough(&self) -> Option<bool> {
         if self.is_unbounded {

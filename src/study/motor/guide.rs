@@ -1,39 +1,41 @@
-//! A slide on its guide, wherever the driver is: between which dead centres it goes, and how it passes.
+//! Evaluates a slide on its guide at any driver coordinate: its motion between dead centres, and
+//! its velocity and leverage.
 //!
-//! Position s, derivative s' and second derivative s'' by the driver's coordinate q come from the solver
-//! at a speed of 1.
+//! Position s, derivative s' and second derivative s'' by the driver's coordinate q come from the
+//! solver at a speed of 1.
 
 use crate::angle::radians;
 use crate::solver::{Condition, DeadCentre, Demand, Order, Range, Solver, Workspace};
 use crate::{Input, Mechanism, SlideId};
 
-/// Within this part of the stroke per radian, or per range of a driven slide, the ram does not move.
+/// The slope below which the slide does not move, relative to the stroke per radian, or per range
+/// of a driven slide.
 const STILL: f64 = 1e-12;
 
-/// A ram where it passes a place.
+/// A slide passing a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passing {
     /// The driver's coordinate.
     pub at: f64,
     /// The position along the guide.
     pub position: f64,
-    /// Its velocity along the guide, in the scene's length unit per s.
+    /// The velocity along the guide, in the scene's length unit per s.
     pub velocity: f64,
-    /// Its acceleration along the guide.
+    /// The acceleration along the guide.
     pub acceleration: f64,
-    /// |dq/ds| in rad/m, or without a unit where a slide is driven: what a torque or force of the driver
-    /// is multiplied by for the force of the ram that holds it in balance. Infinite at a dead centre.
+    /// The factor |dq/ds| in rad/m, or without unit if a slide is driven. The slide's force in
+    /// equilibrium is the driver's torque or force times this factor. Infinite at a dead centre.
     pub leverage: f64,
 }
 
-/// A stretch of the driver's coordinate on which a slide goes one way.
+/// A stretch of the driver's coordinate on which the slide's motion is monotonic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MonotoneStretch {
     pub(super) from: DeadCentre,
     pub(super) to: DeadCentre,
 }
 
-/// Solves for a slide wherever the driver is.
+/// Evaluates a slide at any driver coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct SlideFinder {
     solver: Solver,
@@ -43,7 +45,7 @@ pub(super) struct SlideFinder {
     /// The driver's speed and acceleration in the units of its derivatives.
     rates: [f64; 2],
     turns: bool,
-    /// Lengths of the scene in m.
+    /// The scene's length unit in m.
     metres: f64,
 }
 
@@ -66,8 +68,8 @@ impl SlideFinder {
         }
     }
 
-    /// Position, and where they exist the first and second derivative by the driver's coordinate in
-    /// radians or in the scene's length unit.
+    /// Returns the position and, if they exist, its first and second derivative by the driver's
+    /// coordinate in radians or in the scene's length unit.
     pub(super) fn look(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
         match self.solver.solve(at, Order::Acceleration, &mut self.state) {
             Condition::NoAssembly => None,
@@ -79,19 +81,19 @@ impl SlideFinder {
         }
     }
 
-    /// Whether the driver's coordinate becomes less.
+    /// Returns `true` if the driver's coordinate decreases.
     pub(super) fn backwards(&self) -> bool {
         self.rates[0] < 0.0
     }
 
-    /// How long the driver takes for a way, in s.
+    /// Returns the driver's time for a travel, in s; `None` if its speed is zero.
     pub(super) fn seconds(&self, way: f64) -> Option<f64> {
         let way = if self.turns { radians(way) } else { way };
         let seconds = way / self.rates[0].abs();
         seconds.is_finite().then_some(seconds)
     }
 
-    /// A coordinate within the first period.
+    /// Reduces a coordinate to the first period.
     pub(super) fn wrapped(&self, at: f64) -> f64 {
         match self.range {
             Range::Full { period } => at.rem_euclid(period),
@@ -99,7 +101,7 @@ impl SlideFinder {
         }
     }
 
-    /// A dead centre within the first period.
+    /// Reduces a dead centre to the first period.
     pub(super) fn reduced(&self, centre: DeadCentre) -> DeadCentre {
         DeadCentre {
             at: self.wrapped(centre.at),
@@ -107,7 +109,7 @@ impl SlideFinder {
         }
     }
 
-    /// The stretches between its dead centres, over one period or over the range.
+    /// Returns the stretches between the dead centres, over one period or over the range.
     pub(super) fn legs(&self) -> Vec<MonotoneStretch> {
         let mut centres = self.solver.dead_centres(self.slide);
         if let (Range::Full { period }, Some(&first)) = (self.range, centres.first()) {
@@ -123,7 +125,7 @@ impl SlideFinder {
         legs.collect()
     }
 
-    /// The slide at a coordinate, with the driver's speed or on the way back.
+    /// Returns the state of the slide at a coordinate, with the driver's speed or its opposite.
     pub(super) fn passing(&mut self, at: f64, back: bool, stroke: f64) -> Option<Passing> {
         let (position, rates) = self.look(at)?;
         let [slope, second] = rates?;
@@ -131,7 +133,7 @@ impl SlideFinder {
             Range::Limited { low, high } if !self.turns => high - low,
             Range::Limited { .. } | Range::Full { .. } => 1.0,
         };
-        // A dead centre is known to the last digit of the coordinate, and there the slope is 0.
+        // A dead centre is accurate to the last digit of the coordinate; its slope counts as 0.
         let still = STILL * (stroke / span).max(second.abs() * span);
         let first = if slope.abs() <= still { 0.0 } else { slope };
         let [speed, acceleration] = self.rates;

@@ -1,4 +1,5 @@
-//! Where on the way a load bends or jumps, and after how many turns all loads repeat.
+//! Finds the places in a cycle where a load has a kink or jumps, and the number of turns after
+//! which all loads repeat.
 
 use super::bends::SpringBends;
 use super::course::Course;
@@ -7,11 +8,11 @@ use crate::angle::TURN;
 use crate::solver::{Range, Solver};
 use crate::{Input, Load, Mechanism, Profile};
 
-/// A cycle of more turns is not waited for.
+/// Maximum number of turns of a cycle.
 const MOST_TURNS: u64 = 64;
 
-/// After how many turns a profile over the driver's coordinate repeats, if it does: where its knots span
-/// whole turns.
+/// Returns the period, in turns, of a profile over the driver's coordinate; `None` if its knots do
+/// not span whole turns.
 fn turns_of(profile: &Profile) -> Option<u64> {
     let (first, last) = (profile.knots().first()?, profile.knots().last()?);
     let turns = (last[0] - first[0]) / TURN;
@@ -37,8 +38,8 @@ fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
     })
 }
 
-/// The loads whose factor over the driver's coordinate changes and never comes again, by their number
-/// from 1.
+/// Returns the loads, by number from 1, whose factor over the driver's coordinate changes and is
+/// not periodic.
 pub(super) fn unrepeated(mechanism: &Mechanism) -> Vec<usize> {
     let changes = |over: &Profile| over.knots().windows(2).any(|pair| pair[0][1] != pair[1][1]);
     let once = |over: &Profile| changes(over) && turns_of(over).is_none();
@@ -53,8 +54,8 @@ pub(super) fn unrepeated(mechanism: &Mechanism) -> Vec<usize> {
     found.map(|(_, number)| number).collect()
 }
 
-/// How often the motion's period is gone through until the loads have repeated, too; `None` where that is
-/// too often to wait for.
+/// Returns the number of the motion's periods until the loads repeat too; `None` if it is too
+/// large.
 #[must_use]
 pub fn repeats(mechanism: &Mechanism, range: Range) -> Option<u32> {
     let Range::Full { period } = range else {
@@ -80,16 +81,16 @@ fn common(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { common(b, a % b) }
 }
 
-/// A coordinate of the driver at which a load bends or jumps.
+/// A driver coordinate at which a load has a kink or jumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mark {
     at: f64,
-    /// After how much it comes again; 0 for one that does not.
+    /// The period with which it recurs; 0 if it does not.
     every: f64,
 }
 
 impl Mark {
-    /// The coordinates at which it is met between two.
+    /// Returns the occurrences between two coordinates.
     pub(super) fn between(self, low: f64, high: f64) -> impl Iterator<Item = f64> {
         let Mark { at, every } = self;
         let first = match every > 0.0 {
@@ -107,8 +108,9 @@ impl Mark {
     }
 }
 
-/// The coordinates at which a load bends or jumps, in no order: knots over the driver's coordinate, the places where a
-/// press begins, bends and ends, where springs bend, and change points, where forces in the joints have no limit.
+/// Returns the coordinates at which a load has a kink or jumps, in no particular order. These are
+/// knots over the driver's coordinate, and the begin, kinks and end of a press load. They include
+/// kinks of springs, and change points, where joint forces have no limit.
 pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
     let mut marks = Vec::new();
     let motion = solver.motion();
@@ -152,7 +154,7 @@ pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
     marks
 }
 
-/// The ways of a cycle on which a load bends or jumps, in no order.
+/// Returns the travels in a cycle at which a load has a kink or jumps, in no particular order.
 pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> Vec<f64> {
     let mut ways = Vec::new();
     for Mark { at, every } in bends(mechanism, solver) {
@@ -164,16 +166,16 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
     ways
 }
 
-/// Whether a load over the driver's coordinate does not come again by itself: it begins anew with the cycle, where it may
-/// jump.
+/// Returns `true` if a load over the driver's coordinate is not periodic: it restarts with the
+/// cycle, where it may jump.
 fn begins_anew(mechanism: &Mechanism) -> bool {
     let turns = matches!(mechanism.driver().input, Input::Turn(_));
     let comes_again = |profile: &Profile| turns && turns_of(profile).is_some();
     profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one())
 }
 
-/// The driver's coordinates in a range at which a load bends or jumps: the range of the motion, or as many periods of it
-/// as it takes until all loads have repeated.
+/// Returns the driver's coordinates within a range at which a load has a kink or jumps. The range
+/// is that of the motion, or as many periods as the loads need to repeat.
 pub(in crate::study) fn bends_within(solver: &Solver, range: Range) -> Vec<f64> {
     let mechanism = solver.mechanism();
     let (low, high) = range.ends();

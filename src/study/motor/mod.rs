@@ -1,5 +1,5 @@
-//! The motor over a cycle: what the driver must do at its worst instant, in the mean, and in all; what
-//! evens it out; what the ground feels; and, of a press, what its ram does.
+//! Analyses the driver over a cycle: its torque at the worst instant, its mean and its work.
+//! Further results are a flywheel, the forces on the ground, and the ram of a press.
 //!
 //! ```text
 //! course     the driver's way through one cycle: round, or there and back
@@ -16,9 +16,9 @@
 //! timed      what the driver must do over the period of a motion over time
 //! ```
 //!
-//! Torque stands for what the driver does: N m where a link is turned, N where a slide is pushed.
-//! Nothing here solves a mechanism: the figures are those of any function of the coordinate, and the
-//! solver is asked for it in one place.
+//! The driver's effort is called torque: N m if a link is turned, N if a slide is pushed. These
+//! modules solve no mechanism themselves: the results are those of any function of the coordinate,
+//! and the solver is called in one place.
 
 mod bends;
 mod course;
@@ -49,40 +49,40 @@ pub use timed::{NoTimedDuty, TimedDuty, TimedInstant, TimedPart, TimedPeak};
 
 use crate::Vec2;
 
-/// Torque, its three parts, the force on the ground and its moment.
+/// The channels: torque, its three parts, the force on the ground and its moment.
 const CHANNELS: usize = 7;
-/// So many of them, the first, are torques; the last is the moment.
+/// The number of torques, which come first; the last channel is the moment.
 const TORQUES: usize = 4;
 const MOMENT: usize = 6;
 
-/// What the driver must do in one state, and what the ground feels.
+/// The driving torque in one state, and the force on the ground.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effort {
-    /// What the driver must do, in N m or N, positive along its coordinate.
+    /// The driving torque in N m, or force in N, positive along the coordinate.
     pub torque: f64,
-    /// What of it goes into loads, gravity and inertia.
+    /// Its parts due to loads, gravity and inertia.
     pub parts: [f64; 3],
     /// The force of the mechanism on the ground in N.
     pub force: Vec2,
-    /// Its moment about the scene's origin in N m.
+    /// The moment on the ground about the scene's origin in N m.
     pub moment: f64,
 }
 
-/// What the units of a driver mean.
+/// The conversion of a driver's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriverUnits {
     /// The work in J of a torque of 1 over one unit of the driver's coordinate.
     pub joule: f64,
     /// The driver's speed in rad/s or m/s.
     pub speed: f64,
-    /// The size of the mechanism in m where the driver is turned, 1 where it is pushed.
+    /// The size of the mechanism in m for a turned driver, 1 for a pushed one.
     pub arm: f64,
     /// The size of the mechanism in m.
     pub reach: f64,
 }
 
 impl Default for DriverUnits {
-    /// Of a slide that is pushed at 1 m/s in a mechanism of 1 m.
+    /// Returns the units of a slide pushed at 1 m/s in a mechanism of 1 m.
     fn default() -> Self {
         DriverUnits {
             joule: 1.0,

@@ -1,37 +1,38 @@
-//! Means over a cycle on which nothing bends or jumps: the trapezoid rule.
+//! Computes means over a smooth cycle by the trapezoidal rule.
 //!
-//! For a smooth periodic function its error falls faster than any power of the number of places
-//! (Trefethen and Weideman 2014, The exponentially convergent trapezoidal rule, SIAM Review 56). The
-//! places are doubled until two rules agree.
+//! For a smooth periodic function its error decreases faster than any power of the number of places
+//! (Trefethen and Weideman 2014, The exponentially convergent trapezoidal rule, SIAM Review 56).
+//! The number of places is doubled until two rules agree.
 
 use super::pieces::Sampler;
 use super::{CHANNELS, MOMENT, TORQUES};
 
-/// Means of the channels and of their squares; those of the force's components are of its square.
+/// The means of the channels and of their squares; the squares of the force's components add up to
+/// that of the force.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Means {
     pub(super) mean: [f64; CHANNELS],
     pub(super) square: [f64; CHANNELS],
 }
 
-/// Means and what is known of their error.
+/// Means and their error estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Periodic {
     pub(super) means: Means,
-    /// The largest difference between the last two rules, as a part of the channel's size.
+    /// The largest difference between the last two rules, relative to the channel's size.
     pub(super) error: f64,
     pub(super) places: usize,
 }
 
 const FIRST: usize = 32;
 const MOST: usize = 8192;
-/// Two rules that differ by less have the same figures, for all that doubles can tell.
+/// The difference below which two rules are equal in double precision.
 const AGREE: f64 = 1e-14;
-/// Change points lie at round angles; the first place does not, as a part of a step.
+/// The offset of the first place, in steps: change points are at round angles.
 const BESIDE: f64 = 0.37;
 
-/// The means over the way; `None` where a place has no figures, or the rules do not agree to `most` of
-/// the channels' `size`.
+/// Computes the means over the travel. Returns `None` if a place has no values, or if the rules do
+/// not agree to `most` relative to the channels' `size`.
 pub(super) fn periodic(
     sampler: &mut Sampler,
     size: impl Fn(usize) -> f64,
@@ -47,7 +48,7 @@ pub(super) fn periodic(
     let mut means = sums.over(places);
     let mut last = f64::INFINITY;
     while places < MOST {
-        // Half way between those that are known.
+        // Half-way between the existing places.
         let step = length / places as f64;
         let first = BESIDE * length / FIRST as f64 + 0.5 * step;
         for k in 0..places {
@@ -57,7 +58,7 @@ pub(super) fn periodic(
         let finer = sums.over(places);
         let error = means.differs(&finer, &size);
         means = finer;
-        // Rounding does not become less.
+        // Rounding errors do not decrease further.
         if error <= AGREE || (error <= most && error >= 0.5 * last) {
             return Some(Periodic {
                 means,
@@ -96,7 +97,7 @@ impl Means {
         (0..CHANNELS).map(one).fold(0.0, f64::max)
     }
 
-    /// The root of the mean square of the force on the ground.
+    /// Returns the root mean square of the force on the ground.
     pub(super) fn force(&self) -> f64 {
         self.square[TORQUES..MOMENT]
             .iter()

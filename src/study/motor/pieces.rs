@@ -1,14 +1,14 @@
-//! What the driver must do over a cycle, piece by piece.
+//! Approximates the driving torque over a cycle piece by piece.
 //!
-//! The cycle is cut where a load bends or jumps, and then in halves until on every piece a sum of
-//! Chebyshev polynomials stands for what was solved there. Everything else - integrals, zeros, peaks -
-//! is read from the sums.
+//! The cycle is cut where a load has a kink or jumps, and then bisected until a sum of Chebyshev
+//! polynomials represents the solution on every piece. All other results - integrals, zeros, peaks -
+//! are computed from the sums.
 
 use super::course::{Course, CoursePlace};
 use super::{CHANNELS, DriverUnits, Effort};
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 
-/// A part of the way on which everything is smooth.
+/// A part of the travel on which all channels are smooth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmoothPiece {
     pub(super) from: f64,
@@ -16,45 +16,47 @@ pub(super) struct SmoothPiece {
     pub(super) sums: [ChebyshevSum; CHANNELS],
 }
 
-/// All pieces of a cycle, in the order of the way.
+/// All pieces of a cycle, in the order of the travel.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pieces {
     pub(super) list: Vec<SmoothPiece>,
-    /// The size of each channel: its largest term anywhere.
+    /// The size of each channel: its largest coefficient.
     pub(super) scale: [f64; CHANNELS],
-    /// What each integral is off by, as a part of size times way.
+    /// The error of each integral, relative to size times travel.
     pub(super) error: [f64; CHANNELS],
-    /// Whether there is a place where nothing could be solved: then none of the figures exist.
+    /// `true` if there is a place without a solution, so that the results do not exist.
     pub(super) has_gap: bool,
-    /// States that were solved.
+    /// The number of solved states.
     pub(super) states: usize,
     measure: DriverUnits,
 }
 
-/// Pieces at the beginning: an eighth of a turn does for most linkages.
+/// Number of pieces at the beginning: an eighth of a turn suffices for most linkages.
 const PARTS: f64 = 8.0;
-/// A sum whose last terms are less than this part of its channel is as good as its function.
+/// The size of the last coefficients, relative to the channel, below which a sum is as accurate as
+/// its function.
 const FINE: f64 = 1e-13;
-/// One with last terms below the first part is good enough where the piece is so short that the integral
-/// is off by less than the second.
+/// A sum with last coefficients below `FAIR` suffices if the piece is so short that the error of
+/// the integral is below `SHORT`.
 const FAIR: f64 = 1e-9;
 const SHORT: f64 = 1e-13;
-/// No channel is measured by less than this part of all others.
+/// Minimum scale of a channel relative to all others.
 const LEAST: f64 = 1e-2;
-/// Less than this part of what it is measured by is rounding: 1e-11 of all others.
+/// The size below which a channel is a rounding error, relative to its scale: 1e-11 of all others.
 const NOTHING: f64 = 1e-9;
-/// Towards a dead point figures lose digits, and the more of them the closer a place is: there, so much
-/// more of both is good enough.
+/// The factor on both tolerances between dead points. Values lose digits towards a dead point, the
+/// more the closer they are.
 const DEAD: f64 = 100.0;
-/// Halvings towards a place where nothing can be solved, before it is believed that there is none.
+/// Maximum bisections towards a place without a solution.
 const MOST_SEARCHES: u32 = 12;
-/// Halvings of a piece, and of one whose last terms are rounding: waves 16 times shorter would be met.
+/// Maximum bisections of a piece, and of one whose last coefficients are rounding errors; waves 16
+/// times shorter would still be found.
 const MOST_HALVINGS: u32 = 30;
 const FLAT_HALVINGS: u32 = 4;
-/// All pieces of a cycle: a bound on the work where nothing is smooth.
+/// Maximum number of pieces: a bound on the work for functions that are not smooth.
 const MOST_PIECES: usize = 1000;
 
-/// Solves at places of the way.
+/// Solves at places of the cycle.
 pub(super) struct Sampler<'a> {
     pub(super) course: Course,
     pub(super) basis: Basis,
@@ -63,7 +65,8 @@ pub(super) struct Sampler<'a> {
 }
 
 impl Sampler<'_> {
-    /// What is integrated at this way: torques times the change of the coordinate, and the ground's.
+    /// Returns the integrands at this travel: torques times the derivative of the coordinate, and
+    /// the force on the ground. Returns `None` if one is not finite.
     pub(super) fn channels(&mut self, way: f64) -> Option<[f64; CHANNELS]> {
         let CoursePlace { at, back, weight } = self.course.place(way);
         let mut channels = (self.effort)(at, back)?.channels();
@@ -87,7 +90,7 @@ impl Sampler<'_> {
 }
 
 impl Pieces {
-    /// Cuts the way at `marks`, which are sorted and lie on it.
+    /// Cuts the travel at `marks`, which are sorted and inside it.
     pub(super) fn cut(sampler: &mut Sampler, marks: &[f64]) -> Pieces {
         let length = sampler.course.length();
         let mut pieces = Pieces {
@@ -113,7 +116,7 @@ impl Pieces {
             }
             from = from.max(to);
         }
-        // From the first to the last: the next one is on top.
+        // A stack with the first piece on top.
         waiting.reverse();
         while let Some((piece, from, to, halvings, flat)) = waiting.pop() {
             let middle = 0.5 * (from + to);
@@ -155,8 +158,8 @@ impl Pieces {
         Some(piece)
     }
 
-    /// What a channel is measured by. Where forces that are large cancel, rounding is what is left: no
-    /// channel is measured by less than a part of what all others come to, each over its arm.
+    /// Returns the scale of a channel's errors. If large forces cancel, rounding errors remain, so
+    /// the scale is at least a fraction of all other channels, each divided by its arm.
     pub(super) fn size(&self, channel: usize) -> f64 {
         let forces = self
             .scale
@@ -167,12 +170,12 @@ impl Pieces {
         self.scale[channel].max(LEAST * all * self.arm(channel))
     }
 
-    /// Whether a channel is what rounding leaves of all others.
+    /// Returns `true` if a channel consists of the rounding errors of the others.
     pub(super) fn is_nothing(&self, channel: usize) -> bool {
         self.scale[channel] <= NOTHING * self.size(channel)
     }
 
-    /// The arm in m by which a channel is a moment; 1 for a force.
+    /// Returns the lever arm in m that relates a channel to a force; 1 for a force.
     fn arm(&self, channel: usize) -> f64 {
         match channel {
             super::MOMENT => self.measure.reach,
@@ -181,7 +184,7 @@ impl Pieces {
         }
     }
 
-    /// The sums that do not yet stand for their functions.
+    /// Returns the sums that do not yet represent their functions.
     fn rough<'a>(
         &'a self,
         piece: &'a SmoothPiece,
@@ -210,7 +213,7 @@ impl Pieces {
         self.list.push(piece);
     }
 
-    /// The channels after this way, from the sums.
+    /// Returns the channels after this travel, from the sums.
     pub(super) fn at(&self, way: f64) -> Option<[f64; CHANNELS]> {
         let behind = self.list.partition_point(|piece| piece.to < way);
         let piece = self.list.get(behind).filter(|piece| piece.from <= way)?;
@@ -219,7 +222,7 @@ impl Pieces {
 }
 
 impl SmoothPiece {
-    /// The way after t.
+    /// Returns the travel at t in [-1, 1].
     pub(super) fn way(&self, t: f64) -> f64 {
         self.from + (self.to - self.from) * 0.5 * (1.0 + t)
     }
@@ -228,7 +231,7 @@ impl SmoothPiece {
         2.0 * (way - self.from) / (self.to - self.from) - 1.0
     }
 
-    /// By how much an integral over t is to be multiplied for one over the way.
+    /// Returns the factor from an integral over t to one over the travel.
     pub(super) fn half(&self) -> f64 {
         0.5 * (self.to - self.from)
     }

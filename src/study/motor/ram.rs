@@ -1,6 +1,6 @@
-//! What a ram does: a slide whose guide is on the ground, in the words of presses.
+//! Analyses a ram: a slide with its guide on the ground, in terms of presses.
 //!
-//! Between two dead centres it goes one way, so that every height of it has one coordinate of the driver.
+//! Between two dead centres the motion is monotonic, so each height has one driver coordinate.
 
 use super::guide::{MonotoneStretch, Passing, SlideFinder};
 use crate::numeric::root;
@@ -8,42 +8,43 @@ use crate::solver::{DeadCentre, Range, Solver};
 use crate::{Body, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
-/// Dead centres that differ by less than this part of the stroke are as deep as each other.
+/// The difference below which two dead centres have equal depth, relative to the stroke.
 const SAME: f64 = 1e-9;
-/// Why there is no ram.
+/// The reason why a slide is not a ram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoRam {
-    /// No slide has its guide on the ground.
+    /// There is no slide with its guide on the ground.
     #[error("no slide has its guide on the ground")]
     None,
-    /// The guide of this one moves.
+    /// The slide's guide moves.
     #[error("its guide is not on the ground")]
     Moves,
-    /// It stays where it is.
+    /// The slide does not move.
     #[error("it does not move")]
     Stands,
 }
 
-/// The end at which a ram works.
+/// The end of the stroke at which a ram works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RamEnd {
-    /// Which.
+    /// The end.
     pub end: StrokeEnd,
-    /// Whether it follows from a load or from the guide; otherwise it is a mere convention.
+    /// `true` if it follows from a load or from the guide's direction, `false` for a mere
+    /// convention.
     pub is_known: bool,
 }
 
-/// How long the ram stays near the bottom.
+/// The dwell of the ram near the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
-    /// From which coordinate of the driver,
+    /// The driver's coordinate at its beginning.
     pub from: f64,
-    /// to which: the way round the bottom, as the driver goes.
+    /// The driver's coordinate at its end, in the driver's direction.
     pub to: f64,
-    /// The way of the driver between, in degrees or in the scene's length unit.
+    /// The driver's travel between, in degrees or in the scene's length unit.
     pub way: f64,
-    /// The same in s; `None` where the driver stands still.
+    /// The duration in s; `None` if the driver's speed is zero.
     pub seconds: Option<f64>,
 }
 
@@ -52,29 +53,29 @@ pub struct Dwell {
 pub struct Ram {
     /// The slide.
     pub slide: SlideId,
-    /// Where it works.
+    /// The working end.
     pub end: RamEnd,
-    /// Bottom dead centre: the deepest.
+    /// The bottom dead centre: the deepest.
     pub bottom: DeadCentre,
-    /// Top dead centre.
+    /// The top dead centre.
     pub top: DeadCentre,
-    /// Other places where it turns, in the order of the coordinate.
+    /// Further dead centres, in the order of the coordinate.
     pub others: Vec<DeadCentre>,
-    /// From the top to the bottom, in the scene's length unit.
+    /// The distance from top to bottom, in the scene's length unit.
     pub stroke: f64,
-    /// The way of the driver over one period while the ram closes, and while it opens.
+    /// The driver's travel over one period while the ram closes, and while it opens.
     pub ways: [f64; 2],
-    /// How often the ram comes to the bottom in one period.
+    /// The number of times the ram reaches the bottom in one period.
     pub strokes: u32,
-    /// How long a period takes, in s; `None` where the driver stands still.
+    /// The period, in s; `None` if the driver's speed is zero.
     pub seconds: Option<f64>,
     legs: Vec<MonotoneStretch>,
-    /// Which of the places where it turns is the bottom, in the order of the legs.
+    /// The index of the bottom among the dead centres, in the order of the legs.
     deepest: usize,
     guide: SlideFinder,
 }
 
-/// The slides that can be rams: on the ground, and not driven.
+/// Returns the slides that can be rams: on the ground, and not driven.
 pub fn rams(mechanism: &Mechanism) -> impl Iterator<Item = SlideId> {
     let pushed = |slide| mechanism.is_pushed(slide);
     let is_ram = move |&id: &SlideId| mechanism.slide(id).on == Body::Ground && !pushed(id);
@@ -82,8 +83,8 @@ pub fn rams(mechanism: &Mechanism) -> impl Iterator<Item = SlideId> {
 }
 
 impl RamEnd {
-    /// The end that a press load names; without one the lower end, and where the guide is horizontal the
-    /// far end along its direction.
+    /// Returns the end named by a press load. Without one, it is the lower end; on a horizontal
+    /// guide, it is the far end along its direction.
     #[must_use]
     pub fn of(mechanism: &Mechanism, slide: SlideId) -> RamEnd {
         let pressed = mechanism.loads().iter().find_map(|load| match load {
@@ -104,10 +105,10 @@ impl RamEnd {
 }
 
 impl Ram {
-    /// Follows a slide over the motion.
+    /// Analyses a slide over the motion.
     ///
     /// # Errors
-    /// Where it cannot be a ram.
+    /// Returns an error if the slide cannot be a ram.
     pub fn new(
         mechanism: &Mechanism,
         solver: &Solver,
@@ -119,12 +120,12 @@ impl Ram {
         }
         let guide = SlideFinder::new(mechanism, solver, slide);
         let legs = guide.legs();
-        // Deeper is less.
+        // A smaller value is deeper.
         let depth = |centre: &DeadCentre| match end.end {
             StrokeEnd::Least => centre.position,
             StrokeEnd::Greatest => -centre.position,
         };
-        // Round the period the last leg ends where the first begins.
+        // In a periodic motion the last leg ends at the first leg's beginning.
         let last = match guide.range {
             Range::Full { .. } => None,
             Range::Limited { .. } => legs.last().map(|leg| leg.to),
@@ -152,7 +153,7 @@ impl Ram {
             }) += way;
         }
         if let Range::Limited { .. } = guide.range {
-            // There and back: what closes one way opens the other.
+            // To and fro: the ram closes on the one way where it opens on the other.
             let both = closing + opening;
             (closing, opening) = (both, both);
         }
@@ -180,26 +181,26 @@ impl Ram {
         })
     }
 
-    /// How often the ram comes to the bottom in a minute; `None` where the driver stands still.
+    /// Returns the ram's strokes per minute; `None` if the driver's speed is zero.
     #[must_use]
     pub fn strokes_per_minute(&self) -> Option<f64> {
         Some(60.0 * f64::from(self.strokes) / self.seconds?)
     }
 
-    /// The time of closing by that of opening.
+    /// Returns the ratio of the closing time to the opening time.
     #[must_use]
     pub fn time_ratio(&self) -> f64 {
         self.ways[0] / self.ways[1]
     }
 
-    /// The ram at a height above the bottom (in the scene's length unit), where it last closes to it
-    /// before the bottom, and where it first opens to it behind. `None` where it does not come so high
-    /// there.
+    /// Returns the ram's state at a height above the bottom, in the scene's length unit, twice:
+    /// where it last passes while closing, and where it first passes while opening. Returns `None`
+    /// if it does not reach the height next to the bottom.
     pub fn at_height(&mut self, height: f64) -> Option<[Passing; 2]> {
         if !(0.0..=self.stroke).contains(&height) {
             return None;
         }
-        // At a limit the driver turns, and the ram comes back the way it went.
+        // At a limit the driver reverses, and the ram returns the same way.
         let (closing, opening) = match self.beside_bottom() {
             [Some(before), Some(behind)] => ((before, false), (behind, false)),
             [Some(before), None] => ((before, false), (before, true)),
@@ -214,8 +215,8 @@ impl Ram {
         Some([down, up])
     }
 
-    /// How long the ram stays within a tolerance of the bottom (in the scene's length unit), without a
-    /// pause round the deepest place.
+    /// Returns the dwell within a tolerance of the bottom (in the scene's length unit), without
+    /// interruption around the deepest place.
     pub fn dwell(&mut self, tolerance: f64) -> Option<Dwell> {
         if !(tolerance > 0.0) {
             return None;
@@ -258,7 +259,7 @@ impl Ram {
         if self.guide.backwards() {
             (from, to) = (to, from);
         }
-        // At a limit the ram goes and comes by the same way.
+        // At a limit the ram moves to and fro on the same stretch.
         let there_and_back = !goes_round && (before.is_none() || behind.is_none());
         let way = if there_and_back { 2.0 } else { 1.0 } * (low + high);
         Some(Dwell {
@@ -269,14 +270,15 @@ impl Ram {
         })
     }
 
-    /// The driver's coordinates over one period at which the ram is at this distance from the bottom.
+    /// Adds the driver's coordinates over one period at which the ram is at this distance from the
+    /// bottom.
     pub(super) fn coordinates(&mut self, height: f64, to: &mut Vec<f64>) {
         for leg in self.legs.clone() {
             to.extend(self.crossing(leg, height));
         }
     }
 
-    /// Those at which it turns.
+    /// Adds the driver's coordinates at the dead centres.
     pub(super) fn turns(&self, to: &mut Vec<f64>) {
         to.extend(self.legs.iter().flat_map(|leg| [leg.from.at, leg.to.at]));
     }
@@ -285,7 +287,8 @@ impl Ram {
         (centre.position - self.bottom.position).abs()
     }
 
-    /// The legs that end and begin at the bottom, by the driver's coordinate.
+    /// Returns the indices of the legs that end and begin at the bottom, by the driver's
+    /// coordinate.
     fn beside_bottom_index(&self) -> [Option<usize>; 2] {
         let (deepest, count) = (self.deepest, self.legs.len());
         match self.guide.range {
@@ -294,7 +297,7 @@ impl Ram {
         }
     }
 
-    /// The same as the driver goes.
+    /// Returns the legs that end and begin at the bottom, in the driver's direction.
     fn beside_bottom(&self) -> [Option<MonotoneStretch>; 2] {
         let mut legs = self.beside_bottom_index().map(|i| Some(self.legs[i?]));
         if self.guide.backwards() {
@@ -303,7 +306,7 @@ impl Ram {
         legs
     }
 
-    /// Where on a leg the ram is at this height above the bottom.
+    /// Finds the coordinate on a leg at which the ram is at this height above the bottom.
     fn crossing(&mut self, leg: MonotoneStretch, height: f64) -> Option<f64> {
         let off = |centre: &DeadCentre| self.height(centre) - height;
         let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));

@@ -1,4 +1,4 @@
-//! Rams against closed formulas, written out here.
+//! Tests rams against closed formulas, which are written out here.
 
 use super::*;
 use crate::scene::{Scene, presets};
@@ -102,7 +102,7 @@ fn a_driver_that_turns_backwards_swaps_closing_and_opening() {
     assert_eq!((a.from, a.to, a.way), (b.to, b.from, b.way));
 }
 
-/// Where the rocker of the four-bar of the presses stands, by the law of cosines twice.
+/// Returns the angle of the rocker of the presets' four-bar, by the law of cosines twice.
 fn rocker(theta: f64, crank: f64, rod: f64, arm: f64, ground: [f64; 2], sign: f64) -> [f64; 2] {
     let b = [crank * theta.cos(), crank * theta.sin()];
     let d = [ground[0] - b[0], ground[1] - b[1]];

@@ -1,30 +1,31 @@
-//! What the driver must do in one state of the cycle, as the solver finds it.
+//! Solves the driving torque in one state of a cycle.
 
 use super::Effort;
 use super::course::Course;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Mechanism, Vec2};
 
-/// Solves at places of a cycle, on the way back with the opposite speed.
+/// Solves at places of a cycle, with the opposite speed on the way back.
 #[derive(Clone, Debug)]
 pub(super) struct CycleSource {
     solvers: [Solver; 2],
 }
 
-/// What the driver must do in a state, and what the ground feels; what does not exist there is `None`.
+/// The driving torque in a state, and the force on the ground; `None` for values that do not exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// The driver's coordinate.
     pub at: f64,
     /// The condition of the state.
     pub condition: Condition,
-    /// What the driver must do, in N m or N, positive along its coordinate.
+    /// The driving torque in N m, or force in N, positive along the coordinate.
     pub torque: Option<f64>,
-    /// What of it goes into loads, gravity and inertia.
+    /// Its parts due to loads, gravity and inertia.
     pub parts: Option<[f64; 3]>,
-    /// The power of the driver in W.
+    /// The driver's power in W.
     pub power: Option<f64>,
-    /// The force of the mechanism on the ground in N, and its moment about the scene's origin in N m.
+    /// The force of the mechanism on the ground in N, and its moment about the scene's origin in N
+    /// m.
     pub ground: Option<(Vec2, f64)>,
 }
 
@@ -37,7 +38,7 @@ impl CycleSource {
         }
     }
 
-    /// States to solve into, one for each way.
+    /// Creates the states to solve into, one per direction.
     pub(super) fn states(&self) -> [Workspace; 2] {
         self.solvers.each_ref().map(Solver::state)
     }
@@ -49,7 +50,7 @@ impl CycleSource {
         Step::of(state, condition)
     }
 
-    /// The cycle in equal steps of the way, its beginning and its end included.
+    /// Returns the cycle in equal steps of the travel, including both ends.
     pub(super) fn steps(&self, course: Course, count: u32) -> impl Iterator<Item = (f64, Step)> {
         let mut states = self.states();
         (0..=count).map(move |k| {
@@ -61,7 +62,7 @@ impl CycleSource {
 }
 
 impl Step {
-    /// Of a state that was solved with its forces.
+    /// Reads the values of a state solved with its forces.
     pub(super) fn of(state: &Workspace, condition: Condition) -> Step {
         let exists = |v: &f64| v.is_finite();
         Step {
@@ -74,8 +75,8 @@ impl Step {
         }
     }
 
-    /// All figures; those that inertia takes part in without it, where the cycle is a slow one. `None`
-    /// where the driver's do not exist; the ground's are then 0.
+    /// Returns all values; with `is_slow`, those without the effects of inertia. Returns `None` if
+    /// the torque does not exist. A force on the ground that does not exist is 0.
     pub(super) fn effort(&self, is_slow: bool) -> Option<Effort> {
         let (mut torque, mut parts) = (self.torque?, self.parts?);
         if is_slow {

@@ -1,8 +1,8 @@
-//! What the driver must do over one period of its motion over time.
+//! Analyses the driver over one period of its motion over time.
 //!
-//! The period is cut where the motion has a seam and where it passes a coordinate at which a load bends or jumps, and
-//! then in halves until sums of Chebyshev polynomials of time stand for what was solved there; all figures are read from
-//! the sums.
+//! The period is cut at the seams of the motion, and where it passes a coordinate at which a load
+//! has a kink or jumps. The pieces are then bisected until sums of Chebyshev polynomials in time
+//! represent the solution; all results are computed from the sums.
 
 use crate::DriverMoment;
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
@@ -13,98 +13,100 @@ use crate::solver::{Order, Solver, Workspace};
 use super::source::Step;
 use super::{MotorDemand, MotorFit, marks};
 
-/// A value, when it is, and where the driver is then.
+/// A value, its time, and the driver's coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedPeak {
     /// The value.
     pub value: f64,
-    /// In s from where the scene opens.
+    /// The time in s since the scene's start.
     pub time: f64,
-    /// In degrees or in the scene's length unit.
+    /// The coordinate in degrees or in the scene's length unit.
     pub at: f64,
 }
 
-/// What the driver must do over one period of its motion.
+/// The analysis of the driver over one period of its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimedDuty {
-    /// In s.
+    /// The period in s.
     pub period: f64,
-    /// The largest torque and the least, in N m or N, positive along the driver's coordinate.
+    /// The maximum and minimum torque, in N m or N, positive along the driver's coordinate.
     pub torque: [TimedPeak; 2],
-    /// The largest power and the least, in W.
+    /// The maximum and minimum power, in W.
     pub power: [TimedPeak; 2],
-    /// The greatest speed and the least, in rad/s or the scene's unit per s.
+    /// The maximum and minimum speed, in rad/s or the scene's unit per s.
     pub speed: [TimedPeak; 2],
     /// The mean of the torque over time.
     pub mean: f64,
-    /// The root of its mean square.
+    /// The root mean square of the torque.
     pub rms: f64,
-    /// What of it goes into loads, gravity and inertia.
+    /// Its parts due to loads, gravity and inertia.
     pub parts: [TimedPart; 3],
-    /// The work of the driver in J where its power is positive, and what comes back where it is negative.
+    /// The driver's work while its power is positive, and the returned work while it is negative,
+    /// in J.
     pub energy: [f64; 2],
-    /// What the means can be off by, as a part of the largest.
+    /// The error estimate of the means, relative to the maximum.
     pub error: f64,
     pieces: Vec<TimedPiece>,
 }
 
-/// What the driver must do for one of what acts.
+/// A part of the driving torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedPart {
-    /// The largest torque and the least, in N m or N.
+    /// The maximum and minimum torque, in N m or N.
     pub torque: [TimedPeak; 2],
     /// The mean over time.
     pub mean: f64,
-    /// The root of the mean square.
+    /// The root mean square.
     pub rms: f64,
 }
 
-/// What the driver must do at a moment of the period.
+/// The state of the driver at a moment of the period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedInstant {
-    /// In s from where the scene opens.
+    /// The time in s since the scene's start.
     pub time: f64,
-    /// Where the driver is and how it goes on.
+    /// The driver's coordinate and its rates.
     pub moment: DriverMoment,
-    /// What it must do.
+    /// The driving torque and its parts.
     pub step: Step,
-    /// The work that it has done since the beginning, in J.
+    /// The work since the beginning, in J.
     pub work: f64,
 }
 
-/// Why there is nothing to tell of a period.
+/// The reason why a period has no results.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoTimedDuty {
-    /// Nothing acts on the mechanism.
+    /// The scene has no loads, springs or masses.
     NothingActs,
-    /// Forces are withheld at this place.
+    /// Forces are not shown at this place.
     Withheld(Hidden),
-    /// The motion goes on beyond a stop, or where the mechanism cannot.
+    /// The motion leaves the range of a stop or of the mechanism.
     Leaves(MotionLeaves),
-    /// There is no torque: the mechanism cannot be there, or stands at a dead point.
+    /// The torque does not exist: there is no assembly, or a dead point.
     NoTorque(DriverMoment),
 }
 
 const TORQUE: usize = 0;
 const POWER: usize = 1;
 const SPEED: usize = 2;
-/// Those of loads, gravity and inertia.
+/// The channels of loads, gravity and inertia.
 const PARTS_OF_TORQUE: [usize; 3] = [3, 4, 5];
 const CHANNELS: usize = 6;
-/// Pieces of each step of the motion at the beginning.
+/// Initial number of pieces per step of the motion.
 const PARTS: u32 = 4;
 const MOST_HALVINGS: u32 = 26;
 const MOST_PIECES: usize = 4000;
-/// A sum whose last terms are less than this part of the largest stands for its function.
+/// The size of the last coefficients, relative to the largest, below which a sum represents its
+/// function.
 const FINE: f64 = 1e-12;
-/// Cuts that are closer, as a part of the period, are one.
+/// The distance below which cuts are equal, relative to the period.
 const SAME_TIME: f64 = 1e-13;
-/// Values that differ by less, as a part of the largest, are one.
+/// The difference below which values are equal, relative to the maximum.
 const SAME: f64 = 1e-12;
-/// Means that may be off by more are not believed.
+/// The error above which means are not trusted.
 const CONVERGED: f64 = 1e-9;
 
-/// A part of the period on which everything is smooth.
+/// A part of the period on which all channels are smooth.
 #[derive(Clone, Debug, PartialEq)]
 struct TimedPiece {
     from: f64,
@@ -157,7 +159,8 @@ impl MomentSource<'_> {
         Ok(TimedPiece { from, to, sums })
     }
 
-    /// The times up to the end of the period, in order, between which everything is smooth.
+    /// Returns the times between which all channels are smooth, in order, up to the end of the
+    /// period.
     fn cuts(&self) -> Vec<f64> {
         let Some(law) = self.clock.law() else {
             return Vec::new();
@@ -176,7 +179,7 @@ impl MomentSource<'_> {
         cuts
     }
 
-    /// The period in smooth pieces, and what is known of their error.
+    /// Returns the period in smooth pieces, and its error estimate.
     fn pieces(&mut self) -> Result<(Vec<TimedPiece>, f64), NoTimedDuty> {
         let mut waiting = Vec::new();
         let mut from = 0.0;
@@ -193,7 +196,7 @@ impl MomentSource<'_> {
             for (size, sum) in sizes.iter_mut().zip(&piece.sums) {
                 *size = size.max(sum.size());
             }
-            // Where parts cancel, rounding is what is left: all torques are measured alike.
+            // If parts cancel, rounding errors remain: all torques have the same scale.
             let torques = PARTS_OF_TORQUE.iter().map(|&part| sizes[part]);
             let torques = torques.fold(sizes[TORQUE], f64::max);
             let mut worst = 0.0_f64;
@@ -221,10 +224,12 @@ impl MomentSource<'_> {
 }
 
 impl TimedDuty {
-    /// Goes through the period of a motion over time.
+    /// Analyses the period of a motion over time.
     ///
     /// # Errors
-    /// Where nothing acts, where the motion leaves what the mechanism can do, and where there is no torque.
+    /// Returns an error if the scene has no loads, springs or masses, or if forces are not shown.
+    /// Also returns one if the motion leaves the mechanism's range, or if the torque does not
+    /// exist.
     pub fn new(clock: &Clock, solver: &Solver) -> Result<TimedDuty, NoTimedDuty> {
         if !solver.has_forces() {
             return Err(NoTimedDuty::NothingActs);
@@ -266,8 +271,8 @@ impl TimedDuty {
         })
     }
 
-    /// The period in equal steps, its beginning and its end included, as the solver that it was gone through with finds
-    /// them.
+    /// Returns the period in equal steps, including both ends. The arguments must be those of
+    /// [`TimedDuty::new`].
     pub fn instants(
         &self,
         clock: &Clock,
@@ -289,7 +294,7 @@ impl TimedDuty {
         })
     }
 
-    /// The work of the driver in J since the beginning of the period.
+    /// Returns the driver's work in J from the beginning of the period.
     #[must_use]
     pub fn work(&self, time: f64) -> f64 {
         let begun = self.pieces.iter().take_while(|piece| piece.from < time);
@@ -302,19 +307,20 @@ impl TimedDuty {
             .sum()
     }
 
-    /// Whether the means can be believed.
+    /// Returns `true` if the means can be trusted.
     #[must_use]
     pub fn has_converged(&self) -> bool {
         self.error <= CONVERGED
     }
 
-    /// The work of a period in J, by its length in s: in W.
+    /// Returns the mean power over a period, in W.
     #[must_use]
     pub fn mean_power(&self) -> f64 {
         (self.energy[0] - self.energy[1]) / self.period
     }
 
-    /// A motor on the driver's shaft against the period; the unit of its speed is that of the driver's.
+    /// Compares a motor on the driver's shaft with the period; the motor's speed has the unit of
+    /// the driver's.
     #[must_use]
     pub fn fit(&self, motor: &Motor) -> MotorFit {
         let largest = |peaks: [TimedPeak; 2]| peaks[0].value.abs().max(peaks[1].value.abs());
@@ -329,7 +335,7 @@ impl TimedDuty {
     }
 }
 
-/// The largest value of a channel and the least.
+/// Returns the maximum and minimum of a channel.
 fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) -> [TimedPeak; 2] {
     let sizes = pieces.iter().map(|piece| piece.sums[channel].size());
     let size = sizes.fold(0.0, f64::max);
@@ -337,7 +343,8 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
     let mut peaks = none.map(|value| (value, 0.0));
     for piece in pieces {
         let sum = &piece.sums[channel];
-        // What rounding tells apart is as large as what came first, and what it leaves of nothing is nothing.
+        // Values that differ by rounding errors equal the first one, and rounding errors of zero
+        // are zero.
         let beyond = SAME * size;
         for &t in [-1.0].iter().chain(&sum.turns()).chain(&[1.0]) {
             let value = sum.at(t);
@@ -350,7 +357,7 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
             }
         }
     }
-    // Nothing has no sign.
+    // Zero has no sign.
     peaks.map(|(value, time)| TimedPeak {
         value: value + 0.0,
         time,
@@ -358,7 +365,7 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
     })
 }
 
-/// The means of a channel and of its square.
+/// Returns the means of a channel and of its square.
 fn means(pieces: &[TimedPiece], channel: usize, period: f64) -> [f64; 2] {
     let mut means = [0.0; 2];
     for piece in pieces {
@@ -369,7 +376,8 @@ fn means(pieces: &[TimedPiece], channel: usize, period: f64) -> [f64; 2] {
     means.map(|mean| mean + 0.0)
 }
 
-/// The integral of the power where it is positive, and less that where it is negative.
+/// Returns the integral of the power where it is positive, and minus the integral where it is
+/// negative.
 fn energy(pieces: &[TimedPiece]) -> [f64; 2] {
     let mut energy = [0.0; 2];
     for piece in pieces {

@@ -1,10 +1,10 @@
-//! How far figures may be off along the motion: what plots draw beside a curve.
+//! Computes tolerance bands along the motion, which plots draw next to curves.
 
 use super::ToleranceStudy;
 use super::corners::{MOST_LENGTHS, QUICK, THOROUGH};
 use super::machines::CornerEffort;
 
-/// Which limits are drawn.
+/// The kind of limits of a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BandKind {
     /// The worst case.
@@ -14,7 +14,7 @@ pub enum BandKind {
 }
 
 impl BandKind {
-    /// Behind the name of a figure in a legend.
+    /// Returns the word that follows a value's name in a legend.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -24,18 +24,19 @@ impl BandKind {
     }
 }
 
-/// By how much a figure may be below and above what it is as given, at one place.
+/// The offsets of a value below and above its nominal value, at one place.
 pub type Offsets = [f64; 2];
 
-/// So many places are worked out over all samples of a plot; between them the offsets go straight.
+/// Number of places computed over all samples of a plot; the offsets between them are interpolated
+/// linearly.
 const PLACES: usize = 72;
 
-/// So many machines are solved for a band before a person who edits notices: some hundredths of a second.
+/// Maximum number of machines to solve for a band during editing: some hundredths of a second.
 const QUICK_MACHINES: usize = 200_000;
 
 impl ToleranceStudy {
-    /// The band that is worked out while somebody waits: the worst case where its machines are few, else the root of
-    /// the sum of squares.
+    /// Computes a band quickly, for interactive use: the worst case if it has few machines, or else
+    /// the root of the sum of squares.
     pub fn quick_band(&mut self, places: &[f64]) -> (BandKind, Vec<Vec<Option<Offsets>>>) {
         let kind = self.quick_kind(places.len());
         (kind, self.band_by(places, kind, QUICK))
@@ -53,8 +54,8 @@ impl ToleranceStudy {
         }
     }
 
-    /// Figure by figure the offsets at every one of these places, which follow one another; `None` where there are
-    /// none at the worked-out places beside it.
+    /// Returns, value by value, the offsets at each of these consecutive places; `None` if a
+    /// computed place next to it has none.
     pub fn band(&mut self, places: &[f64], kind: BandKind) -> Vec<Vec<Option<Offsets>>> {
         self.band_by(places, kind, THOROUGH)
     }
@@ -93,7 +94,7 @@ impl ToleranceStudy {
                 let pairs = nominal.iter().zip(worst);
                 let offsets = pairs.map(|(nominal, worst)| {
                     let (nominal, worst) = ((*nominal)?, worst?);
-                    // What has no bound is drawn as far as machines were met.
+                    // An unbounded worst case is drawn as far as machines reach.
                     let end = |end: f64, met: f64| if end.is_finite() { end } else { met };
                     let low = end(worst.low, worst.reached[0]);
                     let high = end(worst.high, worst.reached[1]);
@@ -112,12 +113,12 @@ impl ToleranceStudy {
     }
 }
 
-/// Every how many places one is worked out.
+/// Returns the distance of computed places, in places.
 fn stride(places: usize) -> usize {
     places.saturating_sub(1).div_ceil(PLACES).max(1)
 }
 
-/// The places that are worked out, by their numbers: the last one always.
+/// Returns the indices of the computed places, always including the last one.
 fn knots(places: usize) -> Vec<usize> {
     let last = places.saturating_sub(1);
     (0..last).step_by(stride(places)).chain([last]).collect()

@@ -1,29 +1,32 @@
-//! The places of a box that are looked at: its corners, and where these are few the middles between them too.
+//! A grid of places in a tolerance box: its corners, and with few sides also the midpoints between
+//! them.
 //!
-//! The worst case lies at a corner where a figure goes one way along every side. Whether it does is looked at on the
-//! places themselves: it may go both ways, as beside a dead centre or through a formula that turns over.
+//! The worst case lies at a corner if a value is monotonic along every side. The grid checks this
+//! at its own places. A value need not be monotonic, for example next to a dead centre, or if its
+//! formula has a kink.
 
 use super::worst::MetRange;
 
-/// What is less than this part of all that a figure does is its rounding,
+/// Rounding error of a value, relative to its range over the box.
 const ROUNDING: f64 = 1e-9;
-/// and what is less than this part of the figure itself.
+/// Rounding error of a value, relative to its size.
 const LAST_DIGITS: f64 = 1e-12;
 
-/// Places of a box of so many sides.
+/// A grid of places in a box.
 pub(super) struct BoxGrid {
     sides: usize,
     levels: usize,
 }
 
 impl BoxGrid {
-    /// With the middles between corners, where there are no more sides than `middles`.
+    /// Creates a grid, including the midpoints if there are at most `middles` sides.
     pub(super) fn of(sides: usize, middles: usize) -> BoxGrid {
         let levels = if sides <= middles { 3 } else { 2 };
         BoxGrid { sides, levels }
     }
 
-    /// How many places there are: behind the grid itself the middles of the box's faces, where these are not in it.
+    /// Returns the number of places. A grid without midpoints is followed by the centres of the
+    /// box's faces.
     pub(super) fn count(&self) -> usize {
         self.corners() + if self.levels == 2 { 2 * self.sides } else { 0 }
     }
@@ -32,12 +35,12 @@ impl BoxGrid {
         (0..self.sides).fold(1, |count, _| count * self.levels)
     }
 
-    /// Half of the way from a place to the next along a side, in parts of a tolerance.
+    /// Returns half the distance of neighbouring places along a side, relative to a tolerance.
     pub(super) fn half_way(&self) -> f64 {
         1.0 / (self.levels - 1) as f64
     }
 
-    /// Where a place lies along a side, from -1 to 1.
+    /// Returns the position of a place along a side, in [-1, 1].
     fn level(&self, place: usize, side: usize) -> f64 {
         match place.checked_sub(self.corners()) {
             Some(face) if face / 2 == side => [-1.0, 1.0][face % 2],
@@ -50,14 +53,15 @@ impl BoxGrid {
         }
     }
 
-    /// Where a place lies along every side.
+    /// Returns the position of a place along every side.
     pub(super) fn levels(&self, place: usize) -> Vec<f64> {
         (0..self.sides)
             .map(|side| self.level(place, side))
             .collect()
     }
 
-    /// Whether a figure nowhere falls along a side, or nowhere rises: `found` at every place.
+    /// Returns `true` if a value is monotonic along every side; `found` holds the value at every
+    /// place.
     pub(super) fn goes_one_way(&self, nominal: f64, found: &[f64]) -> bool {
         let rounding = rounding(nominal, found);
         (0..self.sides).all(|side| self.goes_one_way_along(side, nominal, found, rounding))
@@ -79,7 +83,7 @@ impl BoxGrid {
     }
 }
 
-/// What a figure may be off by rounding, found so at every place, NaN where it has no value.
+/// Returns the rounding error of a value found at every place; NaN marks missing values.
 pub(super) fn rounding(nominal: f64, found: &[f64]) -> f64 {
     let mut met = MetRange::of(nominal);
     let values = found.iter().filter(|value| value.is_finite());

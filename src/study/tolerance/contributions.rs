@@ -1,4 +1,4 @@
-//! The first order: who contributes how much.
+//! First-order tolerance analysis: the contributions to a value's deviation.
 
 use super::tolerance_box::ToleranceBox;
 use crate::quantity::Derivatives;
@@ -6,39 +6,40 @@ use crate::{Length, LinkId, PointId};
 
 pub(super) type Slopes = Derivatives;
 
-/// What is off.
+/// The source of a deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ToleranceOf {
     /// A length.
     Length(Length),
-    /// A pin of a link in its hole.
+    /// The clearance of a link's pin in its hole.
     Pin(LinkId, PointId),
 }
 
-/// What one tolerance does to a figure.
+/// The effect of one tolerance on a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contribution {
-    /// Whose.
+    /// The source.
     pub of: ToleranceOf,
-    /// How far that may be off, in the scene's unit of length.
+    /// The tolerance, in the scene's unit of length.
     pub tolerance: f64,
-    /// How the figure follows it, in its unit per unit of length; of a pin in the worst direction, not negative.
+    /// The derivative of the value, in its unit per unit of length; for a pin in the worst
+    /// direction, not negative.
     pub slope: f64,
-    /// What that does to the figure at the most.
+    /// The maximum effect on the value.
     pub size: f64,
-    /// Its part of the sum of squares.
+    /// The share of the sum of squares.
     pub share: f64,
 }
 
 impl ToleranceBox {
-    /// How far everything may be off, in its order.
+    /// Returns the tolerance of each source, in order.
     fn allowed(&self) -> impl Iterator<Item = f64> + '_ {
         let (lengths, pins) = self.limits.split_at(self.lengths);
         let pins = pins.chunks_exact(2).map(|pair| pair[0]);
         lengths.iter().copied().chain(pins)
     }
 
-    /// What everything that is off does to a figure, in its order.
+    /// Returns the slope and the maximum effect of each source on a value, in order.
     fn sizes<'s>(&'s self, slopes: &'s [f64]) -> impl Iterator<Item = (f64, f64)> + 's {
         let (lengths, pins) = slopes.split_at(self.lengths);
         let (limits, of_pins) = self.limits.split_at(self.lengths);
@@ -58,7 +59,7 @@ impl ToleranceBox {
             .sqrt()
     }
 
-    /// Who contributes, the greatest first.
+    /// Returns the contributions, the largest first.
     pub(super) fn contributions(&self, slopes: &[f64]) -> Vec<Contribution> {
         let whole = self.root_sum_square(slopes);
         let of = self.of.iter().zip(self.allowed());

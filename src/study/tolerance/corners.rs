@@ -1,4 +1,5 @@
-//! The worst case at a place: the mechanism solved at every corner of the box of lengths, or enclosed.
+//! The worst case at a place: solves the mechanism at every corner of the tolerance box, or
+//! encloses it.
 
 use super::ToleranceStudy;
 use super::contributions::Slopes;
@@ -8,17 +9,18 @@ use super::worst::{WorstCase, WorstKind};
 use crate::Ball;
 use crate::solver::State;
 
-/// So many lengths have all their corners solved, 65,536; of more the worst is enclosed.
+/// Maximum number of lengths with all corners solved, 65,536; with more, the worst case is
+/// enclosed.
 pub(super) const MOST_LENGTHS: usize = 16;
 
-/// Up to 3^9 places of the grid, and what leads further inside.
+/// Up to 3^9 places of the grid, and searches from them.
 pub(super) const THOROUGH: CornerEffort = CornerEffort {
     middles: 9,
     tries: 100,
     edges: true,
     rays: 0,
 };
-/// The same while somebody waits.
+/// The limits for interactive use.
 pub(super) const QUICK: CornerEffort = CornerEffort {
     middles: 9,
     tries: 8,
@@ -27,13 +29,14 @@ pub(super) const QUICK: CornerEffort = CornerEffort {
 };
 
 impl ToleranceStudy {
-    /// The lengths that anything that is read follows.
+    /// Returns the lengths that the values depend on.
     pub(super) fn acting(&self) -> Vec<usize> {
         let follows = |i: &usize| self.machines.varied.follows(*i);
         (0..self.off.lengths).filter(follows).collect()
     }
 
-    /// The worst case at a place of every figure that has a value there; the machines stand there.
+    /// Computes the worst case of every value that exists at a place. The machines must be at that
+    /// place.
     pub(super) fn worst(
         &mut self,
         at: f64,
@@ -52,7 +55,7 @@ impl ToleranceStudy {
         worst
     }
 
-    /// The worst case where the tolerances reach no edge of assembly.
+    /// Computes the worst case without a search for edges of assembly.
     fn worst_inside(
         &mut self,
         at: f64,
@@ -89,7 +92,7 @@ impl ToleranceStudy {
         worst.collect()
     }
 
-    /// What a ball around all states leaves; `None` where that is everything.
+    /// Returns the worst case from a ball around all states; `None` if the ball is unbounded.
     pub(super) fn enclosed(
         &self,
         figure: usize,

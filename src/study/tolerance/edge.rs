@@ -1,69 +1,76 @@
-//! Looks for the worst case where the tolerances reach an edge of assembly: a dead point of some machine within them.
+//! Searches the worst case if the tolerances reach an edge of assembly: a dead point of a machine
+//! within them.
 //!
-//! At an edge the measure of a group is zero (of a dyad the squared sine of its transmission angle). Rates go with
-//! its inverse root there, and every figure has infinite slopes, so that steps along single lengths lead nowhere. A
-//! figure is therefore followed on surfaces of constant measure, closer and closer to the edge. There it is smooth:
-//! each step goes to the machine that is best by the derivatives of figure and measure, then back to the surface.
+//! At an edge the measure of a group is zero (for a dyad, the squared sine of its transmission
+//! angle). Rates are proportional to its inverse square root there, and values have infinite
+//! slopes, so steps along single lengths fail. A value is therefore followed on surfaces of
+//! constant measure, closer and closer to the edge, where it is smooth. Each step moves to the best
+//! machine according to the derivatives of value and measure, and then back to the surface.
 
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
 use super::worst::{WorstCase, WorstKind};
 
-/// The surfaces, as parts of the measure that is given, or of 1/100 where it is larger.
+/// The measures of the surfaces, relative to the nominal measure, which is limited to 1/100.
 const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 const LARGEST_BASE: f64 = 1e-2;
-/// The last surface, on which figures without a pole are read: as good as the edge itself.
+/// The relative measure of the last surface, where values without a pole are as accurate as at the
+/// edge.
 const AT_EDGE: f64 = 1e-13;
-/// From surface to surface a pole grows tenfold at least; what goes with the root of the measure shrinks tenfold.
+/// The growth of a value's steps from surface to surface that identifies a pole. The steps of a
+/// pole grow at least tenfold; those of a term proportional to the root of the measure shrink
+/// tenfold.
 const GROWN: f64 = 4.0;
-/// Steps on the first surface, and on the others, which begin near their best machine.
+/// Number of steps on the first surface, and on the others, which start near their best machine.
 const FIRST_STEPS: usize = 24;
 const FURTHER_STEPS: usize = 8;
-/// A step is shortened so far; then the best machine is found.
+/// The shortest step, after which the best machine is found, and the factor that shortens steps.
 const SHORTEST: f64 = 1e-3;
 const SHORTER: f64 = 0.3;
-/// What is less than this part of a figure is no gain.
+/// The relative change of a value below which there is no gain.
 const GAIN: f64 = 1e-10;
-/// How well a machine lies on its surface, and how many machines are made to put it there.
+/// The relative tolerance of a machine's measure on its surface, and the maximum number of machines
+/// to reach it.
 const ON_LEVEL: f64 = 1e-6;
 const PLACINGS: usize = 60;
-/// Where rounding decides, a machine may be so many times as far from the edge as its surface.
+/// The factor by which a machine's measure may exceed the surface's if rounding errors dominate.
 const ROUNDED: f64 = 4.0;
-/// Halvings of the way to a machine that lacks a figure.
+/// Bisections towards a machine without the value.
 const HALVINGS: usize = 40;
-/// Differences for derivatives: parts of a tolerance, and of the measure at most.
+/// Steps of differences, relative to a tolerance, and their maximum effect relative to the measure.
 const DIFFERENCE: f64 = 1e-4;
 const PART_OF_MEASURE: f64 = 0.02;
-/// Derivatives at the given lengths tell of a whole tolerance within this factor.
+/// The factor within which derivatives at the nominal lengths predict the effect of a whole
+/// tolerance.
 const NONLINEAR: f64 = 3.0;
 
-/// A machine at which a group is at its edge, or as good as there.
+/// A machine with a group at its edge, or almost there.
 #[derive(Clone, Debug)]
 struct ReachedEdge {
     group: usize,
-    /// The measure that levels are parts of.
+    /// The measure that the levels are relative to.
     base: f64,
     machine: Vec<f64>,
 }
 
-/// What was found of a figure in one direction.
+/// The result for a value in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct EdgeReach {
     furthest: f64,
     is_unbounded: bool,
 }
 
-/// Follows figures of machines at one place of the driver.
+/// Follows values of machines at one place of the driver.
 pub(super) struct EdgeSearch<'a, M> {
     machines: &'a mut M,
     off: &'a ToleranceBox,
-    /// The numbers of everything that matters.
+    /// The indices of all deviations with an effect.
     acting: Vec<usize>,
     values: Vec<Option<f64>>,
 }
 
 impl<'a, M: Machines> EdgeSearch<'a, M> {
-    /// Prepares a search over these numbers of a box.
+    /// Prepares a search over these deviations of a box.
     pub(super) fn new(
         machines: &'a mut M,
         off: &'a ToleranceBox,
@@ -78,7 +85,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         }
     }
 
-    /// Widens the worst cases by what is found at edges within the tolerances. What is enclosed is proved already.
+    /// Widens the worst cases by the values at edges within the tolerances. Enclosed worst cases
+    /// are proved already and stay.
     pub(super) fn widen(&mut self, nominal: &[Option<f64>], worst: &mut [Option<WorstCase>]) {
         let is_open = |worst: &Option<WorstCase>| {
             worst.is_some_and(|worst| worst.kind != WorstKind::Enclosed)
@@ -105,7 +113,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         }
     }
 
-    /// The furthest that a figure comes in one direction, on all edges and away from them.
+    /// Returns the extreme value in one direction, on all edges and away from them.
     fn furthest(
         &mut self,
         edges: &[ReachedEdge],
@@ -131,7 +139,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             let values: Vec<f64> = along.iter().map(|(_, value)| *value).collect();
             values.iter().for_each(|&value| meet(&mut reach, value));
             reach.is_unbounded |= is_pole(sign, &values);
-            // The furthest machine away from the edge may lie in another corner than the given lengths lead to.
+            // The extreme machine away from the edge may lie in another corner than the one reached
+            // from the nominal lengths.
             if let Some(first) = along.into_iter().next() {
                 let (_, value) = self.climb(None, figure, sign, first, FIRST_STEPS);
                 meet(&mut reach, value);
@@ -140,7 +149,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         reach
     }
 
-    /// The furthest machine and its value on each surface towards an edge.
+    /// Returns the extreme machine and its value on each surface towards an edge.
     fn along_edge(&mut self, edge: &ReachedEdge, figure: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
         let mut found: Vec<(Vec<f64>, f64)> = Vec::new();
         let mut from = edge.machine.clone();
@@ -170,7 +179,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         found
     }
 
-    /// Goes from machine to machine as long as the figure gains: on a surface, or among all that close.
+    /// Moves from machine to machine while the value improves, on a surface or in the whole box.
     fn climb(
         &mut self,
         surface: Option<(&ReachedEdge, f64)>,
@@ -222,14 +231,15 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         (machine, value)
     }
 
-    /// All edges within the tolerances: of each group the nearest, and one on its other side if there is any.
+    /// Finds the edges within the tolerances: for each group the nearest one, and one on the
+    /// opposite side if there is one.
     fn edges(&mut self, fails: bool) -> Vec<ReachedEdge> {
         let nothing = self.off.nothing();
         self.machines.make(&nothing, &mut self.values);
         let given: Vec<f64> = self.machines.measures().to_vec();
         let mut edges = Vec::new();
         for (group, measure) in given.into_iter().enumerate() {
-            // Written so that NaN has no edge.
+            // The negation also excludes NaN.
             if !(measure > 0.0) {
                 continue;
             }
@@ -255,7 +265,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         edges
     }
 
-    /// A machine at the edge of a group: along the derivatives of its measure down to zero. `None` where it stays away.
+    /// Descends along the derivatives of a group's measure to a machine at its edge; `None` if the
+    /// measure stays away from zero.
     fn descend(&mut self, group: usize, base: f64, mut machine: Vec<f64>) -> Option<Vec<f64>> {
         let lowest = LEVELS[LEVELS.len() - 1] * base;
         let mut measure = self.measure(&machine, group)?;
@@ -278,7 +289,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                         break;
                     }
                     Some(_) => part *= SHORTER,
-                    // Another group may be open there, or this one without a measure that tells so.
+                    // Another group may be open there, or this group may be open without a measure.
                     None => {
                         let closes = self.last_that_closes(group, [&machine, &trial]);
                         return self
@@ -295,7 +306,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         (measure <= lowest).then_some(machine)
     }
 
-    /// The last machine with a positive measure between one that has it and one that has none.
+    /// Finds the last machine with a positive measure between one that has it and one that does
+    /// not.
     fn last_that_closes(&mut self, group: usize, [from, to]: [&[f64]; 2]) -> Vec<f64> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..PLACINGS {
@@ -309,7 +321,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         between(from, to, low)
     }
 
-    /// A machine below a surface: straight down from another one, or that at the edge.
+    /// Returns a machine below a surface: along the steepest descent from another one, or else the
+    /// machine at the edge.
     fn lower(&mut self, edge: &ReachedEdge, machine: &[f64], level: f64) -> Vec<f64> {
         let by = self.differences(Some(edge.group), machine);
         let slopes = self.slopes(machine, &by, |search, machine| {
@@ -322,7 +335,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         }
     }
 
-    /// The machine on a surface between two machines; where both lie above it, between the second and one below it.
+    /// Returns the machine on a surface between two machines; if both lie above it, between the
+    /// second one and `lower`.
     fn cross_level(
         &mut self,
         group: usize,
@@ -358,13 +372,13 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 false => (high, ends[1]) = (middle, there),
             }
         }
-        // So near to the edge the measure itself is little more than rounding.
+        // This close to the edge the measure consists mostly of rounding errors.
         let machine = between(from, to, low);
         let measure = self.measure(&machine, group)?;
         (measure > 0.0 && measure < ROUNDED * level).then_some(machine)
     }
 
-    /// The measure of a group: not positive where it is open; `None` where another group is.
+    /// Returns the measure of a group, not positive if it is open; `None` if another group is open.
     fn measure(&mut self, machine: &[f64], group: usize) -> Option<f64> {
         let closes = self.machines.make(machine, &mut self.values);
         let measure = self.machines.measures().get(group).copied()?;
@@ -376,7 +390,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         self.values[figure].filter(|value| value.is_finite())
     }
 
-    /// The differences by which derivatives are taken: little beside the tolerance, and beside the measure.
+    /// Returns the steps of differences: small compared to the tolerances, and in effect to the
+    /// measure.
     fn differences(&mut self, group: Option<usize>, machine: &[f64]) -> Vec<f64> {
         let mut by: Vec<f64> = self.off.limits.iter().map(|by| DIFFERENCE * by).collect();
         let Some(group) = group else {
@@ -393,7 +408,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         by
     }
 
-    /// Derivatives by everything that acts, as differences to both sides, or to that on which there is a value.
+    /// Returns the derivatives by all deviations, as two-sided differences, or one-sided ones if
+    /// one value is missing.
     fn slopes(
         &mut self,
         machine: &[f64],
@@ -424,8 +440,9 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 }
 
-/// Follows a figure from the given machine towards one that lacks it, up to where it ceases to exist: how far it comes
-/// in both directions, and where it grows beyond all bounds. `None` where it does not exist on the way.
+/// Follows a value from the nominal machine towards one that lacks it, up to the edge where it
+/// ceases to exist. Returns its extreme values in both directions, and whether it grows without
+/// bound. Returns `None` if it does not exist on the way.
 pub(super) fn along_ray(
     machines: &mut impl Machines,
     figure: usize,
@@ -456,7 +473,7 @@ pub(super) fn along_ray(
     ))
 }
 
-/// Whether values on one surface after the other grow beyond all bounds: by more and more.
+/// Returns `true` if values on successive surfaces grow without bound, by increasing steps.
 fn is_pole(sign: f64, values: &[f64]) -> bool {
     let Some(values) = values.get(..LEVELS.len()) else {
         return false;
@@ -471,7 +488,7 @@ fn is_pole(sign: f64, values: &[f64]) -> bool {
     before > 0.0 && last > GROWN * before && last > GAIN.sqrt() * values[0].abs()
 }
 
-/// The machine at a part of the way from one to another.
+/// Returns the machine at a fraction of the way from one to another.
 fn between(from: &[f64], to: &[f64], part: f64) -> Vec<f64> {
     let pairs = from.iter().zip(to);
     pairs.map(|(from, to)| from + part * (to - from)).collect()

@@ -1,4 +1,4 @@
-//! Machines that are made with lengths off, and read: at a place of the driver, or over the whole motion.
+//! Machines with deviating lengths, evaluated at a place of the driver or over the whole motion.
 
 use super::ToleranceFigure;
 use super::box_grid::BoxGrid;
@@ -8,43 +8,46 @@ use super::tolerance_box::ToleranceBox;
 use super::worst::{MetRange, WorstCase, WorstKind};
 use crate::solver::LoopKind;
 
-/// Makes machines, and reads the figures of each.
+/// Builds machines and evaluates values of each.
 pub(super) trait Machines {
-    /// Reads every figure of the machine in which everything is off by so much, `None` where it has none; whether the
-    /// machine closes.
+    /// Evaluates every value of the machine with these deviations, `None` if missing. Returns
+    /// `true` if the machine closes.
     fn make(&mut self, by: &[f64], values: &mut [Option<f64>]) -> bool;
 
-    /// Of the machine that was made last, how far each group is from the edge of assembly: not positive where it is the
-    /// first that is open. None where that is not known.
+    /// Returns the distance of each group of the last machine from the edge of assembly; not
+    /// positive for the first open group. Empty if unknown.
     fn measures(&mut self) -> &[f64] {
         &[]
     }
 
-    /// The class of the first loop of the machine that was made last.
+    /// Returns the class of the last machine's first loop.
     fn kind(&self) -> Option<LoopKind>;
 }
 
-/// How much is done to find a worst case by corners.
+/// The limits of a worst-case search by corners.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerEffort {
-    /// So many sides of the box at the most have their middles looked at as well.
+    /// Maximum number of sides for a grid with midpoints.
     pub(super) middles: usize,
-    /// So many machines are made for each side, where a figure may be worse than on the grid, at either of its ends.
+    /// Maximum number of machines per side for the search beyond the grid, at either end of a
+    /// value.
     pub(super) tries: usize,
-    /// Whether edges of assembly within the tolerances are looked for.
+    /// `true` to search for edges of assembly within the tolerances.
     pub(super) edges: bool,
-    /// Towards so many machines that lack a figure it is followed, to see whether it grows beyond all bounds.
+    /// Maximum number of machines without a value towards which it is followed, to detect unbounded
+    /// growth.
     pub(super) rays: usize,
 }
 
 impl CornerEffort {
-    /// How many machines are made at the most, of so many sides and figures.
+    /// Returns the maximum number of machines for a number of sides and values.
     pub(super) fn machines(self, sides: usize, figures: usize) -> usize {
         BoxGrid::of(sides, self.middles).count() + 2 * figures * self.tries * sides
     }
 }
 
-/// The worst case of every figure by every corner of the box of these lengths; the others are as given.
+/// Computes the worst case of every value by all corners of the box of these lengths; the others
+/// stay nominal.
 pub(super) fn of_all_corners(
     machines: &mut impl Machines,
     off: &ToleranceBox,
@@ -100,8 +103,8 @@ pub(super) fn of_all_corners(
     worst.collect()
 }
 
-/// The worst case of a figure by the machines that its derivatives point to, as far out as these close: pins on the
-/// circles that they can be on.
+/// Computes the worst case of a value by the machines in the direction of its derivatives, as far
+/// as these close. Pins are on the circles of their clearances.
 pub(super) fn of_derivatives(
     machines: &mut impl Machines,
     off: &ToleranceBox,
@@ -146,7 +149,7 @@ pub(super) fn of_derivatives(
     })
 }
 
-/// Slopes by pins and by these lengths alone.
+/// Returns the slopes by pins and by these lengths, with zeros for the others.
 fn acting_slopes(off: &ToleranceBox, slopes: &[f64], acting: &[usize]) -> Vec<f64> {
     let mut all = off.nothing();
     let pins = off.lengths..slopes.len();
@@ -156,10 +159,11 @@ fn acting_slopes(off: &ToleranceBox, slopes: &[f64], acting: &[usize]) -> Vec<f6
     all
 }
 
-/// So often the way to a machine that does not close is halved.
+/// Bisections towards a machine that does not close.
 const HALVINGS: u32 = 40;
 
-/// What tolerances do to every figure: `None` for one that has no value as given, or no worst case.
+/// Returns the effect of tolerances on every value; `None` for a value without a nominal value or
+/// worst case.
 pub(super) fn told<'s>(
     off: &ToleranceBox,
     nominal: &[Option<f64>],

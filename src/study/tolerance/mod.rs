@@ -1,11 +1,12 @@
-//! What tolerances do to figures: the worst case, the root of the sum of squares, samples, and who contributes what.
+//! Tolerance analysis: the worst case, the root of the sum of squares, samples, and contributions.
 //!
-//! A length L that is off by t at the most does `dF/dL t` to a figure F at the first order. The root of the sum of
-//! squares of these and their shares are of first order, from exact derivatives. The worst case is that of the
-//! mechanism itself, solved at every corner of the box of lengths, or enclosed; samples are solved, too.
+//! A length L with a tolerance t changes a value F by `dF/dL t` to first order. The root of the sum
+//! of squares of these terms and their shares are of first order, with exact derivatives. The worst
+//! case is that of the mechanism itself, solved at every corner of the tolerance box, or enclosed;
+//! samples are solved, too.
 //!
-//! A pin of clearance c lies anywhere within c of the middle of its hole: two lengths, of which the first order takes
-//! the worst direction.
+//! A pin with clearance c lies anywhere within c of its hole's centre. It has two lengths, and the
+//! first order takes the worst direction.
 
 mod band;
 mod box_grid;
@@ -38,46 +39,46 @@ use place::MachinesAtPlace;
 use thiserror::Error;
 use tolerance_box::ToleranceBox;
 
-/// Why there is nothing to say.
+/// The reason why an analysis is impossible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoTolerance {
-    /// Every length is exact.
+    /// All lengths are exact.
     #[error("{}", words().no_tolerances())]
     Exact,
-    /// A redundant linkage jams when a length is off.
+    /// A redundant linkage jams when a length deviates.
     #[error("{}", words().redundant_jams())]
     Redundant,
-    /// Forces are not among the figures that it can tell of.
+    /// Forces are not supported.
     #[error("{}", words().no_tolerances_of_forces())]
     Forces,
 }
 
-/// What tolerances do to a figure at one coordinate of the driver.
+/// The effect of tolerances on a value at one coordinate of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToleranceFigure {
-    /// The figure with the lengths as they were given.
+    /// The value with the nominal lengths.
     pub nominal: f64,
-    /// The least and the greatest that it can be.
+    /// The minimum and maximum of the value.
     pub worst: WorstCase,
-    /// The root of the sum of squares, where derivatives exist.
+    /// The root of the sum of squares; `None` if derivatives do not exist.
     pub root_sum_square: Option<f64>,
-    /// Who contributes, the greatest first; none where derivatives do not exist.
+    /// The contributions, the largest first; empty if derivatives do not exist.
     pub contributions: Vec<Contribution>,
 }
 
 impl ToleranceFigure {
-    /// The same with what samples tell: machines within the tolerances widen the worst case where they go further.
+    /// Widens the worst case by samples within the tolerances that exceed it.
     pub(crate) fn with_samples(&mut self, order: SampleOrder, found: &Percentiles) {
         match order.distribution {
             Distribution::Even => self.worst = self.worst.widened(found.ends),
-            // Some lie beyond the tolerances.
+            // Some samples lie beyond the tolerances.
             Distribution::Normal => {}
         }
     }
 }
 
-/// Figures of a mechanism whose lengths are off.
+/// Values of a mechanism with deviating lengths.
 #[derive(Clone, Debug)]
 pub struct ToleranceStudy {
     machines: MachinesAtPlace,
@@ -86,10 +87,10 @@ pub struct ToleranceStudy {
 }
 
 impl ToleranceStudy {
-    /// Of these figures of a scene.
+    /// Creates an analysis of values of a scene.
     ///
     /// # Errors
-    /// Where there is nothing to say, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
     pub fn new(
         scene: &Scene,
         solver: &Solver,
@@ -111,13 +112,13 @@ impl ToleranceStudy {
         })
     }
 
-    /// The figures that are asked about.
+    /// Returns the analysed values.
     #[must_use]
     pub fn figures(&self) -> &[Quantity] {
         &self.machines.figures
     }
 
-    /// The figures that are not the same for all machines at a coordinate, at the first order.
+    /// Returns the values that differ between machines at a coordinate, to first order.
     pub fn moved(&mut self, at: f64) -> Vec<Quantity> {
         let slopes = self.slopes_at(at);
         let moves = |i: usize| {
@@ -129,7 +130,7 @@ impl ToleranceStudy {
         moved.map(|(_, figure)| figure.clone()).collect()
     }
 
-    /// What tolerances do to every figure at a coordinate; `None` for one that does not exist there.
+    /// Analyses every value at a coordinate; `None` for one that does not exist there.
     pub fn at(&mut self, at: f64) -> Vec<Option<ToleranceFigure>> {
         let nominal = self.machines.go(at);
         let slopes = self.slopes_at(at);
@@ -137,15 +138,15 @@ impl ToleranceStudy {
         machines::told(&self.off, &nominal, worst, |i| slopes.as_ref()?.of(i))
     }
 
-    /// Makes machines by chance, and reads every figure of each at a coordinate of the driver.
+    /// Builds random machines, and evaluates every value of each at a coordinate of the driver.
     pub fn sampled(&mut self, at: f64, order: SampleOrder) -> Samples {
         let nominal = self.machines.go(at);
         let kind = self.machines.varied.kind();
         Samples::of(&mut self.machines, &self.off, nominal.len(), kind, order)
     }
 
-    /// Of every figure the root of the sum of squares and who contributes, the greatest first; `None` where derivatives
-    /// do not exist. Nothing but the first order is worked out.
+    /// Returns for every value the root of the sum of squares and the contributions, the largest
+    /// first; `None` if derivatives do not exist. Computes the first order only.
     pub fn first_order(&mut self, at: f64) -> Vec<Option<(f64, Vec<Contribution>)>> {
         let slopes = self.slopes_at(at);
         let figure = |i| {
@@ -158,7 +159,7 @@ impl ToleranceStudy {
         (0..self.figures().len()).map(figure).collect()
     }
 
-    /// The derivatives by everything that is off.
+    /// Returns the derivatives by all deviations.
     fn slopes_at(&mut self, at: f64) -> Option<Slopes> {
         self.slopes.at(at)
     }

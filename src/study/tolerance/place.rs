@@ -4,14 +4,14 @@ use super::machines::Machines;
 use crate::quantity::Quantity;
 use crate::solver::{Condition, LoopKind, Order, Varied};
 
-/// Solves machines at a place of the driver, and reads figures there.
+/// Solves machines at a place of the driver, and evaluates values there.
 #[derive(Clone, Debug)]
 pub(super) struct MachinesAtPlace {
     pub(super) figures: Vec<Quantity>,
     pub(super) order: Order,
     pub(super) varied: Varied,
     at: f64,
-    /// The figures with the lengths as they were given: directions are told as near as can be to these.
+    /// The values with the nominal lengths; directions are given as close as possible to these.
     nominal: Vec<Option<f64>>,
 }
 
@@ -26,7 +26,7 @@ impl MachinesAtPlace {
         }
     }
 
-    /// Goes to a place: the figures with the lengths as they were given.
+    /// Moves to a place; returns the values with the nominal lengths.
     pub(super) fn go(&mut self, at: f64) -> Vec<Option<f64>> {
         self.at = at;
         self.nominal.fill(None);

@@ -1,65 +1,68 @@
-//! Machines made by chance: how figures are spread among many of them.
+//! Random machines: the distribution of values among them.
 
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
 use crate::numeric::SeededChance;
 use crate::solver::LoopKind;
 
-/// How lengths are spread within their tolerances.
+/// The distribution of lengths within their tolerances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Distribution {
-    /// Normally, the tolerance being three times the standard deviation; some three of a thousand lie beyond it.
+    /// Normal, with the tolerance at three standard deviations; about three of a thousand lie
+    /// beyond it.
     #[default]
     Normal,
-    /// All within the tolerance as likely as each other.
+    /// Uniform within the tolerance.
     Even,
 }
 
-/// How many machines are made, and how.
+/// The parameters of a sampling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SampleOrder {
-    /// How many.
+    /// The number of machines.
     pub count: u32,
-    /// From which they follow: the same seed gives the same machines.
+    /// The seed of the random numbers; equal seeds give equal machines.
     pub seed: u64,
-    /// How their lengths are spread.
+    /// The distribution of the lengths.
     pub distribution: Distribution,
 }
 
-/// Of many machines, the figures below which so many parts of a thousand are: 1.35, 500 and 998.65, which in a normal
-/// distribution are the mean and three standard deviations to both sides.
+/// Percentiles of many machines: 0.135 %, 50 % and 99.865 %. In a normal distribution these are the
+/// mean and three standard deviations to both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Percentiles {
-    /// 0.135 of a hundred are below.
+    /// The 0.135 % quantile.
     pub low: f64,
-    /// As many below as above.
+    /// The median.
     pub median: f64,
-    /// 99.865 of a hundred are below.
+    /// The 99.865 % quantile.
     pub high: f64,
-    /// The least and the greatest of all.
+    /// The minimum and maximum.
     pub ends: [f64; 2],
-    /// The mean of all.
+    /// The mean.
     pub mean: f64,
-    /// Their standard deviation.
+    /// The standard deviation.
     pub deviation: f64,
 }
 
-/// What became of the machines at one coordinate of the driver.
+/// The results of machines at one coordinate of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
-    /// Figure by figure; `None` where no machine has it.
+    /// The percentiles of each value; `None` if every machine lacks it.
     pub figures: Vec<Option<Percentiles>>,
-    /// The part of the machines that do not close there.
+    /// The fraction of machines that do not close.
     pub open: f64,
-    /// The part of them whose first loop has another class than it was meant to; `None` where it has none.
+    /// The fraction of machines with another class of the first loop than the nominal one; `None`
+    /// if that has no class.
     pub changed: Option<f64>,
 }
 
-/// Of all, the part below the lower and above the upper mark.
+/// The probability below the lower and above the upper percentile.
 const TAIL: f64 = 0.00135;
 
 impl Samples {
-    /// Makes machines by chance, and reads every figure of each; `kind` is the class of the loop that is meant.
+    /// Builds random machines, and evaluates every value of each; `kind` is the nominal class of
+    /// the first loop.
     pub(super) fn of(
         machines: &mut impl Machines,
         off: &ToleranceBox,
@@ -90,7 +93,7 @@ impl Samples {
     }
 }
 
-/// What is to be said of many values, which are put into another order.
+/// Computes the statistics of some values, which are reordered.
 fn percentiles(all: &mut [f64]) -> Option<Percentiles> {
     let count = all.len() as f64;
     let mean = all.iter().sum::<f64>() / count;

@@ -1,43 +1,45 @@
-//! From the worst of the places of a grid on: whether a figure goes further inside of the box, or towards where it
-//! ceases to exist.
+//! Searches from the worst place of a grid for values beyond it, inside the box or towards the end
+//! of a value's existence.
 //!
-//! Steps along each side in turn, taken wherever they lead further, and made shorter where none does. From a corner at
-//! which a figure is worst none of them leads anywhere, and a few lengths of step are enough to see it.
+//! Steps are tried along each side in turn, taken if they improve, and shortened if none does. From
+//! a corner where a value is worst no step improves, which a few step lengths suffice to show.
 
 use super::box_grid::{BoxGrid, rounding};
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
 
-/// Where no step leads further, each is made so much shorter.
+/// The factor that shortens the steps if none improves.
 const SHORTER: f64 = 0.25;
-/// Steps are parts of a tolerance. Down to this one they are tried at a corner,
+/// The shortest step at a corner, relative to a tolerance.
 const SHORTEST_TRY: f64 = 1.0 / 64.0;
-/// and down to this one where one has led further or may: at an edge of assembly figures go with the root of the way.
+/// The shortest step after an improvement, or if one is possible: at an edge of assembly values are
+/// proportional to the root of the distance.
 const SHORTEST: f64 = 1e-12;
 
-/// The worst that was found of a figure at one end of what it can be.
+/// The extreme value found in one direction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FurthestFound {
     pub(super) value: f64,
-    /// Whether it is no place of the grid.
+    /// `true` if the value is not from a place of the grid.
     pub(super) is_inside: bool,
 }
 
-/// Looks further than the places of a grid.
+/// A search beyond the places of a grid.
 pub(super) struct Search<'b> {
     off: &'b ToleranceBox,
     acting: &'b [usize],
     grid: &'b BoxGrid,
-    /// So many machines are made for one end of a figure, and then it is enough.
+    /// Maximum number of machines for one end of a value.
     most: usize,
-    /// Whether the figure goes both ways along a side or is not everywhere, so that the smallest steps are worth trying.
+    /// `true` if the value is not monotonic along a side, or does not exist everywhere, so that the
+    /// smallest steps are worth trying.
     pub(super) may_turn: bool,
     by: Vec<f64>,
     values: Vec<Option<f64>>,
 }
 
 impl<'b> Search<'b> {
-    /// Among so many figures, with so many machines for each side.
+    /// Creates a search over these values, with `tries` machines per side.
     pub(super) fn new(
         off: &'b ToleranceBox,
         acting: &'b [usize],
@@ -56,7 +58,8 @@ impl<'b> Search<'b> {
         }
     }
 
-    /// The least of a figure, or with the sign of 1 the greatest: from the worst that was `found` on the grid.
+    /// Finds the minimum of a value, or with the sign of 1 its maximum, from the extreme of `found`
+    /// on the grid.
     pub(super) fn beyond_grid(
         &mut self,
         machines: &mut impl Machines,
@@ -69,7 +72,7 @@ impl<'b> Search<'b> {
         let mut value = nominal;
         let mut levels = vec![0.0; self.acting.len()];
         for (place, &at_place) in found.iter().enumerate() {
-            // Written so that NaN is not further.
+            // The comparison also excludes NaN.
             if sign * (at_place - value) > 0.0 {
                 value = at_place;
                 levels = self.grid.levels(place);

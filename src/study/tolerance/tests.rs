@@ -1,4 +1,4 @@
-//! Tolerances against published figures and closed formulas, written out here.
+//! Tests tolerances against published values and closed formulas, which are written out here.
 
 use super::machines::of_derivatives;
 use super::*;
@@ -24,7 +24,7 @@ rocker = { from = "D", to = "C", length = 2 }
 C = [3, 2]
 "#;
 
-/// In line at 0 deg: C stands at crank + rod.
+/// In line at 0 deg: C is at crank + rod.
 const SLIDER_CRANK: &str = r#"
 unit = "mm"
 [ground]
@@ -517,7 +517,7 @@ fn a_quick_band_is_limited_by_its_machines() {
     assert_eq!(kind(jansen, "T", &of_all, 1), BandKind::Worst);
 }
 
-/// The four-bar turned in the plane by so much, in degrees; its driver too.
+/// Returns the four-bar rotated in the plane by this angle in degrees, including its driver.
 fn turned(by: f64) -> String {
     let turn = |x: f64, y: f64| {
         let (sin, cos) = by.to_radians().sin_cos();

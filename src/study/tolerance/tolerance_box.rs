@@ -1,28 +1,28 @@
-//! The box of all that may be off, as numbers: lengths one by one, and then two for each pin.
+//! The box of all deviations, as numbers: one per length, then two per pin.
 
 use super::contributions::ToleranceOf;
 use super::samples::Distribution;
 use crate::numeric::SeededChance;
 use crate::{CoordinateAxis, Length, Tolerances};
 
-/// Multipliers that are tried, and how large they are at most: in parts of what all slopes come to.
+/// Number of multipliers to try, and their maximum, relative to the slopes' total.
 const MULTIPLIERS: usize = 80;
 const LARGEST_MULTIPLIER: f64 = 1e6;
 
-/// Everything that may be off.
+/// The box of all deviations.
 #[derive(Clone, Debug)]
 pub(super) struct ToleranceBox {
-    /// What each number makes longer.
+    /// The length that each number changes.
     pub(super) given: Vec<Length>,
-    /// How far each may be off.
+    /// The limit of each number.
     pub(super) limits: Vec<f64>,
-    /// How many of them are lengths.
+    /// The number of lengths.
     pub(super) lengths: usize,
     pub(super) of: Vec<ToleranceOf>,
 }
 
 impl ToleranceBox {
-    /// `None` where everything is exact.
+    /// Creates the box; `None` if everything is exact.
     pub(super) fn new(tolerances: &Tolerances) -> Option<ToleranceBox> {
         let off = |&&(_, by): &&(Length, f64)| by > 0.0;
         let mut all: Vec<(Length, f64)> = tolerances.lengths.iter().filter(off).copied().collect();
@@ -42,7 +42,7 @@ impl ToleranceBox {
         })
     }
 
-    /// Everything as it was given.
+    /// Returns the deviations of the nominal machine: zeros.
     pub(super) fn nothing(&self) -> Vec<f64> {
         vec![0.0; self.limits.len()]
     }
@@ -51,14 +51,15 @@ impl ToleranceBox {
         self.lengths < self.limits.len()
     }
 
-    /// Makes lengths off by so many parts of their tolerances.
+    /// Sets the deviations of lengths to fractions of their tolerances.
     pub(super) fn put(&self, lengths: &[usize], parts: &[f64], by: &mut [f64]) {
         for (&length, part) in lengths.iter().zip(parts) {
             by[length] = part * self.limits[length];
         }
     }
 
-    /// The machine of the box that is furthest along these slopes; what has no slope stays as in `from`.
+    /// Returns the machine of the box that is extreme along these slopes; deviations without slope
+    /// stay as in `from`.
     pub(super) fn furthest(&self, slopes: &[f64], from: &[f64]) -> Vec<f64> {
         let mut way = from.to_vec();
         for (i, (way, slope)) in way.iter_mut().zip(slopes).enumerate().take(self.lengths) {
@@ -77,8 +78,8 @@ impl ToleranceBox {
         way
     }
 
-    /// The machine that is furthest along slopes among those of the box to which `level` does not change from `from`,
-    /// to first order: by the multiplier of that condition.
+    /// Returns the extreme machine along slopes among those of the box with the same `level` as
+    /// `from`, to first order. Uses the Lagrange multiplier of that condition.
     pub(super) fn furthest_level(&self, slopes: &[f64], level: &[f64], from: &[f64]) -> Vec<f64> {
         let size = |slopes: &[f64]| {
             let sizes = slopes
@@ -103,7 +104,7 @@ impl ToleranceBox {
             ways.map(|((to, from), level)| (to - from) * level)
                 .sum::<f64>()
         };
-        // The larger the multiplier, the larger is the level.
+        // The level increases with the multiplier.
         let [mut low, mut high] = [-LARGEST_MULTIPLIER * scale, LARGEST_MULTIPLIER * scale];
         for _ in 0..MULTIPLIERS {
             let middle = f64::midpoint(low, high);
@@ -125,7 +126,7 @@ impl ToleranceBox {
             .collect()
     }
 
-    /// Draws what is off.
+    /// Draws random deviations.
     pub(super) fn draw(
         &self,
         distribution: Distribution,

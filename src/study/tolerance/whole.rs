@@ -1,7 +1,7 @@
-//! Tolerances of figures of the whole motion: a stroke, a time ratio.
+//! Tolerance analysis of cycle figures, such as a stroke or a time ratio.
 //!
-//! Each machine is opened as it was made, and followed. Derivatives are differences, of figures that are good to their
-//! last digits: a hundredth of each tolerance to both sides.
+//! Each machine is opened and its motion followed. Derivatives are two-sided differences with a
+//! hundredth of each tolerance, because the figures are accurate to their last digits.
 
 use super::machines::{CornerEffort, Machines, of_all_corners, of_derivatives, told};
 use super::tolerance_box::ToleranceBox;
@@ -13,7 +13,8 @@ use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures};
 use crate::{Length, Mechanism, Tolerances};
 
-/// So many lengths have all their corners opened: some thousand machines, each of which is followed.
+/// Maximum number of lengths with all corners opened: some thousand machines, each of which is
+/// followed.
 const MOST_LENGTHS: usize = 12;
 const EFFORT: CornerEffort = CornerEffort {
     middles: 7,
@@ -21,32 +22,32 @@ const EFFORT: CornerEffort = CornerEffort {
     edges: false,
     rays: 3,
 };
-/// The part of a tolerance by which differences are taken.
+/// Step of differences, relative to a tolerance.
 const DIFFERENCE: f64 = 0.01;
 
-/// Figures of the whole motion of a mechanism whose lengths are off.
+/// Cycle figures of a mechanism with deviating lengths.
 #[derive(Clone, Debug)]
 pub struct WholeTolerance {
     machines: MachinesInMotion,
     off: ToleranceBox,
 }
 
-/// Opens machines, and follows figures over their motion.
+/// Opens machines, and follows their motion.
 #[derive(Clone, Debug)]
 struct MachinesInMotion {
     figures: CycleFigures,
     seams: FigureSeams,
     solver: Solver,
-    /// The lengths in place, where nothing is redundant.
+    /// The lengths to change in place, if the linkage is not redundant.
     varied: Varied,
     given: Vec<Length>,
 }
 
 impl WholeTolerance {
-    /// Of these figures of a solver's mechanism.
+    /// Creates an analysis of figures of a solver's mechanism.
     ///
     /// # Errors
-    /// Where there is nothing to say, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
     pub fn new(
         solver: &Solver,
         tolerances: &Tolerances,
@@ -68,13 +69,13 @@ impl WholeTolerance {
         Ok(WholeTolerance { machines, off })
     }
 
-    /// The figures that are asked about.
+    /// Returns the analysed figures.
     #[must_use]
     pub fn figures(&self) -> &[CycleFigure] {
         self.machines.figures.figures()
     }
 
-    /// What tolerances do to every figure; `None` for one that does not exist.
+    /// Analyses every figure; `None` for one that does not exist.
     pub fn found(&mut self) -> Vec<Option<ToleranceFigure>> {
         let nominal = self.nominal();
         let slopes = self.slopes();
@@ -82,21 +83,21 @@ impl WholeTolerance {
         told(&self.off, &nominal, worst, |i| slopes[i].as_deref())
     }
 
-    /// Makes machines by chance, and reads every figure of each.
+    /// Builds random machines, and evaluates every figure of each.
     pub fn sampled(&mut self, order: SampleOrder) -> Samples {
         let figures = self.nominal().len();
         let kind = self.machines.kind();
         Samples::of(&mut self.machines, &self.off, figures, kind, order)
     }
 
-    /// The figures with the lengths as they were given.
+    /// Returns the figures with the nominal lengths.
     fn nominal(&mut self) -> Vec<Option<f64>> {
         let mut nominal = vec![None; self.figures().len()];
         self.machines.make(&self.off.nothing(), &mut nominal);
         nominal
     }
 
-    /// Figure by figure the derivatives by everything that is off; `None` where one does not exist.
+    /// Returns the derivatives of each figure by all deviations; `None` if one does not exist.
     fn slopes(&mut self) -> Vec<Option<Vec<f64>>> {
         let mut slopes: Vec<Option<Vec<f64>>> = vec![Some(Vec::new()); self.figures().len()];
         for number in 0..self.off.limits.len() {
@@ -121,14 +122,16 @@ impl WholeTolerance {
         slopes
     }
 
-    /// The worst case of every figure: every corner where they are few, else what the derivatives point to.
+    /// Computes the worst case of every figure: by all corners if they are few, or else by the
+    /// derivatives.
     fn worst(
         &mut self,
         nominal: &[Option<f64>],
         slopes: &[Option<Vec<f64>>],
     ) -> Vec<Option<WorstCase>> {
         let whole: Vec<usize> = (0..self.off.lengths).collect();
-        // A range that is whole follows no length at the first order, and may still end with another.
+        // A full range does not depend on any length to first order, but may become limited with
+        // another length.
         let acting = whole.iter().copied();
         let acting: Vec<usize> = acting
             .filter(|&i| self.machines.varied.follows(i))
@@ -146,7 +149,7 @@ impl WholeTolerance {
 }
 
 impl MachinesInMotion {
-    /// A machine that was made so; `None` where it does not assemble as it is meant to.
+    /// Opens a machine with these deviations; `None` if it does not assemble like the nominal one.
     fn opened(&mut self, by: &[f64]) -> Option<Solver> {
         let off = self.given.iter().zip(by).filter(|(_, by)| **by != 0.0);
         let mechanism = self.solver.mechanism().clone();
@@ -180,7 +183,8 @@ impl Machines for MachinesInMotion {
     }
 }
 
-/// What the motion and these figures hang on: the pins, and what is asked about; not where a centre of mass lies.
+/// Returns the parts that the motion and these figures depend on: the pins and the queried parts,
+/// but not centres of mass.
 fn needed(mechanism: &Mechanism, figures: &[CycleFigure]) -> Demand {
     let (mut needed, _) = demand(figures.iter().filter_map(CycleFigure::column));
     needed.links = mechanism.link_ids().collect();

@@ -1,46 +1,47 @@
-//! The worst case of a figure, and how it was found.
+//! The worst case of a value, and the method that found it.
 
-/// The least and the greatest that a figure can be.
+/// The minimum and maximum of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstCase {
-    /// The least; minus infinity where it grows beyond all bounds.
+    /// The minimum; minus infinity if the value is unbounded below.
     pub low: f64,
-    /// The greatest; infinity where it grows beyond all bounds.
+    /// The maximum; infinity if the value is unbounded above.
     pub high: f64,
-    /// What machines were found to reach: the same, or where it is enclosed or unbounded, further inside.
+    /// The extreme values found in machines: equal to `low` and `high`, or inside of them for an
+    /// enclosure or an unbounded value.
     pub reached: [f64; 2],
-    /// How they were found.
+    /// The method that found the limits.
     pub kind: WorstKind,
-    /// Whether there are lengths within their tolerances with which it does not close here; the figures are of those
-    /// with which it does.
+    /// `true` if the machine does not close here for some lengths within the tolerances; the limits
+    /// are those of the machines that close.
     pub fails: bool,
 }
 
-/// How a worst case was found.
+/// The method that found a worst case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum WorstKind {
-    /// By every corner of the box of lengths; nothing that was looked at inside goes further.
+    /// All corners of the box of lengths; a check inside found no larger deviation.
     Corners,
-    /// All lengths together, in balls: no figure is outside, and the worst may be further inside.
+    /// Ball arithmetic over all lengths. The limits contain all values; the worst case may be
+    /// further inside.
     Enclosed,
-    /// By a search: the figure goes both ways along a length, so that it may be worst inside of the box. Nothing proves
-    /// that there is no worse.
+    /// A search: the value is not monotonic along a length, so the worst case may be inside the
+    /// box. Not proved.
     Searched,
-    /// By a search up to where the figure ceases to exist: not every corner has it. Nothing proves that there is no
-    /// worse.
+    /// A search up to the edge where the value ceases to exist: some corners lack it. Not proved.
     AtEdge,
-    /// It grows beyond all bounds towards an edge of assembly: in one direction or in both. What is told of the other
-    /// direction is an estimate.
+    /// The value grows without bound towards an edge of assembly, in one direction or both; the
+    /// limit in the other direction is an estimate.
     Unbounded,
-    /// By the machines that the derivatives point to; nothing proves that there is no worse.
+    /// The machines in the direction of the derivatives. Not proved.
     Derivatives,
-    /// By a machine made by chance, that goes further than all that was looked at before.
+    /// A random machine that exceeds all limits found before.
     Sampled,
 }
 
 impl WorstKind {
-    /// Whether there may be worse, so that it is an estimate.
+    /// Returns `true` if the worst case is an estimate, so that the true one may be worse.
     #[must_use]
     pub fn is_estimate(self) -> bool {
         match self {
@@ -55,7 +56,7 @@ impl WorstKind {
 }
 
 impl WorstCase {
-    /// Takes in what was found at edges of assembly.
+    /// Extends the limits by values found at edges of assembly.
     pub(super) fn extend(&mut self, furthest: [f64; 2], is_unbounded: [bool; 2]) {
         let goes_further = furthest[0] < self.low || furthest[1] > self.high;
         self.low = self.low.min(furthest[0]);
@@ -78,7 +79,7 @@ impl WorstCase {
         }
     }
 
-    /// The same where machines were met that go further: then it is not the worst case that it was taken for.
+    /// Returns the worst case widened by sampled machines that exceed it.
     #[must_use]
     pub(super) fn widened(self, [low, high]: [f64; 2]) -> WorstCase {
         if self.low <= low && high <= self.high {
@@ -99,7 +100,7 @@ impl WorstCase {
     }
 }
 
-/// What has been met.
+/// The range of the values found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MetRange {
     pub(super) low: f64,

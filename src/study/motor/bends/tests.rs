@@ -1,4 +1,5 @@
-//! Springs keep energy: the work of the driver is that of the springs' closed formulas, whatever they act on.
+//! Tests the energy balance of springs: the driver's work equals that of the springs' closed
+//! formulas, for any bodies.
 
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range, Solver};
@@ -13,8 +14,8 @@ fn of(text: &str) -> (Scene, Solver) {
     (scene, solver)
 }
 
-/// The energy in J of everything that springs hold at a coordinate; `None` at a dead point, where a position is
-/// only good to the root of a rounding.
+/// Returns the energy in J of all springs at a coordinate; `None` at a dead point, where a position
+/// is only accurate to the root of a rounding error.
 fn energy(scene: &Scene, solver: &Solver, at: f64) -> Option<f64> {
     let mut state = solver.state();
     if solver.solve(at, Order::Position, &mut state) == Condition::DeadPoint {
@@ -65,7 +66,7 @@ fn energy(scene: &Scene, solver: &Solver, at: f64) -> Option<f64> {
     Some(mechanism.loads().iter().map(energy).sum())
 }
 
-/// Under the lines between knots, and the constants beyond them, from 0 to here.
+/// Returns the integral from 0 of the lines between knots, and of the constants beyond them.
 fn area(knots: &[[f64; 2]], to: f64) -> f64 {
     let first = knots[0];
     let mut area = first[1] * to.min(first[0]);
@@ -81,7 +82,7 @@ fn area(knots: &[[f64; 2]], to: f64) -> f64 {
     area + last[1] * (to - last[0]).max(0.0)
 }
 
-/// Springs of every kind on the last links and points of a scene, in an order by chance.
+/// Returns springs of every kind on the last links and points of a scene, in random order.
 fn sprung(scene: &Scene, chance: &mut Chance) -> String {
     let mechanism = &scene.mechanism;
     let points: Vec<_> = mechanism.point_ids().collect();
@@ -189,7 +190,7 @@ fn what_the_driver_puts_in_is_what_the_springs_hold() {
     assert!(tried > 10, "{tried}");
 }
 
-/// A crank of 100 mm turned by 2 rad/s against what is given.
+/// Returns the duty of a crank of 100 mm, turned by 2 rad/s, with the rest of its scene.
 fn crank(rest: &str) -> Duty {
     let text = format!(
         "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 0\nspeed = \"2 rad/s\"
