@@ -1,4 +1,4 @@
-//! The workbench without its terminal: keys, time and sizes in, frames out.
+//! The workbench without its terminal: it receives keys, times and sizes, and paints frames.
 
 mod still;
 
@@ -17,25 +17,26 @@ use std::path::Path;
 use std::time::Duration;
 use still::Still;
 
-/// A workbench that shows a scene and paints frames for a terminal that somebody else holds.
+/// A workbench that shows a scene and paints frames for a terminal owned by the caller.
 ///
-/// Time is given, not taken: [`Workbench::press`] and [`Workbench::pass`] say when they happen.
+/// Time is an input: [`Workbench::press`] happens at the current time, which [`Workbench::pass`]
+/// advances.
 #[derive(Debug)]
 pub struct Workbench {
     app: App,
     sketch: Sketch,
     painter: Painter,
     now: Duration,
-    /// What keys have sent to the terminal beside frames.
+    /// Bytes that keys have sent to the terminal in addition to frames.
     sent: Vec<u8>,
     still: Still,
-    /// What takes the picture away that was shown last; the terminal has not been told yet.
+    /// The bytes that remove the last image, not sent yet.
     removal: &'static [u8],
 }
 
 impl Workbench {
-    /// Opens a scene on a screen of `cols` x `rows` characters of a terminal that knows synchronised
-    /// frames.
+    /// Opens a scene on a screen of `cols` x `rows` characters, for a terminal that supports
+    /// synchronized frames.
     #[must_use]
     pub fn new(opened: Opened, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Self {
         let capability = Capability {
@@ -46,42 +47,43 @@ impl Workbench {
         Workbench::on(opened, None, capability, Size::new(cols, rows))
     }
 
-    /// Takes the time by which methods are compared from another clock, which only goes forward.
+    /// Replaces the clock for comparing methods; it must be monotonic.
     #[must_use]
     pub fn timed_by(mut self, clock: fn() -> Duration) -> Self {
         self.app.set_clock(clock);
         self
     }
 
-    /// Takes what a person has configured; not what the terminal shows it with.
+    /// Applies the keys, the mouse setting, the CSV format and the layout of the user's
+    /// configuration. Glyphs, colours and theme are set elsewhere.
     #[must_use]
     pub fn configured(mut self, config: &Config) -> Self {
         self.app.configure(config);
         self
     }
 
-    /// Looks at another view.
+    /// Shows another view.
     #[must_use]
     pub fn looking_at(mut self, view: View) -> Self {
         self.app.look(view);
         self
     }
 
-    /// Does what there is to do between frames until nothing is left: a study is measured to its end.
+    /// Runs all pending work between frames, such as an accuracy study, to its end.
     pub fn finish(&mut self) {
         while self.app.is_working() {
             self.pass(Duration::ZERO);
         }
     }
 
-    /// Looks for the linkages that do a task, and lists them.
+    /// Searches for the linkages that do a task, and lists them.
     #[must_use]
     pub fn synthesizing(mut self, task: TaskOrder) -> Self {
         self.app.synthesize(task);
         self
     }
 
-    /// Names of colours stand for those of a theme.
+    /// Sets the theme, which maps the names of colours.
     #[must_use]
     pub fn themed(mut self, theme: Theme) -> Self {
         self.app.set_theme(theme);
@@ -95,7 +97,7 @@ impl Workbench {
         self
     }
 
-    /// Opens a scene at `at`, or where it says.
+    /// Opens a scene at the driver coordinate `at`, or at its start position if `None`.
     pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         Workbench {
             app: App::new(opened, at, capability, size),
@@ -108,9 +110,9 @@ impl Workbench {
         }
     }
 
-    /// Presses keys, each written as the help shows it: `space`, `g`, `Enter`, `Ctrl-L`. Separated
-    /// by blanks; a single character is what it is, a word that names no key is nothing. False once the workbench was
-    /// left.
+    /// Presses keys, separated by blanks and written as in the help: `space`, `g`, `Enter`,
+    /// `Ctrl-L`. A single character is a key of its own, and an unknown word is ignored. Returns
+    /// `false` once the workbench was quit.
     pub fn press(&mut self, keys: &str) -> bool {
         let single = |word: &str| {
             let mut chars = word.chars();
@@ -131,25 +133,27 @@ impl Workbench {
         true
     }
 
-    /// Lets time pass; what is played moves on.
+    /// Advances the time; a running playback moves on.
     pub fn pass(&mut self, time: Duration) {
         self.move_to(self.now + time);
     }
 
-    /// The screen has another size, or had one meanwhile: what it shows now is not known.
+    /// Changes the size of the screen. Its contents are then unknown, so the next frame paints
+    /// everything.
     pub fn resize(&mut self, cols: u16, rows: u16) {
         self.app.resize(Size::new(cols, rows), None);
         self.forget();
     }
 
-    /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
+    /// Returns the bytes that update the terminal from the last frame to this one; empty if they
+    /// are equal.
     pub fn paint(&mut self) -> &[u8] {
         self.app.be_seen(self.now);
         self.paint_within(usize::MAX)
     }
 
-    /// The same on a line that has room for about so many bytes: what is urgent first, and what has no
-    /// room is left to [`Workbench::paint_rest`].
+    /// Paints a frame for a line with capacity for about `room` bytes: urgent areas first, and the
+    /// rest by [`Workbench::paint_rest`].
     pub(super) fn paint_within(&mut self, room: usize) -> &[u8] {
         self.app.catch_up();
         let app = &self.app;
@@ -161,17 +165,17 @@ impl Workbench {
         self.painter.frame(&views::urgent(&self.app), room)
     }
 
-    /// Goes on with a frame that was cut: the screen as it was then.
+    /// Continues a cut frame, with the screen as it was then.
     pub(super) fn paint_rest(&mut self, room: usize) -> &[u8] {
         self.painter.frame(&views::urgent(&self.app), room)
     }
 
-    /// Whether the last frame was cut.
+    /// Returns `true` if the last frame was cut.
     pub(super) fn is_cut(&self) -> bool {
         self.painter.is_cut()
     }
 
-    /// The screen as text: its lines without the blanks at their ends.
+    /// Returns the screen as text, with trailing blanks trimmed.
     pub fn text(&mut self) -> String {
         self.app.catch_up();
         self.app.be_seen(self.now);
@@ -182,25 +186,25 @@ impl Workbench {
         views::text(&buffer)
     }
 
-    /// What the keys pressed since the last call send to the terminal beside frames: text for its
-    /// clipboard.
+    /// Takes the bytes that keys have sent to the terminal in addition to frames, such as text for
+    /// its clipboard.
     pub fn take_sent(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.sent)
     }
 
-    /// The frames painted so far, and their bytes.
+    /// Returns the number of frames painted so far, and their bytes.
     #[must_use]
     pub fn frames(&self) -> Frames {
         self.painter.frames()
     }
 
-    /// It is `now`: what is played moves on.
+    /// Sets the time to `now`; a running playback moves on.
     pub(super) fn move_to(&mut self, now: Duration) {
         self.now = now;
         self.app.tick(now);
     }
 
-    /// It is `now`, but the time since has not been seen: what is played goes on from where it was.
+    /// Sets the time to `now` without moving a running playback, which continues from its position.
     pub(super) fn skip_to(&mut self, now: Duration) {
         self.now = now;
         self.app.wake(now);
@@ -231,7 +235,7 @@ impl Workbench {
         self.app.point(mouse, under, self.now)
     }
 
-    /// What a cell of the drawing shows.
+    /// Returns the place of the scene at a cell of the drawing.
     #[cfg(test)]
     pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<views::SeenPlace> {
         self.sketch.place(at)
@@ -241,7 +245,7 @@ impl Workbench {
         &mut self.app
     }
 
-    /// The terminal shows something else: the next frame paints everything.
+    /// Discards the known contents of the terminal, so that the next frame paints everything.
     pub fn forget(&mut self) {
         self.put_still_away();
         self.painter.forget();

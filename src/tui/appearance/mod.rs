@@ -1,4 +1,4 @@
-//! What each part of the screen looks like, and how a terminal shows that.
+//! The style of each part of the screen, and its adaptation to the terminal.
 
 pub(crate) mod palette;
 pub(crate) mod theme;

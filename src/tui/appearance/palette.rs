@@ -1,32 +1,32 @@
-//! From the colours that views ask for to those that a terminal gets.
+//! Maps the colours named by views to those sent to the terminal.
 //!
-//! Views name colours as the terminal's own palette does, one name for each role. In 16 colours names of
-//! that palette are sent, so that everybody's own stays in force: the two that are legible on any ground, or
-//! where the ground is known the better ones for it. With more colours each name stands
-//! for one that was chosen: `auto` for such as read on black as well as on white, since nobody can
-//! know the ground without asking; `light` and `dark` for better ones where it is known. Faint text,
-//! which many terminals make too faint, becomes a grey of known contrast there.
+//! Views use the names of the terminal's own palette, one for each role. With 16 colours, names of
+//! that palette are sent, so that the user's colours stay in force: the two that are legible on any
+//! background, or better ones if the background is known. With more colours each name maps to a
+//! selected colour: `auto` is legible on black as well as on white, because the background is
+//! unknown; `light` and `dark` are better on a known background. Faint text, which many terminals
+//! make too faint, then becomes a grey of known contrast.
 
 use crate::capability::Colours;
 use crate::drawing::Hue;
 use ratatui::style::{Color, Modifier};
 
-/// Which colours stand for the names.
+/// The set of colours for the names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
-    /// On any ground.
+    /// For any background.
     #[default]
     Auto,
-    /// On a light ground.
+    /// For a light background.
     Light,
-    /// On a dark ground.
+    /// For a dark background.
     Dark,
-    /// No colour, but bold, faint and reversed.
+    /// Without colours, but with bold, faint and reversed text.
     Plain,
 }
 
 impl Theme {
-    /// As the options and the configuration name it.
+    /// Returns the name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl Theme {
     }
 }
 
-/// The colours of a hue: by number in the fixed palette, and exactly.
+/// The colours of a hue: an index into the fixed palette, and an exact colour.
 struct Shade {
     index: u8,
     exact: Color,
@@ -59,7 +59,7 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 }
 
 impl Hue {
-    /// What a palette name stands for. The bright names are hues of their own.
+    /// Returns the hue of a palette name. Bright names have hues of their own.
     fn meant(named: Color) -> Option<Hue> {
         Some(match named {
             Color::Red => Hue::Red,
@@ -80,7 +80,7 @@ impl Hue {
         })
     }
 
-    /// The name by which views ask for it.
+    /// Returns the palette name by which views refer to the hue.
     pub(super) fn named(self) -> Color {
         match self {
             Hue::Red => Color::Red,
@@ -98,8 +98,8 @@ impl Hue {
         }
     }
 
-    /// Of the names of the palette, one that most palettes keep legible on any ground. There are two;
-    /// what else is drawn is told by its form.
+    /// Returns a palette name that most palettes keep legible on any background. There are only
+    /// two; other hues are distinguished by shape.
     fn plain(self) -> Color {
         match self {
             Hue::Red => Color::Red,
@@ -116,7 +116,7 @@ impl Hue {
         }
     }
 
-    /// The one that reads better on a dark ground.
+    /// Returns the palette name that is more legible on a dark background.
     fn bright(self) -> Color {
         match self {
             Hue::Red => Color::LightRed,
@@ -133,8 +133,8 @@ impl Hue {
         }
     }
 
-    /// And the one that reads better on a light ground. No yellow is: notices are magenta as in [`Hue::plain`], and
-    /// what is orange has the colour of text.
+    /// Returns the palette name that is more legible on a light background. Yellow is illegible
+    /// there: notices are magenta as in [`Hue::plain`], and orange becomes the colour of text.
     fn deep(self) -> Color {
         match self {
             Hue::Red => Color::Red,
@@ -147,8 +147,9 @@ impl Hue {
         }
     }
 
-    /// In more than 16 colours. Those of links are of the fixed palette in any case: in every row of a drawing
-    /// there are some, and an exact colour takes twice the bytes.
+    /// Returns the shade for terminals with more than 16 colours. The hues of links always use the
+    /// fixed palette: every row of a drawing has some of them, and an exact colour takes twice the
+    /// bytes.
     fn shade(self, theme: Theme) -> Shade {
         match theme {
             Theme::Auto | Theme::Plain => self.shade_on_any(),
@@ -218,7 +219,7 @@ impl Hue {
     }
 }
 
-/// How colours are sent.
+/// The number and the theme of the colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Palette {
     pub(crate) colours: Colours,
@@ -226,7 +227,7 @@ pub(crate) struct Palette {
 }
 
 impl Palette {
-    /// The colour that is sent for the one that a view names.
+    /// Returns the colour to send for a named one.
     pub(crate) fn colour(self, named: Color) -> Color {
         match (self.colours, Hue::meant(named)) {
             (Colours::None, _) => Color::Reset,
@@ -241,7 +242,7 @@ impl Palette {
         }
     }
 
-    /// Faint text as a colour, where there is a better one than the terminal's own.
+    /// Replaces faint text by a colour, if that is better than the terminal's own faint style.
     pub(crate) fn faint(self, colour: Color, modifier: Modifier) -> (Color, Modifier) {
         let is_faint = modifier.contains(Modifier::DIM) && !modifier.contains(Modifier::REVERSED);
         match self.colours {
@@ -249,7 +250,7 @@ impl Palette {
                 let grey = Hue::Grey.colour(self.theme, self.colours == Colours::True);
                 (grey, modifier - Modifier::DIM)
             }
-            // A chosen colour made fainter is one that nobody chose.
+            // A selected colour must not be made fainter.
             Colours::Indexed | Colours::True => (colour, modifier - Modifier::DIM),
             Colours::None | Colours::Sixteen => (colour, modifier),
         }
@@ -266,7 +267,7 @@ mod tests {
 
     const BLACK: Color = Color::Rgb(0, 0, 0);
     const WHITE: Color = Color::Rgb(255, 255, 255);
-    /// The grounds of two schemes that many people use.
+    /// The backgrounds of two widely used colour schemes.
     const SOFT_BLACK: Color = Color::Rgb(0x1e, 0x1e, 0x1e);
     const SOFT_WHITE: Color = Color::Rgb(0xfd, 0xf6, 0xe3);
 
@@ -283,7 +284,7 @@ mod tests {
         }
     }
 
-    /// WCAG 2.2, relative luminance.
+    /// Returns the relative luminance according to WCAG 2.2.
     fn luminance(colour: Color) -> f64 {
         let linear = linear(colour);
         0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
@@ -320,13 +321,13 @@ mod tests {
         Hue::Grey,
     ];
 
-    /// Hues in which something is drawn: brown is orange where that is written.
+    /// Returns the hues of drawn lines; brown is for text only, as a substitute of orange.
     fn drawn() -> Vec<Hue> {
         ALL.into_iter().filter(|hue| *hue != Hue::Brown).collect()
     }
 
-    /// Hues in which something is written: names of links and of the driver, sizes of forces, notices, what is told
-    /// quietly. Orange and lime draw only.
+    /// Returns the hues of text: names of links and of the driver, magnitudes of forces, notices
+    /// and quiet text. Orange and lime are for lines only.
     fn written() -> Vec<Hue> {
         let drawn_only = [Hue::Orange, Hue::Lime];
         ALL.into_iter()
@@ -340,7 +341,8 @@ mod tests {
         all.fold(f64::INFINITY, f64::min)
     }
 
-    /// The distance of two colours in Oklab (Ottosson 2020): 0.02 is just seen side by side.
+    /// Returns the distance of two colours in Oklab (Ottosson 2020). A distance of 0.02 is barely
+    /// visible side by side.
     fn distance(a: Color, b: Color) -> f64 {
         let [a, b] = [a, b].map(|colour| {
             let [r, g, b] = linear(colour);
@@ -363,7 +365,8 @@ mod tests {
         assert!((contrast(Color::Rgb(0x76, 0x76, 0x76), WHITE) - 4.54).abs() < 0.01);
     }
 
-    /// Those of them that are no names of links, which are of the fixed palette as their bars are.
+    /// The written hues other than those of link names, which use the fixed palette like their
+    /// bars.
     const EXACT: [Hue; 5] = [Hue::Red, Hue::Yellow, Hue::Cyan, Hue::Magenta, Hue::Grey];
 
     /// 4.58 is the most that any colour has against both black and white; against two softer grounds

@@ -1,35 +1,35 @@
-//! What each part of the screen looks like. Colours are names that the palette makes something of, one for
-//! each hue. None carries a meaning alone.
+//! The style of each part of the screen. Colours are names, one per hue, which the palette maps to
+//! colours. A colour never carries a meaning alone.
 
 use crate::drawing::{Hue, Role, is_bold};
 use ratatui::style::{Color, Modifier, Style};
 
-/// Parts of the screen beside the drawing.
+/// A part of the screen other than the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ScreenPart {
     /// Ordinary text.
     Text,
     /// The scene's title.
     Title,
-    /// Names of columns and of keys' purposes; rules.
+    /// Names of columns, effects of keys, and lines.
     Quiet,
     /// The name of a row.
     Name,
     /// A key.
     Key,
-    /// The mode, at the start of the last line.
+    /// The mode, at the start of the status line.
     Mode,
-    /// Digits that nothing proves.
+    /// Unproved digits.
     Unsure,
-    /// Something that the reader should know.
+    /// A warning.
     Warning,
-    /// Where typed text goes on.
+    /// The caret behind typed text.
     Caret,
-    /// What the cursor of a list or a table is on.
+    /// The selected entry of a list or a table.
     Cursor,
 }
 
-/// The look of a part of the screen.
+/// Returns the style of a part of the screen.
 pub(crate) fn part(part: ScreenPart) -> Style {
     let style = Style::new();
     match part {
@@ -44,16 +44,17 @@ pub(crate) fn part(part: ScreenPart) -> Style {
     }
 }
 
-/// The look of a part of the drawing.
+/// Returns the style of a part of the drawing.
 pub(crate) fn role(role: Role) -> Style {
-    // As the row under the cursor.
+    // Highlighted parts have the style of the selected row.
     if role == Role::Lit {
         return part(ScreenPart::Key);
     }
     let style = match Hue::of(role) {
         None => Style::new(),
         Some(Hue::Grey) => Style::new().add_modifier(Modifier::DIM),
-        // Faint where there is no colour for it: a trace is as thin as a ghost, and no bar.
+        // Faint if there is no colour for it, because a trace is as thin as a ghost and must not
+        // look like a link.
         Some(Hue::Lime) => Style::new()
             .fg(Hue::Lime.named())
             .add_modifier(Modifier::DIM),

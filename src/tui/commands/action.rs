@@ -1,238 +1,239 @@
-//! Everything that can be asked of the workbench, in one table: the keys, the help overlay, the hints of
-//! the last line and the list of keys in the manual all come from it.
+//! All actions of the workbench in one table. Keys, help overlay, hints of the status line and the
+//! manual's list of keys are derived from it.
 
 use crate::tui::commands::key::Key;
 use crate::tui::commands::view::View;
 use crate::wording::{Wording, Words};
 
-/// What a key asks for.
+/// An action, bound to keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Action {
-    /// Play, or pause.
+    /// Plays or pauses.
     Play,
-    /// One step back.
+    /// Moves one step back.
     StepBack,
-    /// One step on.
+    /// Moves one step forward.
     StepForward,
-    /// A smaller step.
+    /// Decreases the step.
     SmallerStep,
-    /// A larger step.
+    /// Increases the step.
     LargerStep,
-    /// Play more slowly.
+    /// Decreases the playback speed.
     Slower,
-    /// Play faster.
+    /// Increases the playback speed.
     Faster,
-    /// Play the other way.
+    /// Reverses the playback.
     Reverse,
-    /// Type an angle to go to.
+    /// Prompts for a driver coordinate.
     GoTo,
-    /// Back to where the scene opens.
+    /// Moves the driver to the scene's start position.
     Opening,
-    /// List the assemblies.
+    /// Lists the assemblies.
     Assemblies,
-    /// Write the scene to its file.
+    /// Saves the scene to its file.
     Save,
-    /// Write the scene to another file.
+    /// Saves the scene to another file.
     SaveAs,
-    /// Read the file again.
+    /// Reads the file again.
     Reload,
-    /// Choose a preset or a file.
+    /// Chooses a preset or a file.
     Open,
-    /// Beside another scene, or beside what was opened.
+    /// Compares with another scene, or with the original version.
     Compare,
-    /// Take an edit back.
+    /// Undoes an edit.
     Undo,
-    /// Make it again.
+    /// Redoes an edit.
     Redo,
-    /// Find a row.
+    /// Searches for a row.
     Search,
-    /// Copy to the clipboard of the person's own terminal.
+    /// Copies to the clipboard of the user's terminal.
     Copy,
-    /// Write figures to a CSV file.
+    /// Writes values to a CSV file.
     Csv,
-    /// Write the screen to a text file.
+    /// Writes the screen to a text file.
     Picture,
-    /// Show the drawing in pixels.
+    /// Shows the drawing as a pixel image.
     Still,
-    /// Write the drawing or the plot to an SVG file.
+    /// Writes the drawing or the plot to an SVG file.
     Svg,
-    /// Write a report on what stands here.
+    /// Writes a report on the scene's current state.
     Report,
-    /// The next preset.
+    /// Opens the next preset.
     NextPreset,
-    /// The preset before.
+    /// Opens the previous preset.
     PreviousPreset,
-    /// The next set of glyphs.
+    /// Switches to the next set of glyphs.
     Glyphs,
-    /// The next number of colours.
+    /// Switches to the next number of colours.
     Colours,
-    /// Take the mouse, or give it back.
+    /// Captures or releases the mouse.
     Mouse,
-    /// The next language.
+    /// Switches to the next language.
     Language,
-    /// The next view.
+    /// Shows the next view.
     NextView,
-    /// The view before.
+    /// Shows the previous view.
     PreviousView,
-    /// This view.
+    /// Shows this view.
     Look(View),
-    /// A line up.
+    /// Moves up a line.
     LineUp,
-    /// A line down.
+    /// Moves down a line.
     LineDown,
-    /// A screen up.
+    /// Moves up a screen.
     PageUp,
-    /// A screen down.
+    /// Moves down a screen.
     PageDown,
-    /// Half a screen up.
+    /// Moves up half a screen.
     HalfUp,
-    /// Half a screen down.
+    /// Moves down half a screen.
     HalfDown,
-    /// To the first line.
+    /// Moves to the first line.
     Top,
-    /// To the last line.
+    /// Moves to the last line.
     End,
-    /// To the part before: a heading, the figures of another table, the values of another element.
+    /// Moves to the previous part: a heading, the values of another table, or those of another
+    /// element.
     PreviousPart,
-    /// To the next part.
+    /// Moves to the next part.
     NextPart,
-    /// The next pane.
+    /// Selects the next pane.
     NextPane,
-    /// The pane alone, or with the others again.
+    /// Maximizes the pane or restores all panes.
     Alone,
-    /// The line between the panes to the left.
+    /// Moves the split between the panes to the left.
     SplitLeft,
-    /// The line between the panes to the right.
+    /// Moves the split between the panes to the right.
     SplitRight,
-    /// The next layout.
+    /// Switches to the next layout.
     NextLayout,
-    /// Of the motion view alone.
+    /// An action of the motion view.
     Motion(MotionAction),
-    /// Of the tables alone.
+    /// An action of the tables view.
     Tables(TablesAction),
-    /// Of the plots alone.
+    /// An action of the plots view.
     Plots(PlotsAction),
-    /// Watch the next method, in the accuracy view alone.
+    /// Selects the next method to watch, in the accuracy view.
     Method,
-    /// Type where it begins.
+    /// Prompts for the watched method's initial guess.
     Guess,
-    /// All that tolerances do to a figure, in the view of lengths alone.
+    /// Shows all effects of tolerances on a value, in the lengths view.
     Tolerance,
-    /// Of the scene view alone.
+    /// An action of the scene view.
     Scene(SceneAction),
-    /// Show or hide the keys.
+    /// Shows or hides the keys.
     Help,
-    /// List all commands.
+    /// Lists all commands.
     Palette,
-    /// The tour.
+    /// Starts the tour.
     Tour,
-    /// One level back.
+    /// Goes one level back.
     Back,
-    /// Draw everything again.
+    /// Redraws the whole screen.
     Redraw,
-    /// Stop, and give the shell its terminal.
+    /// Suspends the process and returns to the shell.
     Suspend,
-    /// Leave.
+    /// Quits.
     Quit,
-    /// Leave, from anywhere.
+    /// Quits from any mode.
     Leave,
 }
 
 impl Action {
-    /// The motion view, from which one leaves for all others.
+    /// Shows the motion view, from which all other views are reached.
     pub(crate) const MOTION: Action = Action::Look(View::Motion);
 }
 
-/// What the motion view alone can do.
+/// An action of the motion view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MotionAction {
-    /// Names: of points, of links too, none.
+    /// Switches between names of points, of points and links, and no names.
     Names,
-    /// Arrows of velocity.
+    /// Toggles velocity arrows.
     Velocities,
-    /// Arrows of acceleration.
+    /// Toggles acceleration arrows.
     Accelerations,
-    /// Loads, and what joints and guides bear.
+    /// Toggles loads and the reactions of joints and guides.
     Forces,
-    /// Traces of points over the motion.
+    /// Toggles the traces of points over the motion.
     Traces,
-    /// The linkage elsewhere in its motion.
+    /// Toggles ghosts of the linkage at other positions of its motion.
     Ghosts,
-    /// Centres of mass.
+    /// Toggles centres of mass.
     Centres,
-    /// Guides and supports.
+    /// Toggles guides and supports.
     Guides,
-    /// Larger.
+    /// Zooms in.
     ZoomIn,
-    /// Smaller.
+    /// Zooms out.
     ZoomOut,
-    /// The window as it was at first, and the whole motion.
+    /// Restores the default window, or shows the whole motion.
     Fit,
-    /// The linkage as it stands.
+    /// Fits the window to the linkage's current pose.
     FitPose,
-    /// A point stays in the middle.
+    /// Keeps a point in the middle of the window.
     Follow,
-    /// The window goes left.
+    /// Pans the window to the left.
     PanLeft,
-    /// The window goes down.
+    /// Pans the window down.
     PanDown,
-    /// The window goes up.
+    /// Pans the window up.
     PanUp,
-    /// The window goes right.
+    /// Pans the window to the right.
     PanRight,
 }
 
-/// What the tables alone can do.
+/// An action of the tables view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TablesAction {
-    /// Choose the row, for the motion view.
+    /// Selects the row's points for the motion view.
     Choose,
-    /// The figure to the left.
+    /// Moves the cursor to the value at the left.
     Left,
-    /// The figure to the right.
+    /// Moves the cursor to the value at the right.
     Right,
 }
 
-/// What the plots alone can do.
+/// An action of the plots view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PlotsAction {
-    /// Choose what is plotted.
+    /// Selects the plotted quantities.
     Choose,
-    /// The next quantity along x.
+    /// Switches to the next quantity on the x axis.
     Abscissa,
-    /// Mark the extrema.
+    /// Toggles the marks of extrema.
     Extrema,
-    /// Draw what tolerances do.
+    /// Toggles the tolerance bands.
     Band,
 }
 
-/// What the scene view alone can do.
+/// An action of the scene view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SceneAction {
-    /// Type another value.
+    /// Prompts for a value.
     Edit,
-    /// A little less.
+    /// Decreases the value by a step.
     NudgeDown,
-    /// A little more.
+    /// Increases the value by a step.
     NudgeUp,
-    /// Nudge by less.
+    /// Decreases the step.
     FinerNudge,
-    /// Nudge by more.
+    /// Increases the step.
     CoarserNudge,
-    /// Gather edits, or make those that were gathered.
+    /// Starts staging edits, or applies the staged edits.
     Gather,
     Goal,
 }
 
-/// Where a key has its meaning.
+/// The context in which a key is bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum KeyContext {
-    /// In every view.
+    /// Every view.
     Everywhere,
-    /// In every view but the drawing: there it stands before what the key does elsewhere, so that no arrow moves the
-    /// crank.
+    /// Every view except the motion view. Its keys override those of [`KeyContext::Everywhere`], so
+    /// that the arrow keys do not move the crank.
     Lists,
-    /// In this one.
+    /// This view only.
     In(View),
 }
 
@@ -241,11 +242,11 @@ pub(crate) enum KeyContext {
 pub(crate) struct ActionRow {
     pub(crate) place: KeyContext,
     pub(crate) action: Action,
-    /// What a configuration calls it: a promise.
+    /// The name in the configuration, which is stable.
     pub(crate) name: &'static str,
-    /// One or two words, for the hints of the last line.
+    /// One or two words for the hints of the status line.
     pub(crate) hint: Wording,
-    /// One line.
+    /// One line for the help.
     pub(crate) help: Wording,
     pub(crate) keys: &'static [Key],
 }
@@ -267,7 +268,7 @@ const fn entry(
     }
 }
 
-/// The same entry, in lists alone.
+/// Returns the entry with the context of lists.
 const fn listed_in(entry: ActionRow) -> ActionRow {
     ActionRow {
         place: KeyContext::Lists,
@@ -275,7 +276,7 @@ const fn listed_in(entry: ActionRow) -> ActionRow {
     }
 }
 
-/// The same entry, in one view alone.
+/// Returns the entry with the context of one view.
 const fn within(view: View, entry: ActionRow) -> ActionRow {
     ActionRow {
         place: KeyContext::In(view),
@@ -283,15 +284,15 @@ const fn within(view: View, entry: ActionRow) -> ActionRow {
     }
 }
 
-/// Rows that belong together.
+/// Related rows.
 #[derive(Debug)]
 pub(crate) struct ActionSection {
     pub(crate) title: Wording,
     pub(crate) entries: &'static [ActionRow],
 }
 
-/// All actions with their keys, by what they are for, in the order in which the help shows them.
-// One row, one line.
+/// All actions with their keys by topic, in the order of the help.
+// Each row is one line.
 #[rustfmt::skip]
 pub(crate) static SECTIONS: [ActionSection; 8] = {
     use Action as A;
@@ -421,12 +422,12 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
     ]
 };
 
-/// All rows of the table.
+/// Returns all rows of the table.
 pub(crate) fn entries() -> impl Iterator<Item = &'static ActionRow> {
     SECTIONS.iter().flat_map(|section| section.entries)
 }
 
-/// The row of an action.
+/// Returns the row of an action.
 pub(crate) fn entry_of(action: Action) -> &'static ActionRow {
     entries()
         .find(|entry| entry.action == action)
@@ -434,7 +435,7 @@ pub(crate) fn entry_of(action: Action) -> &'static ActionRow {
 }
 
 impl KeyContext {
-    /// Whether its keys have their meaning in this view.
+    /// Returns `true` if its keys are bound in this view.
     pub(crate) fn covers(self, view: View) -> bool {
         match self {
             KeyContext::Everywhere => true,
@@ -443,7 +444,7 @@ impl KeyContext {
         }
     }
 
-    /// Whether there is a view where both have their meaning.
+    /// Returns `true` if the two contexts share a view.
     pub(crate) fn meets(self, other: KeyContext) -> bool {
         View::ALL
             .iter()
@@ -451,7 +452,7 @@ impl KeyContext {
     }
 }
 
-/// Keys as people read them: `, Left h`.
+/// Formats keys for the user, such as `, Left h`.
 pub(crate) fn listed(keys: &[Key]) -> String {
     let keys: Vec<String> = keys.iter().map(Key::to_string).collect();
     keys.join(" ")

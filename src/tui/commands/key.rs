@@ -1,11 +1,11 @@
-//! Keys, as the table of actions names them.
+//! Keys, as named in the table of actions.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// A key, with the modifiers that matter.
+/// A key with its relevant modifiers.
 ///
-/// Shift is part of a character and ignored elsewhere; a key with Alt is no key at all, since a
+/// Shift is part of a character and ignored elsewhere. A key with Alt is not supported, since a
 /// slow line turns Esc and the next key into one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Key {
@@ -23,23 +23,23 @@ pub(crate) enum Key {
     Tab,
     /// Shift and the tabulator.
     BackTab,
-    /// Erases to the left.
+    /// Backspace.
     Backspace,
-    /// An arrow key.
+    /// The left arrow key.
     Left,
-    /// An arrow key.
+    /// The right arrow key.
     Right,
-    /// An arrow key.
+    /// The up arrow key.
     Up,
-    /// An arrow key.
+    /// The down arrow key.
     Down,
     /// Home.
     Home,
     /// End.
     End,
-    /// A screen up.
+    /// Page up.
     PageUp,
-    /// A screen down.
+    /// Page down.
     PageDown,
 }
 
@@ -68,14 +68,14 @@ impl fmt::Display for Key {
     }
 }
 
-/// The text names no key.
+/// The error of a text that names no key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct NoKey;
 
 impl FromStr for Key {
     type Err = NoKey;
 
-    /// Reads a key as it is shown.
+    /// Parses a key in its displayed form.
     fn from_str(text: &str) -> Result<Self, NoKey> {
         let mut chars = text.chars();
         if let (Some(c @ ' '..='~'), None) = (chars.next(), chars.next()) {
@@ -87,7 +87,7 @@ impl FromStr for Key {
 }
 
 impl Key {
-    /// The key that terminals send in its place: they cannot tell them apart.
+    /// Returns the key that terminals send in its place, because they cannot distinguish the two.
     pub(crate) fn sent_as(self) -> Option<Key> {
         match self {
             Key::Ctrl('h') => Some(Key::Backspace),
@@ -98,19 +98,19 @@ impl Key {
     }
 }
 
-/// All keys that are no characters.
+/// Returns all keys that are not characters.
 fn named() -> impl Iterator<Item = Key> {
     let functions = (1..=24).map(Key::Function);
     let controls = ('a'..='z').map(Key::Ctrl);
     NAMED.into_iter().chain(functions).chain(controls)
 }
 
-/// What all keys that are no characters are called.
+/// Returns the names of all keys that are not characters.
 pub(crate) fn names() -> Vec<String> {
     named().map(|key| key.to_string()).collect()
 }
 
-/// Keys with a name of their own.
+/// The keys with names of their own.
 const NAMED: [Key; 14] = [
     Key::Char(' '),
     Key::Enter,

@@ -1,5 +1,4 @@
-//! Which key asks for what: the table of actions, with the keys that a person has chosen in place of those
-//! that are built in.
+//! The key bindings: the table of actions with the user's keys in place of the built-in ones.
 
 use crate::tui::commands::action::{self, Action, ActionRow, KeyContext};
 use crate::tui::commands::key::Key;
@@ -9,11 +8,11 @@ use crate::wording::words;
 /// The keys of every action.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Keymap {
-    /// By the rows of the table.
+    /// Lists of keys, by the rows of the table.
     keys: Vec<Vec<Key>>,
 }
 
-/// A key that two actions claim where both have their meaning.
+/// A key bound to two actions in contexts that share a view.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clash {
     pub(crate) key: Key,
@@ -22,7 +21,7 @@ pub(crate) struct Clash {
 }
 
 impl Default for Keymap {
-    /// The keys that are built in.
+    /// Returns the built-in keys.
     fn default() -> Self {
         let keys = action::entries().map(|entry| entry.keys.to_vec());
         Keymap {
@@ -32,7 +31,7 @@ impl Default for Keymap {
 }
 
 impl Keymap {
-    /// Gives an action these keys and no others.
+    /// Replaces the keys of an action.
     pub(crate) fn set(&mut self, action: Action, keys: Vec<Key>) {
         let at = action::entries().position(|entry| entry.action == action);
         if let Some(own) = at.and_then(|at| self.keys.get_mut(at)) {
@@ -40,7 +39,8 @@ impl Keymap {
         }
     }
 
-    /// The action of a key in a view: what it means in lists stands before what it means everywhere.
+    /// Returns the action bound to a key in a view. A view's own keys override those of lists,
+    /// which override those of all views.
     pub(crate) fn action(&self, key: Key, view: View) -> Option<Action> {
         let places = [
             KeyContext::In(view),
@@ -51,7 +51,7 @@ impl Keymap {
         self.first(key, covering)
     }
 
-    /// The action of a key in a list that lies over every view alike.
+    /// Returns the action bound to a key in a list that overlays any view.
     pub(crate) fn action_in_list(&self, key: Key) -> Option<Action> {
         self.first(key, [KeyContext::Lists, KeyContext::Everywhere].into_iter())
     }
@@ -64,29 +64,29 @@ impl Keymap {
         })
     }
 
-    /// The keys of an action; none where a person took them away.
+    /// Returns the keys of an action; empty if the user has removed them.
     pub(crate) fn keys(&self, action: Action) -> &[Key] {
         let row = self.rows().find(|(entry, _)| entry.action == action);
         row.map_or(&[], |(_, keys)| keys)
     }
 
-    /// The key by which an action is told, if it has one.
+    /// Returns the first key of an action, which messages show, if it has one.
     pub(crate) fn key(&self, action: Action) -> Option<Key> {
         self.keys(action).first().copied()
     }
 
-    /// The same as messages name it, also where a person took it away.
+    /// Returns the key of an action for messages, or a text that says that it has none.
     pub(crate) fn told(&self, action: Action) -> String {
         self.key(action)
             .map_or_else(|| words().no_key().into(), |key| key.to_string())
     }
 
-    /// Every row of the table with its keys.
+    /// Yields every row of the table with its keys.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'static ActionRow, &[Key])> {
         action::entries().zip(self.keys.iter().map(Vec::as_slice))
     }
 
-    /// The keys with two meanings in one place, in the order of the table.
+    /// Returns the keys with two meanings in one context, in the order of the table.
     pub(crate) fn clashes(&self) -> impl Iterator<Item = Clash> {
         let rows: Vec<_> = self.rows().collect();
         let claims = |&(entry, keys): &(&'static ActionRow, &[Key])| {
@@ -107,8 +107,9 @@ impl Keymap {
     }
 }
 
-/// Whether a list takes a key for itself that does something else everywhere: one that is built in so. What a person
-/// gives such a key does it where it did something before, in the drawing.
+/// Returns `true` if one of two bindings of a key overrides the other: a list's binding overrides
+/// that of all views if the key has both built in. Another action bound to such a key by the user
+/// thus works only in the motion view.
 fn stands_before(one: &ActionRow, other: &ActionRow, key: Key) -> bool {
     let is_built_in = |place| {
         let mut rows = action::entries().filter(|row| row.place == place);

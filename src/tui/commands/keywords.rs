@@ -1,5 +1,4 @@
-//! What else a command is looked for by: words that a person has for what it does, which its own name and help do not
-//! have.
+//! Search keywords of commands: words that users try and that a command's name and help lack.
 
 use super::action::{Action, PlotsAction, SceneAction};
 use super::view::View;
@@ -25,7 +24,7 @@ const KEYWORDS: [(Action, Wording); 9] = [
     (Action::Scene(SceneAction::Goal), W::goal_is_sought_by),
 ];
 
-/// The words, divided by blanks; none for most commands.
+/// Returns the keywords of an action, separated by blanks; empty for most actions.
 pub(crate) fn keywords(action: Action) -> &'static str {
     let found = KEYWORDS.iter().find(|(of, _)| *of == action);
     found.map_or("", |(_, told)| told(words()))

@@ -1,4 +1,4 @@
-//! A line that is typed.
+//! An input line.
 
 use crate::document::{ascii_letter, is_harmful};
 use crate::expression;
@@ -6,51 +6,51 @@ use crate::scene::with_point;
 use crate::tui::commands::key::Key;
 use crate::wording::words;
 
-/// Longer than any number that means something.
+/// Maximum length of a number, in bytes; longer ones have no meaning.
 const LONGEST_NUMBER: usize = 24;
-/// Longer than any goals, and than any guesses, that are typed.
+/// Maximum length of goals and guesses, in bytes.
 const LONGEST_GOAL: usize = 4000;
-/// The longest path that the system takes.
+/// Maximum length of a path, which is the system's limit.
 const LONGEST_NAME: usize = 4095;
-/// Longer than what anybody types to find a name.
+/// Maximum length of a name to search for, in bytes.
 const LONGEST_SOUGHT: usize = 40;
 
-/// More words than this nobody searches for.
+/// Maximum length of searched words, in bytes.
 const LONGEST_WORDS: usize = 60;
 
 /// A line of text, edited at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct EditLine {
     text: String,
-    /// In bytes.
+    /// Maximum length in bytes.
     longest: usize,
     takes: Takes,
-    /// Why something was not taken since the line was edited last.
+    /// The first reason for a rejected character since the last report.
     refusal: Option<RefusedKey>,
 }
 
-/// Why a character is not taken.
+/// The reason why a character is rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum RefusedKey {
-    /// The line does not take such characters.
+    /// The line does not accept such characters.
     Character(char),
-    /// The line has as many as it takes.
+    /// The line has this maximum length.
     Length(usize),
 }
 
-/// What may be typed.
+/// The characters that a line accepts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Takes {
-    /// Characters of seven bits.
+    /// ASCII characters.
     Plain,
-    /// The same, and for letters of Turkish those that they look like: what is searched is compared so.
+    /// ASCII characters; Turkish letters are replaced by similar ones, as in the searched texts.
     Words,
-    /// Whatever can be seen: names of files have it.
+    /// All printable characters, as in file names.
     Any,
 }
 
 impl EditLine {
-    /// An empty line for a number.
+    /// Creates an empty line for a number.
     pub(crate) fn for_number() -> EditLine {
         EditLine {
             text: String::new(),
@@ -60,7 +60,7 @@ impl EditLine {
         }
     }
 
-    /// An empty line for a number or a formula.
+    /// Creates an empty line for a number or a formula.
     pub(crate) fn for_value() -> EditLine {
         EditLine {
             longest: expression::LONGEST,
@@ -68,7 +68,7 @@ impl EditLine {
         }
     }
 
-    /// An empty line for words that are searched for.
+    /// Creates an empty line for words to search for.
     pub(crate) fn for_words() -> EditLine {
         EditLine {
             longest: LONGEST_WORDS,
@@ -77,7 +77,7 @@ impl EditLine {
         }
     }
 
-    /// A line for goals and the values that are to meet them, with what of it was typed before.
+    /// Creates a line for goals and the values to be varied, with the text typed before.
     pub(crate) fn for_goal(typed: &str) -> EditLine {
         let mut line = EditLine {
             longest: LONGEST_GOAL,
@@ -87,12 +87,12 @@ impl EditLine {
         line
     }
 
-    /// A line for guesses, with those in it that hold.
+    /// Creates a line for guesses, with the current ones.
     pub(crate) fn for_guess(guess: &str) -> EditLine {
         EditLine::for_goal(guess)
     }
 
-    /// A line for the name of a file, with a proposal in it.
+    /// Creates a line for a file name, with a proposal.
     pub(crate) fn for_file(proposal: &str) -> EditLine {
         let mut line = EditLine {
             longest: LONGEST_NAME,
@@ -103,7 +103,7 @@ impl EditLine {
         line
     }
 
-    /// An empty line for a name that is sought.
+    /// Creates an empty line for a name to search for.
     pub(crate) fn for_search() -> EditLine {
         EditLine {
             longest: LONGEST_SOUGHT,
@@ -115,8 +115,8 @@ impl EditLine {
         &self.text
     }
 
-    /// Appends a character. What cannot be read here, or no longer fits, is left out, which is remembered; what is no
-    /// character at all is left out.
+    /// Appends a character. A rejected or excess character is left out and recorded; control
+    /// characters are left out silently.
     pub(crate) fn push(&mut self, c: char) {
         let c = match self.takes {
             Takes::Words => ascii_letter(c).unwrap_or_else(|| ascii_sign(c)),
@@ -139,12 +139,12 @@ impl EditLine {
         }
     }
 
-    /// The first of several reasons is told.
+    /// Records a reason for a rejection; the first one is kept.
     fn refuse(&mut self, why: RefusedKey) {
         self.refusal.get_or_insert(why);
     }
 
-    /// In words why something was not taken, once.
+    /// Takes the recorded reason for a rejection, in words.
     pub(crate) fn take_refusal(&mut self) -> Option<String> {
         self.refusal.take().map(|why| match why {
             RefusedKey::Character(c) => words().character_not_taken(c),
@@ -152,7 +152,7 @@ impl EditLine {
         })
     }
 
-    /// Takes a key that edits the line; false for every other.
+    /// Handles a key that edits the line; returns `false` for all others.
     pub(crate) fn edit(&mut self, key: Key) -> bool {
         match key {
             Key::Char(c) => self.push(c),
@@ -165,7 +165,8 @@ impl EditLine {
         true
     }
 
-    /// Takes a key that edits the line, and says whether the text changed; `None` for every other key.
+    /// Handles a key that edits the line and returns whether the text changed; `None` for all other
+    /// keys.
     pub(crate) fn change(&mut self, key: Key) -> Option<bool> {
         let before = self.text.clone();
         self.edit(key).then(|| self.text != before)
@@ -175,7 +176,7 @@ impl EditLine {
         self.text.clear();
     }
 
-    /// The number that was typed, its unit allowed behind it, a comma taken for the point where it can be
+    /// Parses the typed number. Its unit may follow, and a comma is a decimal point if it can be
     /// nothing else.
     pub(crate) fn number(&self, unit: &str) -> Option<f64> {
         let text = self.text.trim();
@@ -185,8 +186,8 @@ impl EditLine {
     }
 }
 
-/// For signs of arithmetic those that formulas are written with, and a plain blank for every other: who pastes a number
-/// from a text often has these.
+/// Replaces arithmetic signs by those of formulas, and every blank by a plain one, because numbers
+/// pasted from text often contain them.
 fn ascii_sign(c: char) -> char {
     match c {
         '\u{2212}' | '\u{2013}' => '-',

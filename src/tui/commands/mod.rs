@@ -1,4 +1,4 @@
-//! What can be asked of the workbench, by which key, and lines that are typed.
+//! The actions of the workbench, their keys, and input lines.
 
 pub(crate) mod action;
 pub(crate) mod key;

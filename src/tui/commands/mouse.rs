@@ -1,8 +1,8 @@
-//! What is done with the mouse, as the terminal tells it.
+//! Mouse events, as reported by the terminal.
 
 use ratatui::layout::Position;
 
-/// Something that was done with the mouse.
+/// A mouse event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Mouse {
     pub(crate) deed: MouseDeed,
@@ -10,11 +10,11 @@ pub(crate) struct Mouse {
     pub(crate) at: Position,
 }
 
-/// What the first button or the wheel does; of other buttons nothing is told.
+/// The kind of an event of the first button or the wheel; other buttons are not reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MouseDeed {
     Press,
-    /// Moved, with the button held down.
+    /// Moved while the button is held down.
     Drag,
     Release,
     WheelUp,

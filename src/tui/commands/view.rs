@@ -1,6 +1,6 @@
-//! The views by name. What each of them shows is in the room of the views.
+//! The names of the views; their contents are defined in `tui::views`.
 
-/// What is looked at.
+/// A view of the workbench.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum View {
     /// The drawing, with live tables.
@@ -14,18 +14,18 @@ pub enum View {
     Accuracy,
     /// Forces.
     Forces,
-    /// What the scene gives.
+    /// The values of the scene.
     Scene,
-    /// What the given lengths do to the figures.
+    /// The sensitivities of the results to the given lengths.
     Lengths,
-    /// How the figures come about.
+    /// The derivation of the results.
     Working,
-    /// The motor over a cycle.
+    /// The motor's duty over a cycle.
     Motor,
 }
 
 impl View {
-    /// In the order of their keys.
+    /// All views, in the order of their keys.
     pub(crate) const ALL: [View; 9] = [
         View::Motion,
         View::Tables,

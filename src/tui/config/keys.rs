@@ -1,4 +1,4 @@
-//! The section `[keys]`: which keys a person wants for which action.
+//! The section `[keys]` of the configuration: the user's keys for actions.
 
 use crate::document::{ByteSpan, Diagnostic, Entries, Lenient, Misplaced, Reader, quoted};
 use crate::nearest::did_you_mean;
@@ -7,10 +7,11 @@ use crate::tui::commands::key::{self, Key};
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
 
-/// The section as it is written: for each action a list of keys, or one key in its place.
+/// The section in the file: for each action a list of keys, or a single key.
 pub(super) type KeysSection = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
-/// The key that an action keeps, and what that always does: nobody should be locked in.
+/// Returns the fixed key of an action and a description of it. Fixed keys ensure that the user can
+/// always leave.
 fn kept(action: Action) -> Option<(Key, String)> {
     let (leave, back) = (Key::Ctrl('c'), Key::Escape);
     match action {
@@ -20,17 +21,17 @@ fn kept(action: Action) -> Option<(Key, String)> {
     }
 }
 
-/// Whether a person may choose its keys.
+/// Returns `true` if the user may change the action's keys.
 pub(super) fn is_free(entry: &ActionRow) -> bool {
     kept(entry.action).is_none()
 }
 
-/// Actions that one cannot do without.
+/// Returns `true` for actions that must have a key.
 fn is_needed(action: Action) -> bool {
     matches!(action, Action::Help | Action::Quit)
 }
 
-/// A key that was given to an action, and where.
+/// A key from the file, with its action and its place.
 struct GivenKey {
     entry: &'static ActionRow,
     key: Key,
@@ -50,7 +51,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
         let keys = keys_of(reader, text, value);
         let is_read = reader.found.len() == before;
         if keys.is_empty() && !is_read {
-            // It keeps the keys that it has.
+            // The action keeps its current keys.
             continue;
         }
         if keys.is_empty() && is_needed(entry.action) {
@@ -66,7 +67,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
                 .map(|(key, place)| GivenKey { entry, key, place }),
         );
     }
-    // What could not be read would lead to clashes that nobody meant.
+    // After errors, incomplete bindings could cause false clashes.
     if !reader.has_errors() {
         tell_clashes(reader, keymap, &given);
     }
@@ -97,7 +98,7 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
     None
 }
 
-/// One key or a list of keys.
+/// Reads one key or a list of keys.
 fn keys_of(
     reader: &mut Reader<'_>,
     of: &str,
@@ -116,7 +117,7 @@ fn keys_of(
     }
 }
 
-/// Reports what stands where a key should.
+/// Reports a value that is not a key.
 fn no_key(
     reader: &mut Reader<'_>,
     of: &str,
@@ -157,7 +158,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
     Some((key, place.clone()))
 }
 
-/// Tells each key that has two meanings in one place.
+/// Reports each key with two meanings in one context.
 fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
     for clash in keymap.clashes() {
         let places = |entry: &ActionRow| {
@@ -182,7 +183,7 @@ fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
                 .and(one.clone(), words().here()),
             ([one, ..], []) => by_default(fault, one, second.0),
             ([], [one, ..]) => by_default(fault, one, first.0),
-            // The keys that are built in do not clash.
+            // Built-in keys do not clash.
             ([], []) => fault,
         });
     }

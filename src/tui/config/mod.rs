@@ -1,5 +1,4 @@
-//! The configuration: what a person wants otherwise than it is built in. It is read where a workbench opens, and
-//! never written.
+//! The user's configuration. It is read when a workbench opens, and never written.
 
 mod keys;
 mod template;
@@ -19,33 +18,34 @@ use crate::wording::{Language, words};
 use serde::Deserialize;
 use std::path::PathBuf;
 
-/// What a person wants otherwise.
+/// The user's configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Config {
-    /// The characters to draw with; `None` as the terminal allows.
+    /// The characters to draw with; `None` means the best ones for the terminal.
     pub glyphs: Option<Glyphs>,
-    /// The colours to draw with; `None` as the terminal allows.
+    /// The number of colours; `None` means as many as the terminal supports.
     pub colours: Option<Colours>,
-    /// Which colours stand for the names of the palette.
+    /// The set of colours for the names of the palette.
     pub theme: Theme,
-    /// How still pictures are sent.
+    /// The protocol for still images.
     pub picture: PictureChoice,
     /// Whether the tour is shown on the first start.
     pub tour: bool,
-    /// Whether the mouse is ours from the start.
+    /// Whether the mouse is captured from the start.
     pub mouse: bool,
-    /// The language that is spoken; `None` that of the locale. The program speaks it, not who reads this.
+    /// The language; `None` means the locale's. Reading the configuration does not switch the
+    /// language; the program does.
     pub language: Option<Language>,
-    /// How CSV files are written.
+    /// The format of CSV files.
     pub csv: CsvDialect,
-    /// What was found that is not known here; the rest of the configuration holds.
+    /// Warnings about unknown keys and actions; the rest of the configuration is valid.
     pub warnings: Option<Diagnostics>,
     pub(crate) layout: LayoutName,
     pub(crate) keymap: Keymap,
 }
 
 impl Default for Config {
-    /// What is built in.
+    /// Returns the built-in configuration.
     fn default() -> Self {
         Config {
             glyphs: None,
@@ -63,7 +63,7 @@ impl Default for Config {
     }
 }
 
-/// A configuration as its file writes it.
+/// The configuration as written in its file.
 #[derive(Debug, Deserialize)]
 struct ConfigFile {
     glyphs: Option<Lenient<String>>,
@@ -79,7 +79,7 @@ struct ConfigFile {
     keys: Option<keys::KeysSection>,
 }
 
-/// A value as it is written, and what it means.
+/// A value as written in the file, and its meaning.
 type Named<T> = (&'static str, T);
 
 const GLYPHS: [Named<Option<Glyphs>>; 7] = [
@@ -107,35 +107,36 @@ const THEMES: [Named<Theme>; 4] = [
     ("plain", Theme::Plain),
 ];
 
-/// Languages by their names.
+/// Returns the languages with their names.
 fn languages() -> [Named<Option<Language>>; 3] {
     let [english, turkish] = Language::ALL.map(|language| (language.name(), Some(language)));
     [("auto", None), turkish, english]
 }
 
-/// Decimal marks by their names.
+/// Returns the decimal marks with their names.
 fn decimals() -> [Named<DecimalMark>; 2] {
     DecimalMark::ALL.map(|mark| (mark.name(), mark))
 }
 
-/// What may stand between cells, by its names; `auto` is what is usual beside the decimal mark.
+/// Returns the cell separators with their names; `auto` is the usual one for the decimal mark.
 fn separators() -> [Named<Option<CellSeparator>>; 4] {
     let [comma, semicolon, tab] = CellSeparator::ALL.map(|it| (it.name(), Some(it)));
     [("auto", None), comma, semicolon, tab]
 }
 
-/// Ways to send pictures by their names.
+/// Returns the protocols for images with their names.
 fn pictures() -> [Named<PictureChoice>; 5] {
     PictureChoice::ALL.map(|choice| (choice.name(), choice))
 }
 
-/// Layouts by their names.
+/// Returns the layouts with their names.
 fn layouts() -> [Named<LayoutName>; 6] {
     LayoutName::ALL.map(|layout| (layout.name(), layout))
 }
 
 impl Config {
-    /// Where the configuration is, if anywhere: `env` tells XDG_CONFIG_HOME and HOME.
+    /// Returns the path of the configuration, if there is one. `env` returns the values of the
+    /// environment variables XDG_CONFIG_HOME and HOME.
     #[must_use]
     pub fn path(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
         let folder = places::folder_of("XDG_CONFIG_HOME", ".config", env)?;
@@ -145,7 +146,7 @@ impl Config {
     /// Reads a configuration from the bytes of a file; `origin` is its name in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places; keys and actions that are not known here alone are warnings.
+    /// Returns all faults with their places. Unknown keys and actions alone are only warnings.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Config, Diagnostics> {
         match std::str::from_utf8(bytes) {
             Ok(text) => Config::parse(text, origin),
@@ -153,10 +154,10 @@ impl Config {
         }
     }
 
-    /// Reads a configuration from a text; `origin` is the name of the file in messages.
+    /// Parses a configuration; `origin` is the file's name in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places; keys and actions that are not known here alone are warnings.
+    /// Returns all faults with their places. Unknown keys and actions alone are only warnings.
     pub fn parse(text: &str, origin: &str) -> Result<Config, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
@@ -177,7 +178,7 @@ impl Config {
         Ok(config)
     }
 
-    /// The language that a text asks for, whatever else is wrong with it.
+    /// Returns the language set in a configuration, even if the rest of it is invalid.
     #[must_use]
     pub(crate) fn language_in(text: &str) -> Option<Language> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -186,7 +187,7 @@ impl Config {
         Language::named(written.read.as_ref().ok()?)
     }
 
-    /// Takes over what the file gives; what is wrong with it stays as it is built in.
+    /// Applies the values in the file; invalid ones keep their defaults.
     fn take(&mut self, reader: &mut Reader<'_>, file: &ConfigFile) {
         let glyphs = choice(reader, "glyphs", &GLYPHS, file.glyphs.as_ref());
         self.glyphs = glyphs.unwrap_or_default();
@@ -213,7 +214,7 @@ impl Config {
     }
 }
 
-/// How CSV files are written; a comma cannot be both.
+/// Returns the format of CSV files. A comma cannot be both decimal mark and separator.
 fn dialect(reader: &mut Reader<'_>, file: &ConfigFile) -> Option<CsvDialect> {
     let decimal = choice(reader, "decimal", &decimals(), file.decimal.as_ref());
     let separator = choice(reader, "separator", &separators(), file.separator.as_ref());
@@ -228,7 +229,7 @@ fn dialect(reader: &mut Reader<'_>, file: &ConfigFile) -> Option<CsvDialect> {
     found
 }
 
-/// One of several texts, if it is given.
+/// Returns the meaning of one of several known texts, if it is given and valid.
 fn choice<T: Copy>(
     reader: &mut Reader<'_>,
     key: &str,
@@ -250,7 +251,7 @@ fn choice<T: Copy>(
     found.map(|(_, meaning)| *meaning)
 }
 
-/// What was mostly meant where the configuration is not valid TOML.
+/// Returns a hint on the usual cause of invalid TOML.
 fn mend(_text: &str, message: &str, _place: &ByteSpan) -> Option<String> {
     let help = if message.starts_with("string values must be quoted") {
         words().quote_texts_and_keys()

@@ -1,4 +1,4 @@
-//! The configuration as a text to begin with: everything that is built in, commented out.
+//! Writes a configuration file to start with: all defaults, commented out.
 
 use super::{
     COLOURS, GLYPHS, Named, THEMES, decimals, keys, languages, layouts, pictures, separators,
@@ -7,17 +7,17 @@ use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
 use crate::wording::words;
 
-/// Column in which comments begin.
+/// Column of the comments.
 const COMMENT: usize = 36;
 
-/// A configuration with every key and what is built in, commented out.
+/// Returns a configuration with every key and its default, commented out.
 ///
-/// Lines that set something begin with `#` and no blank: without it they are what is built in.
+/// Lines with settings begin with `#` and no blank; without the `#` they set the defaults.
 #[must_use]
 pub fn template() -> String {
     let mut text = words().template_head().to_owned();
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
-    // So many that quotation marks would make the line too long.
+    // There are so many names that quotation marks would make the line too long.
     let glyphs = values(&GLYPHS).replace('"', "");
     set("glyphs", "\"auto\"", &glyphs);
     set("colour", "\"auto\"", &values(&COLOURS));
@@ -84,7 +84,7 @@ fn keys_text(keys: &[Key]) -> String {
     }
 }
 
-/// As TOML writes a text.
+/// Quotes a text as a TOML string.
 fn quoted(text: &str) -> String {
     let escaped = text.replace('\\', "\\\\").replace('"', "\\\"");
     format!("\"{escaped}\"")

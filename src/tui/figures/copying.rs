@@ -1,5 +1,5 @@
-//! Figures as text for other programs: full digits, so that each reads back to the same double, cells
-//! between tabs, and above them what they are.
+//! Formats values as text for other programs: full digits, so that each value parses to the same
+//! double, in cells separated by tabs below a heading.
 
 use crate::quantity::{Abscissa, Curves, Here};
 use crate::report::{Entry, Forces, Tables, shortest};
@@ -7,7 +7,7 @@ use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::sheet::{Sheet, SheetPart};
 use crate::wording::words;
 
-/// Full digits; nothing where no value exists.
+/// Formats a value with full digits; empty for `None`.
 fn number(value: Option<f64>) -> String {
     let mut text = String::new();
     if let Some(value) = value {
@@ -20,7 +20,7 @@ fn cell(entry: Option<Entry>) -> String {
     number(entry.and_then(|entry| entry.value))
 }
 
-/// What is plotted, where the driver is: the values below their names.
+/// Formats the plotted values at the driver's position, below their names.
 pub(crate) fn plotted(curves: &Curves, at: f64, here: Option<Here>) -> String {
     let here = here.unwrap_or_default();
     let [name, unit] = &curves.title;
@@ -35,7 +35,7 @@ pub(crate) fn plotted(curves: &Curves, at: f64, here: Option<Here>) -> String {
     line(names.into_iter()) + &line(values.into_iter().map(number))
 }
 
-/// All forces: a line per figure.
+/// Formats all forces, one value per line.
 pub(crate) fn balanced(forces: &Forces) -> String {
     let figures = forces.figures().into_iter();
     figures
@@ -45,7 +45,7 @@ pub(crate) fn balanced(forces: &Forces) -> String {
         .collect()
 }
 
-/// Tables as they are seen.
+/// The tables as shown.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShownTables<'a> {
     pub(crate) sheet: &'a Sheet,
@@ -55,26 +55,26 @@ pub(crate) struct ShownTables<'a> {
 }
 
 impl ShownTables<'_> {
-    /// The figure under the cursor, alone; `None` where there is none.
+    /// Formats the selected value alone; `None` if there is none.
     pub(crate) fn value(self, cursor: Cursor) -> Option<String> {
         let entries = self.sheet.entries(self.tables, cursor.part, cursor.row);
         let text = cell(entries.get(cursor.column).copied().flatten());
         (!text.is_empty()).then_some(text)
     }
 
-    /// The row under the cursor with all its figures, below their names.
+    /// Formats the selected row with all its values, below their names.
     pub(crate) fn row(self, cursor: Cursor) -> String {
         self.heading(cursor.part) + &self.figures(cursor.part, cursor.row)
     }
 
-    /// All rows of a part, below the names of the figures.
+    /// Formats all rows of a part, below the names of the values.
     pub(crate) fn table(self, part: SheetPart) -> String {
         let rows = 0..self.sheet.row_count(part);
         let rows = rows.map(|row| self.figures(part, row));
         self.heading(part) + &rows.collect::<String>()
     }
 
-    /// Both parts, an empty line between them.
+    /// Formats both parts, separated by an empty line.
     pub(crate) fn tables(self) -> String {
         let parts = [SheetPart::Vectors, SheetPart::Points].into_iter();
         let parts = parts.filter(|&part| self.sheet.row_count(part) > 0);

@@ -1,14 +1,14 @@
-//! A place in the tables, and moving it over the lines that they are shown in.
+//! The cursor of the tables, and its movement over the lines of a layout.
 
 use crate::tui::figures::sheet::{SheetPart, TableLine};
 use std::ops::Range;
 
-/// A figure of a row: whatever the width of the screen, it stands for the same one.
+/// A value of a row, independent of the layout's width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
     pub(crate) part: SheetPart,
     pub(crate) row: usize,
-    /// Counted over all columns of the part.
+    /// Index over all columns of the part.
     pub(crate) column: usize,
 }
 
@@ -19,7 +19,7 @@ impl Default for Cursor {
 }
 
 impl Cursor {
-    /// On the first figure of a row.
+    /// Creates a cursor on the first value of a row.
     pub(crate) fn at(part: SheetPart, row: usize) -> Cursor {
         Cursor {
             part,
@@ -28,7 +28,7 @@ impl Cursor {
         }
     }
 
-    /// The columns beside the figure under the cursor, if the line is its.
+    /// Returns the columns of a line if it contains the selected value.
     fn chunk_of(self, line: &TableLine) -> Option<&Range<usize>> {
         match line {
             TableLine::Row(part, row, chunk) if (*part, *row) == (self.part, self.row) => {
@@ -40,12 +40,12 @@ impl Cursor {
         }
     }
 
-    /// Which cell of a line the cursor is on.
+    /// Returns the selected cell of a line, if the line has it.
     pub(crate) fn cell_of(self, line: &TableLine) -> Option<usize> {
         self.chunk_of(line).map(|chunk| self.column - chunk.start)
     }
 
-    /// On the first figure of the next chunk of columns, or of the one before; where there is none, the same.
+    /// Moves to the first value of the next or previous chunk of columns; stays if there is none.
     pub(crate) fn in_part(self, lines: &[TableLine], forward: bool) -> Cursor {
         let begins = |line: &TableLine| matches!(line, TableLine::Names(..));
         let parts = lines.iter().enumerate().filter(|(_, line)| begins(line));
@@ -54,7 +54,7 @@ impl Cursor {
             parts.map(|(at, _)| at).partition(|at| *at < here);
         let part = match forward {
             true => behind.first(),
-            // The last of those before is that of the cursor.
+            // The last chunk before the cursor's line is the cursor's own.
             false => before.iter().rev().nth(1),
         };
         let below = part.map_or(&[][..], |part| &lines[*part..]);
@@ -68,13 +68,13 @@ impl Cursor {
         row.unwrap_or(self)
     }
 
-    /// The line that the cursor is on.
+    /// Returns the index of the selected line.
     pub(crate) fn line(self, lines: &[TableLine]) -> Option<usize> {
         lines.iter().position(|line| self.chunk_of(line).is_some())
     }
 
-    /// The same place where these lines have it; else the first figure of its row, or the first row:
-    /// what never moves has no rates at some widths, and another scene has other rows.
+    /// Returns the cursor if these lines contain it; or else the first value of its row, or the
+    /// first row. Fixed points have no rates at some widths, and another scene has other rows.
     pub(crate) fn settled(self, lines: &[TableLine]) -> Cursor {
         let first = lines.iter().find_map(|line| match line {
             TableLine::Row(part, row, _) => Some(Cursor::at(*part, *row)),
@@ -85,8 +85,8 @@ impl Cursor {
         found.or(first).unwrap_or(self)
     }
 
-    /// So many lines further down, or up: on the row that is nearest to there on the way, below or above
-    /// the figure that it was on.
+    /// Moves by `by` lines, to the last row within that distance, or else the next row. The cursor
+    /// keeps its cell.
     pub(crate) fn moved(self, lines: &[TableLine], by: isize) -> Cursor {
         let Some(here) = self.line(lines) else {
             return self.settled(lines);
@@ -111,7 +111,7 @@ impl Cursor {
         }
     }
 
-    /// On another line, as many figures from its beginning as it was on this one.
+    /// Moves from one line to another, to the cell with the same index, or the last one.
     fn under(self, from: &TableLine, to: &TableLine) -> Cursor {
         let TableLine::Row(part, row, chunk) = to else {
             return self;
@@ -124,7 +124,7 @@ impl Cursor {
         }
     }
 
-    /// On the next figure of its row, or the one before; it stays where there is none.
+    /// Moves to the next or previous value of the row; stays if there is none.
     pub(crate) fn aside(self, lines: &[TableLine], by: isize) -> Cursor {
         let there = Cursor {
             column: self.column.saturating_add_signed(by),
@@ -137,8 +137,8 @@ impl Cursor {
     }
 }
 
-/// The lines that are seen when the first `scroll` of so many are scrolled past: where the names of
-/// columns are among these, they stay above their rows.
+/// Returns the visible lines at a scroll offset. The heading of the first visible rows stays above
+/// them, even if it is scrolled out.
 pub(crate) fn seen(lines: &[TableLine], scroll: usize, height: usize) -> Vec<usize> {
     let mut seen: Vec<usize> = (scroll..lines.len()).take(height).collect();
     let heading = heading_above(lines, scroll);
@@ -151,7 +151,7 @@ pub(crate) fn seen(lines: &[TableLine], scroll: usize, height: usize) -> Vec<usi
     seen
 }
 
-/// The names and units of the columns in this line, if they stand above it.
+/// Returns the range of the heading of the columns in this line; empty if the line needs none.
 fn heading_above(lines: &[TableLine], at: usize) -> Range<usize> {
     let is_heading = |line: &TableLine| matches!(line, TableLine::Names(..) | TableLine::Units(..));
     if !matches!(
@@ -164,15 +164,15 @@ fn heading_above(lines: &[TableLine], at: usize) -> Range<usize> {
     let Some(last) = above.iter().rposition(is_heading) else {
         return 0..0;
     };
-    // The units of a heading that is cut in two are part of it.
+    // If the heading is cut in two, its units belong to it.
     let behind = lines[last + 1..].iter().take_while(|l| is_heading(l));
     let end = last + 1 + behind.count();
     let first = above[..last].iter().rposition(|l| !is_heading(l));
     first.map_or(0, |first| first + 1)..end
 }
 
-/// The scrolling nearest to `scroll` at which the cursor's line is seen, and the names of its columns
-/// above it.
+/// Returns the scroll offset nearest to `scroll` at which the cursor's line and its heading are
+/// visible.
 pub(crate) fn follow(lines: &[TableLine], cursor: Cursor, scroll: usize, height: usize) -> usize {
     let most = lines.len().saturating_sub(height);
     let scroll = scroll.min(most);
@@ -199,7 +199,7 @@ pub(crate) fn follow(lines: &[TableLine], cursor: Cursor, scroll: usize, height:
 mod tests {
     use super::*;
 
-    /// Two blocks of vectors and one of points, of which the first never moves.
+    /// Returns two blocks of vectors and one of points, the first of which is fixed.
     fn lines() -> Vec<TableLine> {
         use SheetPart::{Points, Vectors};
         let mut lines = Vec::new();

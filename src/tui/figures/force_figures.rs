@@ -1,22 +1,22 @@
-//! The forces of the state that is looked at, and in which form they are shown over the motion.
+//! The forces of the current state, and their number formats over the motion.
 
 use crate::report::{Entry, Forces};
 use crate::tui::figures::format::Format;
 
-/// Forces, with the forms of their figures.
+/// Forces with the formats of their values.
 #[derive(Debug)]
 pub(crate) struct ForceFigures {
     forces: Forces,
     formats: Formats,
 }
 
-/// The forms of figures of a kind: those of one kind can be compared by eye.
+/// Number formats. Values of one kind share a format, so that they can be compared by eye.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Formats {
-    /// What the driver must do, and its parts.
+    /// The driver's effort and its parts.
     pub(crate) effort: Format,
     pub(crate) power: Format,
-    /// At joints, guides and the frame.
+    /// Forces at joints, guides and the frame.
     pub(crate) force: Format,
     pub(crate) moment: Format,
     /// Distances along a guide.
@@ -24,7 +24,7 @@ pub(crate) struct Formats {
 }
 
 impl ForceFigures {
-    /// Forces here, in forms that fit those over the motion.
+    /// Creates the forces of a state, with formats that fit `samples` over the motion.
     pub(crate) fn new(forces: Forces, samples: &[Forces]) -> ForceFigures {
         ForceFigures {
             forces,
@@ -32,7 +32,7 @@ impl ForceFigures {
         }
     }
 
-    /// The same scene at another coordinate.
+    /// Replaces the forces after the driver has moved in the same scene.
     pub(crate) fn follow(&mut self, forces: Option<Forces>) {
         if let Some(forces) = forces {
             self.forces = forces;
@@ -53,7 +53,7 @@ impl Formats {
         let format = |entries: fn(&Forces) -> Vec<Entry>| {
             let sizes = samples.iter().flat_map(entries);
             let sizes = sizes.filter_map(|entry| entry.seen()).map(f64::abs);
-            // What is nothing says nothing about the size of what there is.
+            // Zeros are ignored: they say nothing about the magnitude of the other values.
             Format::of_sizes(sizes.filter(|size| *size > 0.0).collect())
         };
         Formats {
@@ -69,7 +69,7 @@ impl Formats {
     }
 }
 
-/// The sizes of all forces; components are no larger.
+/// Returns the magnitudes of all forces, which their components do not exceed.
 fn sizes_of_forces(forces: &Forces) -> Vec<Entry> {
     let joints = forces.joints.iter().filter_map(|joint| joint.force);
     let planes = joints.chain(forces.frame.force);

@@ -1,48 +1,49 @@
-//! Numbers in a fixed place: as many decimals as their column needs over the whole motion, so that a
-//! figure that changes does not make its neighbours dance.
+//! Number formats with a fixed number of decimals per column, chosen over the whole motion, so that
+//! a changing value does not move its neighbours.
 
 use crate::page::{Cell, Unsure};
 use crate::report::Entry;
 
-/// Significant digits of a figure of usual size.
+/// Significant digits of a value of typical magnitude.
 const DIGITS: i32 = 6;
-/// More decimals than this say nothing to the eye; smaller figures take an exponent.
+/// Maximum number of decimals; smaller values are written with an exponent.
 const MOST_DECIMALS: i32 = 7;
 
-/// Zero with that many decimals.
+/// Zero with [`MOST_DECIMALS`] decimals.
 const NOUGHT: &str = "0.0000000";
 
-/// How the figures of a column are written.
+/// The number format of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Format {
-    /// `None`: with an exponent.
+    /// Number of decimals; `None` for a format with an exponent.
     decimals: Option<usize>,
     width: usize,
 }
 
 impl Format {
-    /// Directions: 0.000 to 359.999 deg.
+    /// Directions from 0.000 to 359.999 deg.
     pub(crate) const ANGLE: Format = Format {
         decimals: Some(3),
         width: 7,
     };
 
-    /// Differences of directions: -179.999 to 180.000 deg.
+    /// Differences of directions from -179.999 to 180.000 deg.
     pub(crate) const SIGNED_ANGLE: Format = Format {
         decimals: Some(3),
         width: 8,
     };
 
-    /// Figures that are always 0.
+    /// Values that are always 0.
     const NOUGHT: Format = Format {
         decimals: Some(0),
         width: 7,
     };
 
-    /// For figures whose sizes over the motion are these; what does not exist is left out.
+    /// Returns the format for values with these magnitudes over the motion; infinite and NaN ones
+    /// are ignored.
     ///
-    /// Near a dead point rates grow beyond all bounds, so the decimals follow from the size that a
-    /// quarter of the figures exceeds, and the few that do not fit take an exponent.
+    /// Near a dead point rates grow without bound, so the decimals are based on the upper quartile
+    /// of the magnitudes. The few values that do not fit are written with an exponent.
     pub(crate) fn of_sizes(mut sizes: Vec<f64>) -> Format {
         sizes.retain(|size| size.is_finite());
         sizes.sort_by(f64::total_cmp);
@@ -56,7 +57,7 @@ impl Format {
     }
 
     fn of_size(usual: f64) -> Format {
-        // Digits in front of the point.
+        // Digits before the decimal point.
         let digits = exponent(usual) + 1;
         let whole = digits.max(1);
         let decimals = DIGITS - digits;
@@ -67,7 +68,7 @@ impl Format {
             };
         }
         let decimals = decimals.max(0);
-        // Sign, whole digits with one to spare, point, decimals.
+        // Sign, whole digits and a spare one, point, decimals.
         let width = 2 + whole + i32::from(decimals > 0) + decimals;
         Format {
             decimals: usize::try_from(decimals).ok(),
@@ -75,22 +76,24 @@ impl Format {
         }
     }
 
-    /// Columns that a figure takes.
+    /// Returns the width of a value in columns.
     pub(crate) fn width(self) -> usize {
         self.width
     }
 
-    /// The figure, and which of its digits nothing proves; `-` for one that does not exist.
+    /// Formats a value and determines its unproved digits; writes `-` for a value that does not
+    /// exist.
     ///
-    /// It reads as zero only where its error may be all that it is, or where nothing is known of its
-    /// error and so many decimals show none of it.
+    /// The text is zero only if the value may be entirely error, or if its error is unknown and the
+    /// value rounds to zero.
     pub(crate) fn write(self, entry: &Entry) -> Cell {
         let Some(value) = entry.seen().filter(|v| v.is_finite()) else {
             return Cell::sure("-");
         };
         let text = self.text(value, entry.bound.is_some());
         let unsure = match entry.bound {
-            // A bare zero among figures with exponents stands for all the decimals that it does not show.
+            // A bare zero among values with exponents represents all decimals that it does not
+            // show.
             Some(bound) if self.decimals.is_none() && text == "0" => match unsure(NOUGHT, bound) {
                 Unsure::Nothing => Unsure::Nothing,
                 Unsure::Last(_) | Unsure::Everything => Unsure::Last(0..text.len()),
@@ -106,13 +109,13 @@ impl Format {
         let hidden = |text: &String| proved && value != 0.0 && !has_digits(text);
         match plain {
             Some(text) if text.len() <= self.width && !hidden(&text) => text,
-            // A zero has no power of ten.
+            // Zero has no exponent.
             _ if value == 0.0 => "0".into(),
             _ => scientific(value, self.width),
         }
     }
 
-    /// A direction in degrees; one that rounds to 360 is 0.
+    /// Formats a direction in degrees; one that rounds to 360 becomes 0.
     pub(crate) fn write_angle(self, entry: &Entry) -> Cell {
         let written = self.write(entry);
         if written.text == "360.000" {
@@ -124,8 +127,8 @@ impl Format {
     }
 }
 
-/// The last digits of a figure: those whose place counts less than twice the bound. Up to the digit
-/// before them the figure is right within one unit, rounding included.
+/// Returns the unproved last digits of a number: those with a place value less than twice the
+/// bound. Up to the digit before them the number is correct within one unit, rounding included.
 fn unsure(text: &str, bound: f64) -> Unsure {
     let (digits, exponent) = match text.split_once('e') {
         Some((digits, exponent)) => (digits, exponent.parse().unwrap_or(0)),
@@ -137,7 +140,7 @@ fn unsure(text: &str, bound: f64) -> Unsure {
     let last = exponent - i32::try_from(decimals).unwrap_or(0);
     let places = digits.char_indices().rev();
     let places = places.filter(|(_, c)| c.is_ascii_digit()).zip(last..);
-    // Read from a decimal, a power of ten is the nearest double.
+    // Parsing a decimal yields the double nearest to the power of ten.
     let counts = |power: i32| format!("1e{power}").parse().unwrap_or(0.0);
     let unsure = places.take_while(|(_, power)| counts(*power) < 2.0 * bound);
     let from = unsure.last().map_or(digits.len(), |((at, _), _)| at);
@@ -152,7 +155,7 @@ fn has_digits(text: &str) -> bool {
     text.bytes().any(|b| (b'1'..=b'9').contains(&b))
 }
 
-/// With so many decimals, and no sign in front of a zero.
+/// Formats a value with `decimals` decimals; zero has no sign.
 fn plain(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -161,14 +164,14 @@ fn plain(value: f64, decimals: usize) -> String {
     }
 }
 
-/// With an exponent and as many digits as fit.
+/// Formats a value with an exponent and as many digits as fit.
 fn scientific(value: f64, width: usize) -> String {
     let longest = format!("{value:.*e}", width.saturating_sub(3));
     let excess = longest.len().saturating_sub(width);
     format!("{value:.*e}", width.saturating_sub(3 + excess))
 }
 
-/// Three significant digits within a width: a derivative that is read by eye.
+/// Formats a derivative with three significant digits for reading by eye.
 pub(crate) fn short(value: f64, width: usize) -> String {
     let plain = format!(
         "{value:.*}",
@@ -182,27 +185,28 @@ pub(crate) fn short(value: f64, width: usize) -> String {
     }
 }
 
-/// The power of ten of the first digit.
+/// Returns the decimal exponent of the first digit.
 fn exponent(size: f64) -> i32 {
     let text = format!("{size:e}");
     let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
     exponent.unwrap_or(0)
 }
 
-/// A coordinate as short as it can be said: at least `decimals` places, at most six more.
+/// Formats a coordinate with as few decimals as represent it exactly: at least `decimals`, at most
+/// six more.
 pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
     let exact = (decimals..decimals + 6).find(|&d| rounded(value, d) == value);
     plain(value, exact.unwrap_or(decimals + 6))
 }
 
-/// The finest decimal that is told of a coordinate.
+/// Maximum number of decimals of a coordinate.
 pub(crate) const FINEST: usize = 9;
 
-/// The double nearest to the decimal with so many places.
+/// Returns the double nearest to the value rounded to `decimals` decimals.
 pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
     let scale = 10.0_f64.powi(i32::try_from(decimals.min(FINEST)).unwrap_or(0));
     let rounded = (value * scale).round() / scale;
-    // Where the product has left the integers, the value has no such places anyway.
+    // If the product overflows, the value has no such decimals anyway.
     if rounded.is_finite() { rounded } else { value }
 }
 
@@ -211,7 +215,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A figure with this bound.
+    /// Returns a value with this error bound.
     fn proved(value: f64, bound: f64) -> Entry {
         Entry {
             value: Some(value),

@@ -1,4 +1,4 @@
-//! Figures in their places: how many digits, in which column, where the cursor is, as text for others.
+//! Formats table values: digits, columns, cursor and clipboard text.
 
 pub(crate) mod copying;
 pub(crate) mod cursor;

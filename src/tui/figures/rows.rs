@@ -1,10 +1,10 @@
-//! What the rows of the tables are about.
+//! The subjects of the tables' rows.
 
 use crate::quantity::Subject;
 use crate::scene::Scene;
 use crate::tui::figures::sheet::SheetPart;
 
-/// What a row is about; none beyond the last.
+/// Returns the subject of a row; `None` beyond the last row.
 pub(crate) fn subject_of(scene: &Scene, part: SheetPart, row: usize) -> Option<Subject> {
     let mechanism = &scene.mechanism;
     match part {
@@ -14,7 +14,7 @@ pub(crate) fn subject_of(scene: &Scene, part: SheetPart, row: usize) -> Option<S
         }
         SheetPart::Vectors => match scene.vectors.get(row) {
             Some(vector) => Some(vector.kind.into()),
-            // Behind the vectors stand the links that are given by their points alone.
+            // The vectors are followed by the links that are defined only by their points.
             None => {
                 let mut links = mechanism
                     .link_ids()

@@ -1,29 +1,29 @@
-//! Finding a row by its name.
+//! Searches for a row by its name.
 
 use crate::report::Tables;
 use crate::tui::commands::line::EditLine;
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::sheet::SheetPart;
 
-/// A name that is typed, and where the cursor was before.
+/// A typed name, and the cursor's position before the search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct NameSearch {
     pub(crate) name: EditLine,
     pub(crate) from: Whence,
 }
 
-/// Where a search began.
+/// The starting point of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Whence {
     /// In the tables.
     Tables(Cursor),
     /// In this row of the scene view.
     Scene(usize),
-    /// At this line of a view that is read.
+    /// At this line of a text view.
     Lines(usize),
 }
 
-/// How well a name fits what is typed, the best last.
+/// The quality of a match, the best last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum NameMatch {
     Within,
@@ -42,7 +42,7 @@ impl NameMatch {
     }
 }
 
-/// The line in which something was found, and what.
+/// A line with a search hit, and the searched text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct FoundLine {
     pub(crate) line: usize,
@@ -50,8 +50,8 @@ pub(crate) struct FoundLine {
 }
 
 impl FoundLine {
-    /// The first of some lines from a place on, and then round, that has in it what is typed; large letters and small
-    /// ones are the same.
+    /// Finds the first line from `from` on, cyclically, that contains the typed text, ignoring
+    /// case.
     pub(crate) fn of(lines: &[String], typed: &str, from: usize) -> Option<FoundLine> {
         let count = lines.len();
         let mut round = (0..count).map(|by| (from + by) % count);
@@ -60,7 +60,8 @@ impl FoundLine {
         Some(FoundLine { line, text })
     }
 
-    /// Whether it is still there: another scene or another place of the driver has other lines.
+    /// Returns `true` if the line still contains the text; it may have changed with the scene or
+    /// the driver.
     pub(crate) fn is_in(&self, line: &str) -> bool {
         has(line, &self.text)
     }
@@ -71,8 +72,8 @@ fn has(line: &str, typed: &str) -> bool {
     line.contains(&typed)
 }
 
-/// The row whose name fits best what is typed, of several the first from a place on; large letters
-/// and small ones are the same.
+/// Finds the row whose name matches best, ignoring case; the first one from `from` on if several
+/// are equal.
 pub(crate) fn best(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor> {
     let fits = fits(tables, typed, from);
     let best = fits.iter().map(|(fit, _)| *fit).max()?;
@@ -80,7 +81,7 @@ pub(crate) fn best(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor>
     found.map(|(_, cursor)| cursor)
 }
 
-/// The next row behind a place whose name has in it what is typed; the place itself comes last.
+/// Finds the next row behind `from` whose name contains the typed text; `from` itself comes last.
 pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor> {
     let fits = fits(tables, typed, from);
     let other = fits
@@ -89,7 +90,7 @@ pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor>
     other.or(fits.first()).map(|(_, cursor)| *cursor)
 }
 
-/// All rows that fit, from a place on to the end and from the beginning to there.
+/// Returns all matching rows, starting at `from` and cyclically.
 fn fits(tables: &Tables, typed: &str, from: Cursor) -> Vec<(NameMatch, Cursor)> {
     let typed = typed.trim().to_ascii_lowercase();
     let vectors = tables.vectors.iter().map(|vector| &vector.name);

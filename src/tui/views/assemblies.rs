@@ -1,4 +1,5 @@
-//! The list of assemblies, in the place of the tables: what each group could be, and is.
+//! The list of assemblies, shown in place of the tables: each group's possible choices and the
+//! current one.
 //!
 //! ```text
 //!   C + (311.4, 233.8)  now
@@ -15,7 +16,7 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Longer names of groups are cut.
+/// Maximum width of a group's name; longer names are cut.
 const LONGEST_NAME: usize = 9;
 /// Columns between two parts of a row.
 const GAP: u16 = 1;
@@ -26,7 +27,7 @@ pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) 
     };
     let rows = assembly_list.rows();
     let widths = Widths::of(rows);
-    // The cursor is seen, with a row above it where there is one.
+    // Scrolls so that the cursor is visible, centred where possible.
     let height = usize::from(area.height).max(1);
     let most = rows.len().saturating_sub(height);
     let first = cursor.saturating_sub(height / 2).min(most);
@@ -42,7 +43,7 @@ pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) 
     mark_more(area, first > 0, first < most, buffer);
 }
 
-/// Columns of the parts of a row.
+/// Widths of the parts of a row, in columns.
 struct Widths {
     name: u16,
     pick: u16,

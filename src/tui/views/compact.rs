@@ -1,4 +1,4 @@
-//! What a screen tells that has no room for a view: where the driver stands, and how the mechanism.
+//! The minimal display on a screen too small for any view: the driver's value and the state.
 //!
 //! ```text
 //! four-bar
@@ -27,7 +27,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         let line = cut(line, area.width.into());
         print(buffer, area.x, area.y + y, area.width, &line, text);
     };
-    // What can lose something is read before it is answered; state and angle can wait.
+    // A question about losing data comes before state and angle, which can wait.
     let asked = question::lines(app, area);
     if !asked.is_empty() {
         for (y, line) in (0..area.height).zip(&asked) {

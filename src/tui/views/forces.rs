@@ -1,5 +1,5 @@
-//! What the driver must do, what joints and guides bear, what the frame feels, and how far the checks
-//! miss.
+//! Forces view: the driver's effort, the reactions of joints and guides, the frame's load, and the
+//! residuals of the checks.
 //!
 //! ```text
 //! driver               torque      loads    gravity    inertia      power
@@ -26,7 +26,7 @@ use crate::wording::words;
 use crate::{Mechanism, Vec2};
 use ratatui::layout::Rect;
 
-/// What the driver must do, and what joints and guides bear.
+/// The forces view: the driver's effort and the reactions of joints and guides.
 pub(super) struct ForcesView;
 
 impl Pane for ForcesView {
@@ -75,7 +75,7 @@ impl Pane for ForcesView {
         page::lines(app, &page, area)
     }
 
-    /// How far what the driver must do can be from the truth.
+    /// Returns the error bound of the driver's effort.
     fn trust(&self, app: &App, _room: u16) -> Option<String> {
         let drive = &app.open_scene().force_figures()?.forces().drive;
         drive.total.value?;
@@ -98,7 +98,7 @@ impl Pane for ForcesView {
     }
 }
 
-/// Why there is nothing to show, and what would change that.
+/// Returns the reason why there are no forces, and how to add some.
 fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 2] {
     let why = if mechanism.gravity() == Vec2::ZERO {
         words().nothing_acts_at_all()
@@ -108,7 +108,7 @@ fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 2] {
     [why, words().how_forces_come()]
 }
 
-/// What exists, table by table: all columns of one width.
+/// Returns the tables that exist, all with the same column width.
 fn tables(force_figures: &ForceFigures) -> Vec<Table> {
     let (forces, formats) = (force_figures.forces(), force_figures.formats());
     let mut tables = match forces.existence() {
@@ -151,7 +151,7 @@ fn tables(force_figures: &ForceFigures) -> Vec<Table> {
     tables
 }
 
-/// The widest of all figures.
+/// Returns the width of the widest value format.
 fn widest_figure(formats: &Formats) -> usize {
     let Formats {
         effort,
@@ -167,7 +167,7 @@ fn widest_figure(formats: &Formats) -> usize {
         .unwrap_or(0)
 }
 
-/// A table without rows: what they are, and the names of its columns with their units.
+/// Creates a table without rows, with a title and the columns' names and units.
 fn table<const N: usize>(title: &str, heads: [(&str, &str); N]) -> Table {
     let head = |(name, unit): (&str, &str)| Head {
         name: name.to_owned(),
@@ -213,7 +213,7 @@ fn driver(forces: &Forces, formats: &Formats) -> Table {
     table
 }
 
-/// What links bear at joints, and below them what the frame feels.
+/// Returns the table of joint reactions, with the load on the frame in its last row.
 fn reactions(forces: &Forces, formats: &Formats) -> Table {
     let joints = forces.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
@@ -252,7 +252,8 @@ fn plane(force: Option<PlaneVector>, format: Format, moment: Option<Cell>) -> Ve
     figures.into_iter().chain([direction, moment]).collect()
 }
 
-/// What joints would bear that the equilibrium leaves open.
+/// Returns the joint reactions that the equilibrium does not determine, in their least-norm
+/// solution.
 fn open_joints(least: &Least, formats: &Formats) -> Table {
     let joints = least.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {

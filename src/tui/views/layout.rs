@@ -1,5 +1,5 @@
-//! Which panes stand on the screen, and where: a pure function of the name of a layout, the size of the screen and
-//! where the line between the panes was moved to.
+//! Selects and places the panes: a pure function of the layout's name, the screen size and the
+//! position of the split.
 //!
 //! ```text
 //! - four-bar ---------+- tables --+- scene -     the third column from 190 x 50 on
@@ -10,8 +10,7 @@
 //!                     |           |
 //! ```
 //!
-//! The drawing stands at the upper left whatever the scene and the size; more rows and columns only add to what
-//! is seen.
+//! The drawing is always at the upper left; a larger screen only adds content.
 
 use crate::tui::commands::view::View;
 use ratatui::layout::{Rect, Size};
@@ -19,38 +18,38 @@ use ratatui::layout::{Rect, Size};
 /// A layout, by its name in the configuration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LayoutName {
-    /// One view, and from 110 x 34 on as `three`.
+    /// One view on small screens; like `Three` from 110 x 34 on.
     #[default]
     Auto,
-    /// The view that is looked at has the whole screen.
+    /// The current view fills the screen.
     One,
-    /// The drawing, and tables.
+    /// The drawing and the tables.
     Two,
-    /// The drawing, tables and a plot.
+    /// The drawing, the tables and a plot.
     Three,
-    /// The drawing, tables and the working.
+    /// The drawing, the tables and the working.
     Lecture,
     /// The drawing, the values of the scene and a plot.
     Design,
 }
 
-/// From so many columns and rows on, two, three and four panes stand.
+/// Minimum screen sizes for two, three and four panes.
 const TWO: Size = Size::new(76, 20);
 const THREE: Size = Size::new(110, 34);
 const FOUR: Size = Size::new(190, 50);
 
-/// The drawing has this part of the screen at least: alone beside one other pane, and beside more.
+/// The drawing's minimum share of the screen: with one other pane, and with more.
 const SHARES: [f64; 2] = [0.5, 0.4];
-/// Percent of the columns that stand beside the drawing: in one column beside it alone, above another pane, and each
-/// of two.
+/// Widths of the columns next to the drawing, in percent of the screen: a single column with two
+/// panes, with three panes, and each of two columns.
 const ASIDE: [u16; 3] = [40, 36, 22];
-/// Such a column is not wider than this: tables use no more.
+/// Maximum width of such a column; tables use no more.
 const WIDEST_ASIDE: u16 = 64;
-/// No split leaves a pane fewer columns.
+/// Minimum width that a split leaves to a pane, in columns.
 const NARROWEST: u16 = 24;
-/// Rows that a pane below the drawing has at least, with its title.
+/// Minimum height of a pane below the drawing, with its title.
 const LOWEST_BELOW: u16 = 8;
-/// Columns by which the split is moved at a time, and so often at the most.
+/// Columns per step of the split, and the maximum number of steps to each side.
 const STEP: u16 = 4;
 const MOST_STEPS: i8 = 8;
 
@@ -64,7 +63,7 @@ impl LayoutName {
         LayoutName::Design,
     ];
 
-    /// As the configuration calls it: a promise.
+    /// Returns the name in the configuration, which is stable.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             LayoutName::Auto => "auto",
@@ -82,7 +81,8 @@ impl LayoutName {
         names.next().unwrap_or_default()
     }
 
-    /// What stands on a screen: the drawing, what stands beside it, below it, and in a third column.
+    /// Returns the panes on a screen of this size: the drawing, the pane next to it, the one below
+    /// it, and the one in a third column. Empty if the current view fills the screen.
     fn views(self, screen: Size) -> &'static [View] {
         use View::{Motion, Plots, Scene, Tables, Working};
         let has = |least: Size| screen.width >= least.width && screen.height >= least.height;
@@ -104,19 +104,19 @@ impl LayoutName {
     }
 }
 
-/// How a person has arranged the panes.
+/// The user's arrangement of the panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Composition {
     layout: LayoutName,
-    /// Steps by which the line beside the drawing was moved to the right.
+    /// Steps by which the split was moved to the right.
     split: i8,
-    /// A view that was asked for and has no place of its own: it stands beside the drawing.
+    /// A view outside the layout, shown in the second pane's place next to the drawing.
     aside: Option<View>,
-    /// Whether what is looked at has the whole screen.
+    /// `true` if the current view is maximized.
     alone: bool,
 }
 
-/// A pane: its title, unless it has the whole screen, and what it shows below.
+/// A placed pane: its view, its title (`None` if it fills the screen) and its area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PlacedView {
     pub(crate) view: View,
@@ -132,7 +132,7 @@ impl Composition {
         }
     }
 
-    /// What stands on a screen while a view is looked at, the drawing first.
+    /// Returns the panes shown on a screen of this size, the drawing first.
     pub(crate) fn standing(&self, looked_at: View, screen: Size) -> Vec<View> {
         let mut views = self.layout.views(screen).to_vec();
         if self.alone || views.is_empty() {
@@ -146,7 +146,7 @@ impl Composition {
         views
     }
 
-    /// The same with their places in `body`, the part of the screen that panes have.
+    /// Returns the shown panes with their areas in `body`.
     pub(crate) fn placed(&self, looked_at: View, screen: Size, body: Rect) -> Vec<PlacedView> {
         let views = self.standing(looked_at, screen);
         if let [view] = *views {
@@ -161,39 +161,41 @@ impl Composition {
         placed.map(|(view, frame)| titled(view, frame)).collect()
     }
 
-    /// Looks at a view: one that does not stand yet gets the place beside the drawing.
+    /// Shows a view: if no pane has it yet, it gets the place next to the drawing.
     pub(crate) fn look(&mut self, view: View, before: View, screen: Size) {
         if !self.standing(before, screen).contains(&view) {
             self.aside = Some(view);
         }
     }
 
-    /// The view that follows among those that stand; `None` where it stands alone.
+    /// Returns the next pane in order; `None` if only one is shown.
     pub(crate) fn next_pane(&self, looked_at: View, screen: Size) -> Option<View> {
         let views = self.standing(looked_at, screen);
         let here = views.iter().position(|view| *view == looked_at)?;
         (views.len() > 1).then(|| views[(here + 1) % views.len()])
     }
 
-    /// Gives what is looked at the whole screen, or shows the others again; false where there are no others.
+    /// Maximizes the current view or restores the panes; returns `false` if the layout has a single
+    /// pane.
     pub(crate) fn toggle_alone(&mut self, screen: Size) -> bool {
         let has_others = !self.layout.views(screen).is_empty();
         self.alone = has_others && !self.alone;
         has_others
     }
 
-    /// Shows the others again, if what is looked at stands alone by choice; false where there are no others.
+    /// Restores the panes if the current view is maximized; returns `false` if nothing changes.
     pub(crate) fn leave_alone(&mut self, screen: Size) -> bool {
         std::mem::take(&mut self.alone) && !self.layout.views(screen).is_empty()
     }
 
-    /// Goes on to the next layout, without what was changed in this one.
+    /// Switches to the next layout and resets all changes to the arrangement.
     pub(crate) fn next_layout(&mut self) -> LayoutName {
         *self = Composition::of(self.layout.next());
         self.layout
     }
 
-    /// The screen or the layout is another one: what is looked at has a place in it still when another pane is.
+    /// Keeps the current view on the screen after a change of the size or layout, even if another
+    /// pane is selected next.
     pub(crate) fn keep(&mut self, looked_at: View, screen: Size) {
         let views = self.layout.views(screen);
         if !views.is_empty() && !views.contains(&looked_at) {
@@ -201,12 +203,12 @@ impl Composition {
         }
     }
 
-    /// Steps by which the line beside the drawing was moved to the right.
+    /// Returns the steps by which the split was moved to the right.
     pub(crate) fn split(&self) -> i8 {
         self.split
     }
 
-    /// Moves the line beside the drawing; false where it stays.
+    /// Moves the split; returns `false` if it is at its limit already.
     pub(crate) fn move_split(&mut self, by: i8) -> bool {
         let to = (self.split + by).clamp(-MOST_STEPS, MOST_STEPS);
         let moved = to != self.split;
@@ -215,7 +217,7 @@ impl Composition {
     }
 }
 
-/// A width moved by so many steps, with at least so many columns at both sides.
+/// Moves a width by `split` steps and keeps a minimum width on both sides.
 pub(crate) fn moved(width: u16, whole: u16, split: i8) -> u16 {
     let by = STEP * u16::from(split.unsigned_abs());
     let to = match split < 0 {
@@ -226,13 +228,13 @@ pub(crate) fn moved(width: u16, whole: u16, split: i8) -> u16 {
     to.clamp(NARROWEST.min(width), most.max(width.min(whole)))
 }
 
-/// So many percent of a width.
+/// Returns `percent` percent of a width.
 pub(crate) fn percent_of(width: u16, percent: u16) -> u16 {
-    // Whole hundreds first: no width is too large.
+    // Divides hundreds and remainder separately to avoid an overflow.
     width / 100 * percent + width % 100 * percent / 100
 }
 
-/// The title of a pane above what it shows.
+/// Splits a pane's frame into its title line and the area below.
 fn titled(view: View, frame: Rect) -> PlacedView {
     let title = Rect { height: 1, ..frame };
     let area = Rect {
@@ -247,7 +249,7 @@ fn titled(view: View, frame: Rect) -> PlacedView {
     }
 }
 
-/// Where so many panes stand, two or more: a column beside another lies a line apart from it.
+/// Returns the frames of two or more panes; adjacent columns are separated by a line.
 fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
     let asides: u16 = if count > 3 { 2 } else { 1 };
     let percent = ASIDE[count.clamp(2, 4) - 2];
@@ -277,7 +279,7 @@ fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
     frames
 }
 
-/// Rows of the drawing above another pane: as many as give it its share of the screen.
+/// Returns the height of the drawing above another pane, such that it gets its share of the screen.
 fn drawing_rows(screen: Size, width: u16, height: u16) -> u16 {
     let cells = SHARES[1] * f64::from(screen.width) * f64::from(screen.height);
     let rows = (1..height).find(|rows| f64::from(*rows) * f64::from(width) >= cells);
@@ -289,7 +291,7 @@ fn drawing_rows(screen: Size, width: u16, height: u16) -> u16 {
 mod tests {
     use super::*;
 
-    /// A screen without its first line and its last two.
+    /// Returns the screen without its first line and its last two.
     fn body(screen: Size) -> Rect {
         Rect::new(0, 1, screen.width, screen.height.saturating_sub(3))
     }

@@ -1,5 +1,5 @@
-//! What the given lengths do to the figures: a view of its own, since it is another kind of error than
-//! that of the tables.
+//! Lengths view: the sensitivity of the results to the given lengths. It is separate from the
+//! tables because these errors differ from rounding errors.
 //!
 //! ```text
 //!  change for 1 mm               in every length     in one  in which
@@ -16,12 +16,12 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Narrower views leave out the units, and by how much a figure follows the length that matters most.
+/// Minimum width for units and for the largest single influence.
 const ROOM_FOR_UNITS: u16 = 56;
-/// The name of a length takes no larger part of the width than one in so many.
+/// The name of a length takes at most `1 / SHARE` of the width.
 const SHARE: u16 = 3;
 
-/// What each length does.
+/// The lengths view: the effect of each length.
 pub(super) struct LengthsView;
 
 impl Pane for LengthsView {
@@ -96,7 +96,7 @@ impl Pane for LengthsView {
     }
 }
 
-/// Where the rows stand: below the names of the columns, if these stay where they are.
+/// Returns the area of the rows, below a fixed head line if there is one.
 fn below(head: Option<&Line>, area: Rect) -> Rect {
     let head = u16::from(head.is_some());
     Rect {
@@ -106,7 +106,7 @@ fn below(head: Option<&Line>, area: Rect) -> Rect {
     }
 }
 
-/// The names of the columns, where these stand side by side, and the rows; or words in their place.
+/// Returns the fixed head line of the only table, if there is one, and the rows; or a message.
 fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     let Some(answers) = app.open_scene().answers() else {
         return (None, page::words(words().too_many_lengths(), area));
@@ -120,7 +120,7 @@ fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     }
     page.add(content(answers, area));
     let mut lines = page::lines(app, &page, area);
-    // Two tables have a blank between them: then the names of columns go with the rows.
+    // Two tables are separated by a blank line; their heads must then scroll with the rows.
     let is_whole = answers.list.is_some() && lines.iter().all(|line| !line.spans.is_empty());
     let head = (is_whole && !lines.is_empty()).then(|| lines.remove(0));
     (head, lines)
@@ -138,7 +138,7 @@ fn content(answers: &Answers, area: Rect) -> Content {
     content
 }
 
-/// Cuts the name of a length, which stands last.
+/// Cuts the name of a length in the row's last cell.
 fn shorten(row: &mut Row, most: usize) {
     if let Row::Figures { cells, .. } = row
         && let Some(Some(length)) = cells.last_mut()

@@ -1,4 +1,4 @@
-//! The screen: views read the workbench and fill a buffer; they change nothing.
+//! The screen: views read the workbench and fill a buffer without changing state.
 //!
 //! ```text
 //! 1 Motion  2 Tables  3 Plots  ..      one line: the views
@@ -49,20 +49,19 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Position, Rect, Size};
 use ratatui::style::Style;
 
-/// Columns at the right of what can be scrolled that are kept free: one blank, and one for a mark where
-/// there is more to see.
+/// Columns reserved at the right of a scrollable area: a blank and a scroll mark.
 const MARGIN: u16 = 2;
 
-/// On smaller screens no view has room: state and angle alone are told.
+/// Minimum screen size for views; a smaller screen shows only state and angle.
 const SMALLEST: Size = Size::new(40, 12);
-/// And below this nothing.
+/// Minimum screen size for any content.
 const LEAST: Size = Size::new(20, 6);
 
 pub(crate) use motion::{SeenPlace, Sketch};
 pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
 
 impl View {
-    /// What is looked at in this view.
+    /// Returns the pane that shows this view.
     pub(crate) fn pane(self) -> &'static dyn Pane {
         match self {
             View::Motion => &motion::MotionView,
@@ -78,7 +77,7 @@ impl View {
     }
 }
 
-/// Brings what the screen remembers of its last frame up to date.
+/// Updates the sketch, which persists from frame to frame.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_) | Mode::Candidates) {
         return;
@@ -90,13 +89,13 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     }
 }
 
-/// Where the screen is.
+/// Returns the area of the whole screen.
 pub(crate) fn area(app: &App) -> Rect {
     whole(app.size())
 }
 
-/// What a slow line is to show first: the last line, which answers a key, with what was said above it, and then what
-/// lies over the view.
+/// Returns the areas that a slow line sends first: the last line, which answers a key, with the
+/// messages above it, and then the overlay.
 pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let area = whole(app.size());
     if !has_room(app.size()) {
@@ -119,7 +118,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     [answer, overlay]
 }
 
-/// The whole screen, into a buffer that is empty.
+/// Renders the whole screen into an empty buffer.
 pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     draw(app, sketch, buffer);
     if !app.glyphs().is_dotted() {
@@ -127,7 +126,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     }
 }
 
-/// Letters that the terminal may lack become those that they look like.
+/// Replaces letters that the terminal may lack by similar ASCII letters.
 fn spell(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         let letter = cell.symbol().chars().next();
@@ -169,7 +168,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     status::render(app, area, buffer);
 }
 
-/// The panes, with their titles and the lines between them.
+/// Renders the panes with their titles and the lines between them.
 fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let placed = placed(app);
     for (n, &PlacedView { view, title, area }) in placed.iter().enumerate() {
@@ -177,7 +176,7 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         let is_looked_at = view == app.view();
         let heading = |room| pane.heading(app, room);
         match app.mode() {
-            // The list of assemblies stands where tables do, beside the drawing.
+            // The list of assemblies takes the second pane's place, next to the drawing.
             Mode::Assemblies(cursor) if n == 1 => {
                 assemblies::render(app, *cursor, inset(area), buffer);
                 if let Some(title) = title {
@@ -197,7 +196,8 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     title::lines_between(app.glyphs(), &placed, buffer);
 }
 
-/// How a view is drawn: among others, the drawing has its tables in a pane of their own.
+/// Returns the pane of a view. Among other panes the drawing has no tables, which have a pane of
+/// their own.
 fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
     match view {
         View::Motion if is_among_others => &motion::DrawingPane,
@@ -205,14 +205,14 @@ fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
     }
 }
 
-/// The views that stand, with their places.
+/// Returns the shown views and their areas.
 fn placed(app: &App) -> Vec<PlacedView> {
     let size = app.size();
     app.composition()
         .placed(app.view(), size, body(whole(size)))
 }
 
-/// What is looked at, and where it stands.
+/// Returns the current view's pane and its area.
 fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
     let placed = placed(app);
     let own = placed.iter().find(|pane| pane.view == app.view());
@@ -221,19 +221,19 @@ fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
     })
 }
 
-/// What stands at a cell of the screen.
+/// The target at a cell of the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Under {
     Nothing,
     /// The tab of a view.
     Tab(View),
-    /// The drawing, in the pane of a view, and what is seen of the scene there.
+    /// The drawing in the pane of a view, and the place in the scene.
     Drawing(View, SeenPlace),
-    /// The pane of a view, and what of it.
+    /// The pane of a view, and the spot in it.
     Pane(View, Option<PaneSpot>),
 }
 
-/// What stands at a cell of the screen as it was drawn last.
+/// Returns the target at a cell of the screen as drawn in the last frame.
 pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
     if !has_room(app.size()) {
         return Under::Nothing;
@@ -255,13 +255,13 @@ pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
     Under::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
 }
 
-/// How far what is on top can be scrolled, in lines.
+/// Returns the maximum scroll offset of the topmost element, in lines.
 pub(crate) fn most_scroll(app: &App) -> usize {
     let (lines, page) = on_top(app);
     lines.saturating_sub(page)
 }
 
-/// The lines of the tables view, and how many of them are seen at once.
+/// Returns the lines of the tables view and the number of visible ones.
 pub(crate) fn table_lines(app: &App) -> (Vec<TableLine>, usize) {
     if !has_room(app.size()) {
         return (Vec::new(), 0);
@@ -271,7 +271,7 @@ pub(crate) fn table_lines(app: &App) -> (Vec<TableLine>, usize) {
     tables::lines(app, own.map_or(body(whole(app.size())), |own| own.area))
 }
 
-/// The lines of what is looked at, as texts.
+/// Returns the lines of the current view as text.
 pub(crate) fn lines_looked_at(app: &App) -> Vec<String> {
     if !has_room(app.size()) {
         return Vec::new();
@@ -281,7 +281,7 @@ pub(crate) fn lines_looked_at(app: &App) -> Vec<String> {
     lines.iter().map(Line::text).collect()
 }
 
-/// Which lines of what is looked at begin a part, by their numbers.
+/// Returns the indices of the current view's lines that begin a part.
 pub(crate) fn parts_looked_at(app: &App) -> Vec<usize> {
     if !has_room(app.size()) {
         return Vec::new();
@@ -293,7 +293,7 @@ pub(crate) fn parts_looked_at(app: &App) -> Vec<usize> {
     parts.map(|(number, _)| number).collect()
 }
 
-/// A screen as text: its lines without the blanks at their ends.
+/// Converts a screen to text, with trailing blanks trimmed.
 pub(crate) fn text(screen: &Buffer) -> String {
     let width = usize::from(screen.area.width).max(1);
     let lines = screen.content.chunks(width).map(|cells| {
@@ -303,12 +303,12 @@ pub(crate) fn text(screen: &Buffer) -> String {
     lines.collect()
 }
 
-/// Lines of what is on top that are seen at once.
+/// Returns the number of visible lines of the topmost element.
 pub(crate) fn page(app: &App) -> usize {
     on_top(app).1
 }
 
-/// Lines of what is on top, and how many of them are seen.
+/// Returns the number of lines of the topmost element and the number of visible ones.
 fn on_top(app: &App) -> (usize, usize) {
     let area = whole(app.size());
     if !has_room(app.size()) {
@@ -333,22 +333,22 @@ fn whole(size: Size) -> Rect {
     Rect::from((Position::ORIGIN, size))
 }
 
-/// Whether anything can be told.
+/// Returns `true` if the screen is large enough for any text.
 pub(crate) fn has_words(size: Size) -> bool {
     size.width >= LEAST.width && size.height >= LEAST.height
 }
 
-/// Whether anything sensible can be shown.
+/// Returns `true` if the screen is large enough for views.
 pub(crate) fn has_room(size: Size) -> bool {
     size.width >= SMALLEST.width && size.height >= SMALLEST.height
 }
 
-/// Between the first line and the last one.
+/// Returns the area between the first line and the last one.
 fn middle(area: Rect) -> Rect {
     area.inner(Margin::new(0, 1))
 }
 
-/// The same without the verdict.
+/// Returns the area between the first line and the verdict.
 fn body(area: Rect) -> Rect {
     let middle = middle(area);
     Rect {
@@ -357,7 +357,7 @@ fn body(area: Rect) -> Rect {
     }
 }
 
-/// Where tables stand in an area: a blank to their left, their margin to their right.
+/// Returns the area of tables within a pane: one blank to their left, their margin to their right.
 fn inset(area: Rect) -> Rect {
     Rect {
         x: area.x + 1,
@@ -366,7 +366,7 @@ fn inset(area: Rect) -> Rect {
     }
 }
 
-/// Marks in the margin at the right of what is scrolled that there is more above, or below.
+/// Marks in the right margin of a scrolled area if there is more above or below.
 fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
     let ends = [
         ("^", area.top(), above),
@@ -378,7 +378,7 @@ fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
     }
 }
 
-/// The first of so many lines that is seen in an area that is scrolled; marks where there are more.
+/// Returns the first visible line of a scrolled area and draws its scroll marks.
 fn first_seen(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
     let most = lines.saturating_sub(area.height.into());
     let first = scroll.min(most);
@@ -397,7 +397,7 @@ fn row(area: Rect, y: u16) -> Rect {
 /// Copies a drawing to the screen.
 fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
     for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        // The ground is there already, and most of a drawing is ground.
+        // Most cells of a drawing are background, which is there already.
         let inked = (area.left()..area.right()).zip(line);
         for (x, cell) in inked.filter(|(_, cell)| cell.glyph != ' ') {
             buffer[(x, y)]
@@ -407,7 +407,8 @@ fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Prints text of one column to a character, at most `width` of it, and says where it ends.
+/// Prints at most `width` characters and returns the end column. Each character must be one column
+/// wide.
 fn print(buffer: &mut Buffer, x: u16, y: u16, width: u16, text: &str, style: Style) -> u16 {
     let end = (x.saturating_add(width)).min(buffer.area.right());
     if y >= buffer.area.bottom() {
@@ -422,14 +423,14 @@ fn print(buffer: &mut Buffer, x: u16, y: u16, width: u16, text: &str, style: Sty
     next
 }
 
-/// Prints text so that it ends before `right`.
+/// Prints text that ends before column `right`.
 fn print_right(buffer: &mut Buffer, right: u16, y: u16, text: &str, style: Style) {
     let length = columns(text);
     let x = right.saturating_sub(length);
     print(buffer, x, y, length, text, style);
 }
 
-/// Columns of text of one column to a character.
+/// Returns the width of text whose characters are all one column wide.
 fn columns(text: &str) -> u16 {
     u16::try_from(text.chars().count()).unwrap_or(u16::MAX)
 }

@@ -1,4 +1,4 @@
-//! A page on the screen, line by line.
+//! Renders the lines of a page on the screen.
 
 use super::table::doubt;
 use super::{columns, first_seen, print};
@@ -11,10 +11,10 @@ use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// The lines of a page in an area; its title stands above every view already.
+/// Returns the lines of a page for an area, without its title, which every view shows already.
 pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
     let style = TextStyle {
-        // Console fonts have no Greek letters.
+        // Console fonts lack Greek letters.
         ascii: !app.glyphs().is_dotted(),
         width: area.width.into(),
     };
@@ -23,13 +23,13 @@ pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
     below.skip_while(|line| line.spans.is_empty()).collect()
 }
 
-/// A text that stands alone.
+/// Returns a text as wrapped lines.
 pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
     let lines = wrapped(text, area.width.into()).into_iter();
     lines.map(|line| Line::of(TextRole::Body, line)).collect()
 }
 
-/// Lines, scrolled as the view is.
+/// Renders lines with the view's scroll offset, and marks the current search hit.
 pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
     let first = first_seen(app.scroll(view), lines.len(), area, buffer);
     let found = app.found(view);
@@ -47,7 +47,7 @@ pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: 
     }
 }
 
-/// A line at the top of an area.
+/// Renders a line at the top of an area.
 pub(super) fn render_line(
     (glyphs, colours): (Glyphs, Colours),
     line: &Line,
@@ -59,7 +59,7 @@ pub(super) fn render_line(
         let x = area.x.saturating_add(at);
         let room = area.right().saturating_sub(x);
         let text = shown(&span.text, glyphs);
-        // Part of a figure would be another one.
+        // A truncated number would be a different one.
         if span.role == TextRole::Figure && room < columns(&text) {
             continue;
         }

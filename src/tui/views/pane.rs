@@ -1,9 +1,10 @@
-//! What every view says of itself: all that the rest of the workbench knows of one.
+//! The interface of a view: all that the rest of the workbench knows about it.
 //!
-//! A view reads the workbench and changes nothing. What it needs to have found is told by [`Need`], and what
-//! its lines are by [`Listing`]; the workbench does the rest. It is drawn where it is put and knows the size of that
-//! place alone: which others stand beside it, and where, is the affair of [`super::layout`]. A new view is a file with an `impl Pane`, a row in
-//! `View::pane`, its name in `View`, and its key in the table of actions.
+//! A view reads the workbench and changes nothing. [`Need`] declares the results that it requires,
+//! and [`Listing`] the kind of its lines; the workbench does the rest. A view is drawn in a given
+//! area and knows only the size of that area; [`super::layout`] alone selects and places the views.
+//! A new view is a file with an `impl Pane`, a row in `View::pane`, its name in `View`, and its key
+//! in the table of actions.
 
 use super::{Sketch, inset, page};
 use crate::page::{Line, Page};
@@ -17,76 +18,78 @@ use ratatui::layout::{Position, Rect};
 
 /// A view.
 pub(crate) trait Pane {
-    /// In one word: in the last line, and on the command line.
+    /// Returns its one-word name, as used in the status line and on the command line.
     fn name(&self) -> &'static str;
 
-    /// What it shows, in the help of the command line.
+    /// Returns its description in the help of the command line.
     fn about(&self) -> &'static str;
 
-    /// Above the keys in the help that it alone has.
+    /// Returns the title above its own keys in the help.
     fn help_title(&self) -> &'static str;
 
-    /// Itself: what is scrolled is kept by view.
+    /// Returns the view itself, by which scroll offsets are stored.
     fn view(&self) -> View;
 
-    /// Why it has nothing to show of this scene.
+    /// Returns the reason why it shows nothing of this scene, if it does not.
     fn nothing(&self, _app: &App) -> Option<&'static str> {
         None
     }
 
-    /// What stands above it among other panes, in so many columns: at the left, and at the right.
+    /// Returns its title among other panes, `room` columns wide: the left and the right part.
     fn heading(&self, _app: &App, _room: u16) -> (String, String) {
         let name = (entry_of(Action::Look(self.view())).hint)(words());
         (name.into(), String::new())
     }
 
-    /// What is to be found while it stands, and only then.
+    /// Returns the results that must be computed while it is shown.
     fn needs(&self) -> Need {
         Need::Nothing
     }
 
-    /// What its lines are.
+    /// Returns the kind of its lines.
     fn list(&self) -> Listing {
         Listing::Lines
     }
 
-    /// Brings what the screen remembers of its last frame up to date.
+    /// Updates the sketch for the next frame.
     fn prepare(&self, _app: &App, _sketch: &mut Sketch, _body: Rect) {}
 
-    /// Its lines in an area; of a view that is more than lines none.
+    /// Returns its lines for an area; empty for a view with more than lines.
     fn lines(&self, _app: &App, _area: Rect) -> Vec<Line> {
         Vec::new()
     }
 
-    /// The lines that are scrolled and searched, and where they stand.
+    /// Returns the lines for scrolling and searching, and their area.
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
         let area = inset(body);
         (self.lines(app, area), area)
     }
 
-    /// What stands between the title and the last line.
+    /// Renders the body of the view.
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let (lines, area) = self.listed(app, body);
         page::render(app, self.view(), &lines, area, buffer);
     }
 
-    /// How many lines it has, and how many of them are seen.
+    /// Returns the number of its lines and the number of visible ones.
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let (lines, area) = self.listed(app, body);
         (lines.len(), area.height.into())
     }
 
-    /// What the row under its cursor is about: the drawing beside it lights that up.
+    /// Returns the subject of its selected row, which the drawing next to it highlights.
     fn subject(&self, _app: &App) -> Option<Subject> {
         None
     }
 
-    /// What of it stands at a cell, where that can be pointed at; the drawing itself is told by its sketch.
+    /// Returns its spot at a cell of the screen, if the mouse can act there; the sketch handles the
+    /// drawing itself.
     fn under(&self, _app: &App, _body: Rect, _at: Position) -> Option<PaneSpot> {
         None
     }
 
-    /// The keys to offer, the most important first: the last ones are dropped where there is no room.
+    /// Returns the actions whose keys are offered, the most important first; the last ones are
+    /// dropped if they do not fit.
     fn hints(&self, _app: &App) -> &'static [Action] {
         &[
             Action::Help,
@@ -98,105 +101,113 @@ pub(crate) trait Pane {
         ]
     }
 
-    /// A mark that is told beside the keys, and what it means.
+    /// Returns a mark that the key hints explain, and its meaning.
     fn legend(&self) -> Option<(char, &'static str)> {
         None
     }
 
-    /// How far its figures can be from the truth, in so many columns; `None` where it shows none.
+    /// Returns the error bound of its values in at most `room` columns; `None` if it shows none.
     fn trust(&self, _app: &App, _room: u16) -> Option<String> {
         None
     }
 
-    /// Whether its rates are those of the scene's motion over time, if that has one.
+    /// Returns `true` if its rates are those of the scene's motion over time, if the scene has one.
     fn is_timed(&self, _app: &App) -> bool {
         true
     }
 
-    /// How far its work has come, where that is of more interest than the driver.
+    /// Returns the progress of its work, if it is of more interest than the driver.
     fn progress(&self, _app: &App) -> Option<String> {
         None
     }
 
-    /// What is copied.
+    /// Returns the content for the clipboard.
     fn copy(&self, _app: &App) -> Copied {
         Copied::Nothing
     }
 
-    /// What is written as CSV, or why it cannot be: all figures here, unless it shows a whole motion.
+    /// Returns its CSV text; by default one row with all values at the driver's current position.
+    ///
+    /// # Errors
+    /// Returns the reason why nothing can be written.
     fn csv(&self, app: &App) -> Result<String, String> {
         app.row_of_sweep()
     }
 
-    /// All of its lines as they are written to a file, and what they are: where these say more than its figures.
+    /// Returns the page written to a file and its description, if its lines contain more than its
+    /// values.
     fn page<'a>(&self, _app: &'a App) -> Option<(&'static str, &'a Page)> {
         None
     }
 
-    /// What is written as SVG and what that is, or why it cannot be.
+    /// Returns the description and the text of its SVG document.
+    ///
+    /// # Errors
+    /// Returns the reason why nothing can be drawn.
     fn svg(&self, _app: &App) -> Result<(&'static str, String), String> {
         Err(words().no_drawing_here().into())
     }
 
-    /// What stands in the names of its files, where it shows more than one place of the motion.
+    /// Returns the part added to the names of its files, if it shows more than one position of the
+    /// motion.
     fn file_part(&self) -> Option<&'static str> {
         None
     }
 }
 
-/// What a view needs to have found.
+/// The results that a view requires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Need {
-    /// The state alone, as everywhere.
+    /// Only the state, as everywhere.
     Nothing,
-    /// What the given lengths do to the figures.
+    /// The sensitivities to the given lengths.
     Lengths,
-    /// What the driver must do, and what joints and guides bear.
+    /// The driver's effort, and the reactions of joints and guides.
     Forces,
-    /// How the figures come about.
+    /// The working: the derivation of the values.
     Working,
     /// The values of the scene.
     Values,
-    /// Speed against error, piece by piece.
+    /// The accuracy study, computed in slices.
     Study,
-    /// Figures over the motion.
+    /// Values over the motion.
     Curves,
-    /// The motor over a cycle.
+    /// The motor's duty over a cycle.
     Motor,
 }
 
-/// What the lines of a view are.
+/// The kind of a view's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Listing {
-    /// They are read, and scrolled.
+    /// Lines of text, which can be scrolled.
     Lines,
-    /// Rows of the tables, with the cursor on one figure of them.
+    /// Rows of the tables, with a cursor on one of their values.
     Figures,
     /// Values of the scene, with the editor's cursor on one of them.
     Values,
 }
 
-/// What can be pointed at in a pane.
+/// A spot in a pane that the mouse can act on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PaneSpot {
     /// A row of the tables.
     Figure(SheetPart, usize),
     /// A value of the scene.
     Value(usize),
-    /// A coordinate of the driver along a plot.
+    /// A driver coordinate along a plot.
     Along(f64),
-    /// A time of its motion along a plot, in s.
+    /// A time along a plot, in s.
     Time(f64),
 }
 
-/// What there is to copy.
+/// The content copied from a view.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Copied {
-    /// This text.
+    /// The given text.
     Text(String),
-    /// Its lines, as they stand there.
+    /// The view's lines as shown.
     Lines,
-    /// As much of the tables as a person answers.
+    /// A choice of the tables, for which the user is asked.
     Asked,
     Nothing,
 }

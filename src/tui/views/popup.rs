@@ -1,4 +1,4 @@
-//! A box over the view.
+//! Popups over the view.
 
 use super::print;
 use crate::drawing::Glyphs;
@@ -8,10 +8,11 @@ use ratatui::layout::{Margin, Rect};
 use ratatui::symbols::border::{self, Set};
 use ratatui::widgets::{Block, Clear, Widget};
 
-/// Columns and rows that the border takes: a line and a blank at both sides, a line above and below.
+/// Columns and rows taken by the border: a line and a blank on both sides, a line above and below.
 pub(super) const BORDER: (u16, u16) = (4, 2);
 
-/// A box around so many columns and rows in the middle of `area`, as large as there is room.
+/// Returns the frame of a popup with `columns` by `rows` of content, centred in `area` and cut to
+/// it.
 pub(super) fn centred(area: Rect, columns: u16, rows: u16) -> Rect {
     let width = columns.saturating_add(BORDER.0).min(area.width);
     let height = rows.saturating_add(BORDER.1).min(area.height);
@@ -23,12 +24,12 @@ pub(super) fn centred(area: Rect, columns: u16, rows: u16) -> Rect {
     }
 }
 
-/// What is within a box.
+/// Returns the area inside the border.
 pub(super) fn within(frame: Rect) -> Rect {
     frame.inner(Margin::new(BORDER.0 / 2, BORDER.1 / 2))
 }
 
-/// Lines in 7 bits.
+/// Border characters in 7-bit ASCII.
 const ASCII: Set<'static> = Set {
     top_left: "+",
     top_right: "+",
@@ -40,7 +41,7 @@ const ASCII: Set<'static> = Set {
     horizontal_bottom: "-",
 };
 
-/// Clears a box and draws its border with a title. Says where the title ends.
+/// Clears the frame and draws its border with the title. Returns the column after the title.
 pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffer) -> u16 {
     let lines = match glyphs {
         Glyphs::Ascii => ASCII,

@@ -1,4 +1,5 @@
-//! A question whose answer can lose something, in the middle of the screen, where nobody overlooks it.
+//! Renders a question whose answer can lose data, in the middle of the screen so that it is
+//! noticed.
 //!
 //! ```text
 //! +- quit ------------------------------+
@@ -20,12 +21,12 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the text, where there is so much room.
+/// Maximum width of the text, unless the keys need more.
 const WIDTH: u16 = 48;
 /// Blanks between two keys.
 const GAP: u16 = 2;
 
-/// What is asked, and the keys that answer it.
+/// The question and the keys that answer it.
 struct Asked {
     text: String,
     keys: Vec<(String, &'static str)>,
@@ -40,7 +41,7 @@ impl Asked {
         }
     }
 
-    /// What is to become of unsaved edits.
+    /// Returns the question about unsaved edits.
     fn unsaved(asked: &Unsaved, app: &App) -> Asked {
         let escape = Key::Escape.to_string();
         let unsaved = match app.is_unsaved() && !app.is_changed() {
@@ -76,7 +77,7 @@ impl Asked {
         Asked { text, keys }
     }
 
-    /// Whether to write over a file.
+    /// Returns the question whether to overwrite a file.
     fn confirm(asked: &Question, app: &App) -> Asked {
         let to = &asked.to;
         let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
@@ -90,7 +91,7 @@ impl Asked {
         }
     }
 
-    /// Its lines, and where it stands.
+    /// Returns the wrapped text and the area of the popup.
     fn arranged(&self, area: Rect) -> (Vec<String>, Rect) {
         let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + GAP;
         let keys: u16 = self.keys.iter().map(needed).sum::<u16>() - GAP;
@@ -133,8 +134,8 @@ pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The same as lines in an area that has no room for a frame; none where nothing is asked. The answers stand there
-/// whatever is left of the text.
+/// Returns the question as lines for an area too small for a frame; empty without a question. The
+/// text is truncated so that all answers fit.
 pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
     let Some(Asked { text, keys }) = Asked::of(app) else {
         return Vec::new();
@@ -151,7 +152,7 @@ pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
     text.into_iter().chain(keys).collect()
 }
 
-/// Where it stands; nowhere where nothing is asked.
+/// Returns the area of the popup; zero without a question.
 pub(super) fn placed(app: &App, area: Rect) -> Rect {
     Asked::of(app).map_or(Rect::ZERO, |asked| asked.arranged(area).1)
 }

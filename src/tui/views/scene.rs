@@ -1,4 +1,5 @@
-//! Every value of the scene, to be changed; beside them the linkage, where there is room.
+//! Scene view: all values of the scene for editing, with the linkage next to them if the screen is
+//! wide enough.
 //!
 //! ```text
 //!    nudge by 1 mm         1 changed      file |
@@ -22,25 +23,25 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Modifier;
 
-/// Columns of a name: longer ones are cut.
+/// Minimum and maximum width of a name; longer names are cut.
 const SHORTEST_NAME: u16 = 12;
 const LONGEST_NAME: u16 = 24;
-/// Columns before the decimal point and behind it that a value has at least, and at the most.
+/// Minimum and maximum columns before the decimal point and from it on.
 const WHOLE: (u16, u16) = (4, 10);
 const FRACTION: (u16, u16) = (4, 8);
-/// Columns of the value in the file or of its formula, behind a blank and its mark.
+/// Minimum and maximum width of the value in the file or of the formula.
 const FILED: (u16, u16) = (10, 22);
-/// Columns before a name: the cursor and a blank.
+/// Columns before a name: the cursor and the mark of a change.
 const CURSOR: u16 = 2;
-/// The line above the list.
+/// Height of the line above the list.
 const HEAD: u16 = 1;
-/// A drawing needs so much room to be one.
+/// Minimum width of a drawing.
 const NARROWEST_DRAWING: u16 = 26;
 
-/// Where the parts of the view are.
+/// The areas of the list and of the drawing.
 struct SceneAreas {
     list: Rect,
-    /// The line between, and the drawing, where there is room for them.
+    /// The separator and the drawing, if they fit and the drawing is not shown elsewhere.
     beside: Option<(Rect, Rect)>,
 }
 
@@ -66,8 +67,8 @@ fn arrange(app: &App, body: Rect) -> SceneAreas {
     }
 }
 
-/// Where the values stand below their head, the first that is seen, and the last that can be the first: the cursor is
-/// seen, with rows above and below it where there are some.
+/// Returns the area of the values, the first visible value, and the maximum of that value. The
+/// cursor is centred if possible.
 fn rows(editor: &Editor, list: Rect) -> (Rect, usize, usize) {
     let rows = Rect {
         y: list.y + HEAD,
@@ -80,7 +81,8 @@ fn rows(editor: &Editor, list: Rect) -> (Rect, usize, usize) {
     (rows, first, most)
 }
 
-/// Widths of the columns: those of the longest entries, so that nothing moves while values do.
+/// Widths of the columns: those of the longest entries, so that columns keep their places while
+/// values change.
 struct ColumnWidths {
     name: u16,
     whole: u16,
@@ -89,7 +91,7 @@ struct ColumnWidths {
     filed: u16,
 }
 
-/// Every value of the scene.
+/// The scene view: all values of the scene.
 pub(super) struct SceneView;
 
 impl Pane for SceneView {
@@ -141,7 +143,7 @@ impl Pane for SceneView {
                 height: 1,
                 ..rows
             };
-            // The name of a part stands out where its values begin.
+            // The name of an element is emphasized only in the first row of its values.
             let before = number.checked_sub(1).filter(|_| y > rows.top());
             let before = before.and_then(|before| editor.values().get(before));
             let goes_on = before.is_some_and(|before| part_of(before) == part_of(value));
@@ -230,12 +232,12 @@ impl ColumnWidths {
         }
     }
 
-    /// Columns from the cursor to the unit.
+    /// Returns the columns from the cursor to the unit.
     fn values(&self) -> u16 {
         CURSOR + self.name + 1 + self.whole + self.fraction + 1 + self.unit
     }
 
-    /// All of them.
+    /// Returns the width of all columns.
     fn width(&self) -> u16 {
         self.values() + 2 + self.filed
     }
@@ -249,12 +251,12 @@ impl ColumnWidths {
         };
         let nudge = match (&editor.gathered, formula_of(value)) {
             (Some(gathered), _) => words().gathering(gathered.len()),
-            // What follows from others is not nudged.
+            // A value with a formula depends on others, so it cannot be nudged.
             (None, Some(formula)) => formula,
             (None, None) => words().nudge_by(&editor.notch().to_string(), value.unit),
         };
         print(buffer, area.x + CURSOR, area.y, area.width, &nudge, style);
-        // A narrow list has no column for what is in the file.
+        // A narrow list has no column for the value in the file.
         let is_wide = area.width >= self.width();
         let filed = editor.in_file(value).filter(|_| !is_wide);
         let says = match (editor.changes(), filed) {
@@ -298,7 +300,7 @@ impl ColumnWidths {
             _ => None,
         };
         if let Some(typed) = typed {
-            // What is typed may be longer than the column; its end is seen.
+            // A typed text may be longer than the column; its end is visible.
             let from = at + self.name + 1;
             let room = usize::from(right.saturating_sub(from + 1));
             let skipped = typed.len().saturating_sub(room);
@@ -315,7 +317,8 @@ impl ColumnWidths {
         let is_wide = area.width >= self.width();
         let shown = waiting.as_ref().unwrap_or(value);
         let number = match &waiting {
-            // What a formula will come to is not known before: where there is room it stands beside.
+            // The result of a staged formula is unknown; the formula itself is shown next to it on
+            // a wide list.
             Some(waiting) if waiting.formula.is_some() && is_wide => String::new(),
             Some(waiting) => waiting.literal.clone(),
             None => number_of(value),
@@ -344,7 +347,7 @@ impl ColumnWidths {
         }
     }
 
-    /// A number with its decimal point at a column.
+    /// Prints a number with its decimal point at column `point`.
     fn number(
         &self,
         literal: &str,
@@ -364,7 +367,7 @@ impl ColumnWidths {
     }
 }
 
-/// The number of a value as it stands in the file, or in short what a formula comes to.
+/// Returns the number of a value as written in the file, or the short result of its formula.
 fn number_of(value: &Value) -> String {
     match value.formula {
         Some(_) => figure(value.number),
@@ -372,17 +375,17 @@ fn number_of(value: &Value) -> String {
     }
 }
 
-/// The formula of a value, as it stands beside its number.
+/// Returns the formula of a value as shown next to its number.
 fn formula_of(value: &Value) -> Option<String> {
     value.formula.as_ref().map(|formula| format!("= {formula}"))
 }
 
-/// Columns of the part's name before that of a value.
+/// Returns the width of the element's name at the start of the value's name.
 fn columns_of_part(value: &Value) -> u16 {
     columns(part_of(value))
 }
 
-/// What stands before the decimal point, and the rest with it.
+/// Splits a number before its decimal point or exponent.
 fn halves(literal: &str) -> (&str, &str) {
     let at = literal.find(['.', 'e', 'E']).unwrap_or(literal.len());
     literal.split_at(at)

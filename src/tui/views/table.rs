@@ -1,4 +1,4 @@
-//! Figures in columns, live beside or below the drawing.
+//! Renders the live tables of the motion view.
 
 use super::{cut, mark_more, page, print};
 use crate::capability::Colours;
@@ -11,7 +11,7 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// The tables at this width, scrolled as the view is.
+/// Renders the tables at the width of the area with the view's scroll offset.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     title(app, area, buffer);
     let area = below_title(app, area);
@@ -25,18 +25,18 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The tables where they stand in an area.
+/// Returns the tables' layout for an area.
 pub(super) fn placed(app: &App, area: Rect) -> Placed<'_> {
     app.sheet().placed(area.width.into(), app.glyphs())
 }
 
-/// All lines of the tables at this width, and how many are seen.
+/// Returns the number of lines of the tables and the number of visible ones.
 pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
     let lines = placed(app, area).lines();
     (lines.len(), below_title(app, area).height.into())
 }
 
-/// Says above tables of differences what they are.
+/// Prints the title above tables of differences.
 pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     if let Some(title) = app.difference_title(area.width.into()) {
         let title = cut(&shown(&title, app.glyphs()), area.width.into());
@@ -45,7 +45,7 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Where the tables begin: below their title, if they have one.
+/// Returns the area below the tables' title, if they have one.
 pub(super) fn below_title(app: &App, area: Rect) -> Rect {
     let title = title_lines(app);
     Rect {
@@ -55,12 +55,12 @@ pub(super) fn below_title(app: &App, area: Rect) -> Rect {
     }
 }
 
-/// Lines that the title of the tables takes.
+/// Returns the height of the tables' title.
 pub(super) fn title_lines(app: &App) -> u16 {
     u16::from(app.compared().is_some())
 }
 
-/// Whether the row has no partner in what is compared with.
+/// Returns `true` if the row has no partner in the compared scene.
 pub(super) fn is_alone(app: &App, line: &TableLine) -> bool {
     let Some(compared) = app.compared() else {
         return false;
@@ -72,7 +72,7 @@ pub(super) fn is_alone(app: &App, line: &TableLine) -> bool {
     }
 }
 
-/// One line of the tables at the top of an area; what it shows.
+/// Renders a line of the tables at the top of an area and returns it.
 pub(super) fn render_line(
     app: &App,
     placed: &Placed<'_>,
@@ -91,7 +91,7 @@ pub(super) fn render_line(
     shown
 }
 
-/// Gives the name of a vector the hue that its link has in the drawing.
+/// Colours the name of a vector like its link in the drawing.
 fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buffer) {
     let TableLine::Row(sheet::SheetPart::Vectors, row, _) = *line else {
         return;
@@ -107,8 +107,8 @@ fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     }
 }
 
-/// Dims the digits of a figure that nothing proves. Without colours, where dim text may look like any
-/// other, points stand in their place; a figure without any bound is left to the last line to tell.
+/// Dims the unproved digits of a value. Without colours dim text may look like any other, so points
+/// replace these digits. A value without any bound is then unmarked; the status line reports it.
 pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buffer: &mut Buffer) {
     let digits = match &figure.unsure {
         Unsure::Nothing => return,
@@ -129,10 +129,10 @@ pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buff
     }
 }
 
-/// Stands for a digit that nothing proves, where it cannot be dimmed.
+/// The character in place of an unproved digit that cannot be dimmed.
 pub(super) const UNSURE: char = '.';
 
-/// Columns from `usize`; more than there can be are too many.
+/// Converts a width to columns, saturating.
 pub(super) fn columns_of(width: usize) -> u16 {
     u16::try_from(width).unwrap_or(u16::MAX)
 }

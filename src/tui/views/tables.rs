@@ -1,6 +1,6 @@
-//! All figures in columns, with a cursor on one of them. Where it is shows without colours and
-//! attributes too: `>` before its row, brackets around the figure; `+` marks the points that are
-//! chosen for the motion view.
+//! Tables view: all values in columns, with a cursor on one of them. The cursor is visible without
+//! colours and attributes: `>` before its row, brackets around the value. `+` marks the points
+//! selected for the motion view.
 //!
 //! ```text
 //!    point        x [mm]      y [mm]
@@ -25,7 +25,7 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-/// All figures in columns.
+/// The tables view: all values in columns.
 pub(super) struct TablesView;
 
 impl Pane for TablesView {
@@ -102,7 +102,7 @@ impl Pane for TablesView {
         Some((FOUND, words().found()))
     }
 
-    /// How far the figure under the cursor can be from the truth.
+    /// Returns the error bound of the selected value.
     fn trust(&self, app: &App, _room: u16) -> Option<String> {
         let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.cursor());
         let entries = sheet.entries(tables, cursor.part, cursor.row);
@@ -121,13 +121,13 @@ impl Pane for TablesView {
     }
 }
 
-/// All lines of the tables at this width, and how many are seen.
+/// Returns the lines of the tables for an area and the number of visible ones.
 pub(super) fn lines(app: &App, area: Rect) -> (Vec<TableLine>, usize) {
     let area = table::below_title(app, place(area));
     (table::placed(app, area).lines(), area.height.into())
 }
 
-/// Where the figures stand: the marks to their left, the margin to their right.
+/// Returns the area of the values, between the marks to their left and the margin to their right.
 fn place(area: Rect) -> Rect {
     Rect {
         x: area.x + MARKS,
@@ -136,7 +136,7 @@ fn place(area: Rect) -> Rect {
     }
 }
 
-/// The marks of the cursor and of what is chosen.
+/// Draws the marks of the cursor and of selected points.
 fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buffer) {
     let TableLine::Row(part, row, _) = line else {
         return;
@@ -151,7 +151,7 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     if chosen {
         print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
     }
-    // Where keys go elsewhere, nothing is under the cursor.
+    // If keys go to another view, this one has no cursor.
     let cursor = (app.view() == View::Tables).then(|| app.cursor());
     let Some(cell) = cursor.and_then(|cursor| cursor.cell_of(line)) else {
         return;
@@ -160,7 +160,7 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     if table::is_alone(app, line) {
         return;
     }
-    // Behind the name.
+    // The name is the first span, the values follow.
     let Some(figure) = shown.spans.get(1 + cell) else {
         return;
     };
@@ -169,7 +169,8 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     if right > area.right() {
         return;
     }
-    // There is a blank at either side of every figure; where the next one begins behind that, a bracket would touch it.
+    // Each value has a blank on both sides. If its neighbour begins right behind that blank, a
+    // bracket would touch it.
     let beyond = [left.checked_sub(2), Some(right.saturating_add(1))];
     let is_blank =
         |x: u16| !area.contains((x, area.y).into()) || buffer[(x, area.y)].symbol() == " ";

@@ -1,5 +1,5 @@
-//! The first line: the views by their keys. The one that is looked at stands in brackets; those that have nothing to
-//! show of the scene are dim.
+//! The first line: the views with their keys. The current view is in brackets; views with nothing
+//! to show of the scene are dim.
 //!
 //! ```text
 //! [1 Motion] 2 Tables  3 Plots  4 Accuracy  5 Forces  ..        ? help  : commands    where there is room
@@ -15,10 +15,10 @@ use crate::wording::{Language, words};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns between the tabs and the hints at the right.
+/// Minimum columns between the tabs and the hints at the right.
 const GAP: u16 = 3;
 
-/// A tab: its view, its key, and what it is called in as much room as there is.
+/// A tab: its view, its key, and its name, which may be shortened or empty.
 struct Tab {
     view: View,
     key: String,
@@ -38,7 +38,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The view whose tab stands in a column.
+/// Returns the view whose tab is at a column.
 pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
     let (tabs, gap) = fitted(app, area.width);
     let mut begin = area.x;
@@ -52,7 +52,8 @@ pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
     None
 }
 
-/// A tab with a blank or a bracket at either side, the second of which the next one has too; where it ends.
+/// Renders a tab with a blank or bracket on both sides and returns its end. The second one is
+/// shared with the next tab.
 fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> u16 {
     let is_looked_at = tab.view == app.view();
     let part = |usual| match is_looked_at {
@@ -74,7 +75,7 @@ fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> 
     end
 }
 
-/// The tabs as they fit so many columns, and the blanks that they have between them beyond one.
+/// Returns the longest form of the tabs that fits, and the additional blanks between them.
 fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
     let all = || View::ALL.into_iter();
     let whole = || all().map(|view| tab(app, view, named(view)));
@@ -93,13 +94,13 @@ fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
         (brief().collect(), 0),
         (keys().collect(), 0),
     ];
-    // The last one has room for the bracket behind it too.
+    // The bracket behind the last tab must fit too.
     let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) < width;
     let mut fitting = candidates.into_iter().skip_while(|tabs| !fits(tabs));
     fitting.next().unwrap_or_else(|| (keys().collect(), 0))
 }
 
-/// The columns of tabs, from the blank before the first to the last letter.
+/// Returns the width of tabs, from the blank before the first one to the last letter.
 fn needed(tabs: &[Tab], gap: u16) -> u16 {
     let width = |tab: &Tab| {
         let blank = u16::from(!tab.name.is_empty());
@@ -117,12 +118,12 @@ fn tab(app: &App, view: View, name: String) -> Tab {
     }
 }
 
-/// What a view is called above all others: `Tables`.
+/// Returns the name of a view, such as `Tables`.
 fn named(view: View) -> String {
     capitalised((entry_of(Action::Look(view)).hint)(words()))
 }
 
-/// The same on a line of 80 columns.
+/// Returns the name of a view on a line of 80 columns.
 fn in_short(view: View) -> String {
     match view {
         View::Accuracy => capitalised(words().short_accuracy()),
@@ -134,7 +135,7 @@ fn capitalised(name: &str) -> String {
     Language::spoken().capitalised(name)
 }
 
-/// What leads to everything else.
+/// Returns the hints for help and commands, through which everything else is found.
 fn hints(app: &App) -> String {
     let hint = |action| {
         let key = app.keymap().key(action)?;

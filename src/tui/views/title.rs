@@ -1,4 +1,4 @@
-//! Titles of panes: above the drawing what is open, and how it is stepped and played.
+//! Titles of panes; the drawing's title has the scene's name, the step and the playback speed.
 //!
 //! ```text
 //!  Four-bar crank-rocker     step 5 deg   1 turn in 4 s         alone
@@ -18,14 +18,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 const GAP: &str = "   ";
-/// Columns of a title that are kept for its ends.
+/// Columns of a title reserved for its ends.
 const SIDES: u16 = 6;
-/// The title keeps so many columns before the settings beside it are dropped one by one.
+/// Minimum width of the title; settings next to it are dropped one by one to reach it.
 const TITLE: u16 = 32;
-/// Longer names of what it is held against are cut.
+/// Maximum width of the compared scene's name; longer names are cut.
 const LONGEST_NAME: usize = 20;
 
-/// The drawing's title in an area of its own.
+/// Renders the drawing's title if it fills the screen.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let room = area.width.saturating_sub(2);
     let (title, settings) = heading(app, room);
@@ -36,7 +36,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     print_right(buffer, right, area.y, &settings, style);
 }
 
-/// The scene with what it is held against, and as much of how it is stepped and played as there is room for.
+/// Returns the scene's title with the compared scene, and as many of the step and playback settings
+/// as fit.
 pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     let title = app.open_scene().scene().title();
     let title = shown(&title, app.glyphs());
@@ -65,7 +66,8 @@ pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     (cut(&title, left.into()), joined)
 }
 
-/// The title of a pane among others: a line in which its heading stands, in brackets while it is looked at.
+/// Renders the title of a pane among others in a line above it, in brackets if the pane is the
+/// current one.
 pub(super) fn over_pane(
     app: &App,
     is_looked_at: bool,
@@ -89,7 +91,7 @@ pub(super) fn over_pane(
     }
 }
 
-/// The lines between panes that stand side by side, joined with the lines above panes.
+/// Draws the lines between adjacent panes, joined with the lines above them.
 pub(super) fn lines_between(glyphs: Glyphs, placed: &[PlacedView], buffer: &mut Buffer) {
     let titles = || placed.iter().filter_map(|pane| pane.title);
     let [top, bottom] = [
@@ -114,7 +116,7 @@ pub(super) fn lines_between(glyphs: Glyphs, placed: &[PlacedView], buffer: &mut 
     }
 }
 
-/// Where a line begins below a title, and where a title ends at a line.
+/// Returns the characters where a line begins below a title, and where a title ends at a line.
 fn joints(glyphs: Glyphs) -> (char, char) {
     match glyphs {
         Glyphs::Ascii => ('+', '+'),
@@ -122,7 +124,7 @@ fn joints(glyphs: Glyphs) -> (char, char) {
     }
 }
 
-/// What the scene is held against, behind its title.
+/// Describes the compared scene, for the space behind the title.
 fn against(app: &App) -> String {
     let Some(compared) = app.compared() else {
         return String::new();
@@ -135,7 +137,7 @@ fn against(app: &App) -> String {
     format!(" {against}")
 }
 
-/// The most important first.
+/// Returns the settings, the most important first.
 fn settings(app: &App) -> Vec<String> {
     let (open_scene, playback) = (app.open_scene(), app.playback());
     let step = coordinate(app.steps().size(), 0);
@@ -156,7 +158,7 @@ fn settings(app: &App) -> Vec<String> {
     settings
 }
 
-/// Two or three digits.
+/// Formats a number with two or three digits.
 fn short(number: f64) -> String {
     if number < 99.95 {
         format!("{number:.1}")

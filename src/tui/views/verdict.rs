@@ -1,5 +1,6 @@
-//! The verdict on the linkage as a whole, in a line of its own: what a designer watches while lengths change. What the
-//! last edit has made of it stands there, old and new, until the next key.
+//! The verdict line: properties of the whole linkage, which a designer watches while lengths
+//! change. After an edit, changed properties are shown with their old and new values until the next
+//! key.
 //!
 //! ```text
 //!  turns fully  crank-rocker  transmission 40.5 deg off 90 at 0 deg
@@ -19,7 +20,7 @@ use ratatui::layout::Rect;
 const INDENT: u16 = 1;
 const GAP: u16 = 2;
 
-/// A part of the line: in all its words, and in few.
+/// A part of the line, in a long and a short form.
 struct Remark {
     texts: [String; 2],
     is_changed: bool,
@@ -39,7 +40,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What there is to tell; of what an edit has changed what it was, too.
+/// Returns the parts of the verdict; a part changed by the last edit includes its old value.
 fn told(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
     let before = before.unwrap_or(now);
     let pairs = now.parts.iter().zip(&before.parts);
@@ -64,7 +65,8 @@ fn told(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
     told.collect()
 }
 
-/// As much as there is room for: all in few words before anything is left out, and what has changed last of all.
+/// Returns the texts that fit. All parts are shortened before any is dropped, and changed parts are
+/// dropped last.
 fn fit(mut told: Vec<Remark>, room: u16) -> Vec<(String, bool)> {
     let needed = |told: &[Remark], brevity: usize| {
         let texts = told.iter().map(|told| columns(&told.texts[brevity]) + GAP);

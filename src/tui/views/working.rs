@@ -1,4 +1,4 @@
-//! The working shown: how the figures of the present state come about, line by line.
+//! Working view: the derivation of the current state's values, line by line.
 //!
 //! ```text
 //! 4.2 Group 2, dyad RRR at C: links r3, r4
@@ -15,7 +15,7 @@ use crate::tui::player::explained::Explained;
 use crate::wording::words;
 use ratatui::layout::Rect;
 
-/// The working, line by line.
+/// The working view: the derivation of the values, line by line.
 pub(super) struct WorkingView;
 
 impl Pane for WorkingView {

@@ -1,4 +1,4 @@
-//! The drawing in pixels, over its own cells, until something happens.
+//! Shows the drawing as a pixel image over its cells until the next event.
 
 use super::super::terminal::still::{self, StillSequence};
 use super::super::views;
@@ -10,24 +10,25 @@ use crate::tui::commands::action::Action;
 use crate::wording::words;
 use ratatui::layout::Rect;
 
-/// A picture that takes longer on its line is sent only after somebody has read how long.
+/// Maximum transmission time in seconds; a longer one must be confirmed first.
 const PATIENCE: f64 = 3.0;
-/// A cell of a terminal that does not tell its size in pixels: smaller than most, so that a picture fits.
+/// Assumed cell size of a terminal that does not report it, in pixels. It is smaller than most, so
+/// that an image fits.
 const USUAL_CELL: (u16, u16) = (6, 12);
 
-/// What became of the picture that was asked for.
+/// The state of a requested image.
 #[derive(Debug, Default)]
 pub(super) enum Still {
-    /// None was, or it is gone.
+    /// There is none.
     #[default]
     None,
-    /// It takes long: whether it is wanted nevertheless has been asked.
+    /// The transmission takes long, and the user must confirm it.
     Offered,
-    /// The same, and it is.
+    /// The user has confirmed the long transmission.
     Accepted,
-    /// It goes behind the next whole frame.
+    /// The image is sent after the next complete frame.
     Ready(StillSequence, ShownStill),
-    /// It is on the screen.
+    /// The image is on the screen.
     Shown(ShownStill),
 }
 
@@ -38,7 +39,7 @@ pub(super) struct ShownStill {
 }
 
 impl Still {
-    /// Something was done after it was offered: the same again, or else.
+    /// Confirms or drops an offered image: `again` if the next action was the same request.
     pub(super) fn asked_again(&mut self, again: bool) {
         if matches!(self, Still::Offered) {
             *self = if again { Still::Accepted } else { Still::None };
@@ -47,8 +48,8 @@ impl Still {
 }
 
 impl Workbench {
-    /// Shows the drawing as it stands. The line tells how large a cell of the terminal is, and how many bytes a
-    /// second it takes, where it does.
+    /// Prepares an image of the current drawing. `cell` is the terminal's cell size in pixels and
+    /// `rate` the line's speed in bytes per second, if they are known.
     pub(in crate::tui) fn show_still(&mut self, cell: Option<(u16, u16)>, rate: Option<f64>) {
         let Some(protocol) = self.app.pictures() else {
             return;
@@ -78,7 +79,7 @@ impl Workbench {
         self.app.tell_of_still(message);
     }
 
-    /// What is to be sent behind the frame that was painted last.
+    /// Returns the bytes to be sent after the last painted frame.
     pub(in crate::tui) fn take_still(&mut self) -> Option<StillSequence> {
         let removal = std::mem::take(&mut self.removal);
         if !removal.is_empty() {
@@ -99,7 +100,7 @@ impl Workbench {
         }
     }
 
-    /// Something happens: the cells are painted anew.
+    /// Removes the image before the next event, so that its cells are painted again.
     pub(super) fn put_still_away(&mut self) {
         match self.still {
             Still::Shown(shown) => {
@@ -112,7 +113,7 @@ impl Workbench {
         }
     }
 
-    /// The cells below it are to show something else.
+    /// Removes the image if the cells below it change.
     pub(super) fn uncover(&mut self) {
         if let Still::Shown(shown) = self.still
             && self.painter.differs_in(shown.area)
@@ -142,7 +143,8 @@ impl Workbench {
     }
 }
 
-/// Pixels across the picture of an area, so that its height fits too: its shape is that of cells of this aspect.
+/// Returns the width of an image in pixels, such that its height fits too; its cells have the given
+/// aspect.
 fn width_in(area: Rect, cell: Option<(u16, u16)>, aspect: f64) -> u32 {
     let (width, height) = cell.unwrap_or(USUAL_CELL);
     let column = f64::from(width).min(f64::from(height) / aspect);

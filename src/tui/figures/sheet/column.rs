@@ -1,4 +1,4 @@
-//! A column of the tables: what it shows, of which rows, and in which form.
+//! A column of the tables: its quantity, its rows and its number format.
 
 use super::SheetPart;
 use crate::drawing::Glyphs;
@@ -8,7 +8,7 @@ use crate::report::{Entry, PointRow, Tables, VectorColumn};
 use crate::tui::figures::format::Format;
 use crate::wording::words;
 
-/// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
+/// The quantity of a column, with its order: 0 (position), 1 (velocity) or 2 (acceleration).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ColumnFigure {
     /// The length of a vector, or its rates.
@@ -19,26 +19,26 @@ pub(super) enum ColumnFigure {
     AlongX(usize),
     /// A point's component along y.
     AlongY(usize),
-    /// The size of a point's velocity or acceleration.
+    /// The magnitude of a point's position, velocity or acceleration.
     Size(usize),
-    /// The direction of a point's velocity or acceleration.
+    /// The direction of a point's position, velocity or acceleration.
     Bearing(usize),
 }
 
-/// A column: what it shows, and how.
+/// A column: its quantity, unit and format.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     figure: ColumnFigure,
     unit: String,
     format: Format,
-    /// Whether a chunk may begin with it: what belongs together is kept together.
+    /// Whether a chunk may begin with it. Related columns are kept together.
     pub(super) opens: bool,
-    /// Whether some of its figures are found and others given: found ones then have a star behind
-    /// them, in a place of its own.
+    /// Whether it contains computed values. Each of these is followed by a star, for which the
+    /// column has an extra place.
     pub(super) starred: bool,
 }
 
-/// Stands behind a figure that was found; the others are given by the scene.
+/// The mark behind a computed value; all others are given by the scene.
 pub(crate) const FOUND: char = '*';
 
 pub(super) const VECTOR_FIGURES: [(ColumnFigure, bool); 6] = [
@@ -64,7 +64,8 @@ pub(super) const POINT_FIGURES: [(ColumnFigure, bool); 10] = [
 ];
 
 impl Column {
-    /// A figure in the form that fits it over the motion; `opens` where a chunk may begin with it.
+    /// Creates a column with a format that fits the samples over the motion; a chunk may begin with
+    /// it if `opens`.
     pub(super) fn new(
         samples: &[Tables],
         part: SheetPart,
@@ -81,24 +82,24 @@ impl Column {
         }
     }
 
-    /// A difference of directions has a sign.
+    /// Switches an angle column to the format of signed differences.
     pub(super) fn give_sign(&mut self) {
         if self.format == Format::ANGLE {
             self.format = Format::SIGNED_ANGLE;
         }
     }
 
-    /// The name with its unit, as a sweep names its columns behind the dot: `vx [mm/s]`.
+    /// Returns the name with its unit as in a sweep, without the element's name: `vx [mm/s]`.
     pub(super) fn header(&self) -> String {
         format!("{} [{}]", self.figure.name(), self.unit)
     }
 
-    /// The figure with all that is known of it; `None` where the row has no such figure at all.
+    /// Returns the value of a row; `None` if the row has no such quantity.
     pub(super) fn entry(&self, tables: &Tables, part: SheetPart, row: usize) -> Option<Entry> {
         self.figure.entry(tables, part, row)
     }
 
-    /// The unit in characters that every terminal has.
+    /// Returns the unit in ASCII.
     pub(super) fn plain_unit(&self) -> &str {
         &self.unit
     }
@@ -119,7 +120,7 @@ impl Column {
     }
 
     pub(super) fn width(&self, glyphs: Glyphs, units: Units) -> usize {
-        // Asked for many times a frame: counted without writing anything.
+        // Called many times per frame, so it counts without allocating.
         let symbol = self.figure.symbol(glyphs).chars().count();
         let unit = match glyphs {
             Glyphs::Ascii | Glyphs::Line => self.unit.len(),
@@ -134,7 +135,7 @@ impl Column {
         title.max(self.format.width()) + usize::from(self.starred)
     }
 
-    /// The figure, with the mark of one that was found where there are such marks.
+    /// Returns the formatted value, with the star of a computed one in a starred column.
     pub(super) fn cell(&self, tables: &Tables, part: SheetPart, row: usize) -> Cell {
         let Some(entry) = self.figure.entry(tables, part, row) else {
             return self.plain(String::new());
@@ -150,7 +151,7 @@ impl Column {
         cell
     }
 
-    /// Words in the place of a figure.
+    /// Returns a cell with text in place of a value.
     pub(super) fn plain(&self, mut text: String) -> Cell {
         if self.starred {
             text.push(' ');
@@ -176,7 +177,7 @@ impl ColumnFigure {
         }
     }
 
-    /// As in the name of a column, behind the dot.
+    /// Returns the name as in a quantity's name, behind the dot.
     fn name(self) -> &'static str {
         match self {
             ColumnFigure::Length(order) => ["length", "rate", "accel"][order],
@@ -200,8 +201,8 @@ impl ColumnFigure {
         aspect.unit(length)
     }
 
-    /// The decimals and the width that this figure needs in all rows over the motion. Components and
-    /// size of one order share theirs, so that they can be compared by eye.
+    /// Returns the format for this quantity in all rows over the motion. The components and
+    /// magnitude of one order share a format, so that they can be compared by eye.
     fn format(self, samples: &[Tables], part: SheetPart) -> Format {
         let figure = match self {
             ColumnFigure::Turning(0) | ColumnFigure::Bearing(_) => return Format::ANGLE,
@@ -215,12 +216,12 @@ impl ColumnFigure {
                 .map(f64::abs)
                 .collect::<Vec<_>>()
         };
-        // What never moves says nothing about the size of what does.
+        // Zeros are ignored: fixed points say nothing about the magnitude of the other values.
         let sizes = samples.iter().flat_map(of_sample).filter(|s| *s > 0.0);
         Format::of_sizes(sizes.collect())
     }
 
-    /// The entries of all rows that have such a figure.
+    /// Yields the entries of all rows that have such a quantity.
     fn entries(self, tables: &Tables, part: SheetPart) -> impl Iterator<Item = Entry> {
         let rows = match part {
             SheetPart::Vectors => tables.vectors.len(),
@@ -236,7 +237,7 @@ impl ColumnFigure {
         }
     }
 
-    /// `None` where the vector has no such figure at all.
+    /// Returns the entry of a vector; `None` if it has no such quantity.
     fn vector_entry(self, vector: &VectorColumn) -> Option<Entry> {
         match self {
             ColumnFigure::Length(order) => vector.length.map(|length| length[order]),

@@ -1,4 +1,4 @@
-//! The tables as columns that fit a width: which figures stand side by side, and in which form.
+//! Lays out the tables for a width: the columns side by side and their formats.
 
 mod column;
 mod names;
@@ -25,13 +25,13 @@ pub(crate) enum SheetPart {
 /// A line of the tables at some width.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum TableLine {
-    /// Between two chunks of columns.
+    /// A blank line between two chunks of columns.
     Blank,
-    /// The names of columns, with their units where all of them fit into one line.
+    /// The names of columns, with their units if all of them fit into one line.
     Names(SheetPart, Range<usize>),
-    /// Their units.
+    /// The units of columns.
     Units(SheetPart, Range<usize>),
-    /// The figures of the row with this number.
+    /// The values of the row with this index.
     Row(SheetPart, usize, Range<usize>),
 }
 
@@ -40,16 +40,16 @@ pub(crate) enum TableLine {
 pub(crate) struct Sheet {
     vectors: Vec<Column>,
     points: Vec<Column>,
-    /// The names of the rows, as short as they are shown.
+    /// The names of the rows, shortened as shown.
     rows: [Vec<String>; 2],
-    /// Which points never move: their rates are not worth a row.
+    /// `true` for each fixed point, whose rates need no row.
     fixed: Vec<bool>,
-    /// The width of the names of rows.
+    /// Maximum width of the rows' names.
     widest: usize,
 }
 
 impl Sheet {
-    /// Columns for tables that look like these over the motion.
+    /// Creates columns for tables with these samples over the motion.
     pub(crate) fn new(samples: &[Tables]) -> Self {
         let first = samples.first();
         let vectors = first.map_or(&[][..], |t| &t.vectors);
@@ -70,27 +70,27 @@ impl Sheet {
         }
     }
 
-    /// The width of the names, and of what stands above them in the language that is spoken.
+    /// Returns the width of the names and of their heading in the current language.
     fn names(&self) -> usize {
         self.widest.max(SheetPart::Vectors.title().chars().count())
     }
 
-    /// How many rows a part has.
+    /// Returns the number of rows of a part.
     pub(crate) fn row_count(&self, part: SheetPart) -> usize {
         self.rows[part as usize].len()
     }
 
-    /// The names of all figures of a part, with their units: `vx [mm/s]`.
+    /// Yields the names of all columns of a part with their units, such as `vx [mm/s]`.
     pub(crate) fn headers(&self, part: SheetPart) -> impl Iterator<Item = String> {
         self.columns(part).iter().map(Column::header)
     }
 
-    /// The unit of a figure.
+    /// Returns the unit of a column.
     pub(crate) fn unit(&self, part: SheetPart, column: usize) -> Option<&str> {
         self.columns(part).get(column).map(Column::plain_unit)
     }
 
-    /// All figures of a row; `None` for those that it does not have at all.
+    /// Returns all values of a row; `None` for quantities that it does not have.
     pub(crate) fn entries(
         &self,
         tables: &Tables,
@@ -103,7 +103,7 @@ impl Sheet {
             .collect()
     }
 
-    /// Columns for differences that look like these over the motion: angles have a sign.
+    /// Creates columns for tables of differences, in which angles are signed.
     pub(crate) fn of_differences(samples: &[Tables]) -> Self {
         let mut sheet = Sheet::new(samples);
         let columns = sheet.vectors.iter_mut().chain(&mut sheet.points);
@@ -111,7 +111,7 @@ impl Sheet {
         sheet
     }
 
-    /// The tables at this width.
+    /// Lays out the tables for a width.
     pub(crate) fn placed(&self, width: usize, glyphs: Glyphs) -> Placed<'_> {
         Placed {
             sheet: self,
@@ -121,8 +121,8 @@ impl Sheet {
         }
     }
 
-    /// Where the columns of a part stand: with the units behind their names where that leaves as many side by
-    /// side.
+    /// Lays out the columns of a part. The units follow the names on one line if that does not
+    /// reduce the number of columns side by side.
     fn place(&self, part: SheetPart, width: usize, glyphs: Glyphs) -> (ColumnLayout, Units) {
         let columns = self.columns(part);
         let fit = |units: Units| {
@@ -139,7 +139,7 @@ impl Sheet {
         }
     }
 
-    /// The rows that these columns have something to say about: what never moves has positions alone.
+    /// Returns the rows with values in these columns; fixed points have only positions.
     fn rows_of(&self, part: SheetPart, chunk: &Range<usize>) -> Vec<usize> {
         let rows = 0..self.rows[part as usize].len();
         let positions = chunk.start == 0;
@@ -147,8 +147,8 @@ impl Sheet {
             .collect()
     }
 
-    /// The narrowest width at which what belongs together stands side by side, two by two, and the
-    /// width at which all figures of a vector do.
+    /// Returns the minimum width for pairs of related columns, and the width at which all columns
+    /// of a vector fit side by side.
     pub(crate) fn widths(&self, glyphs: Glyphs) -> (usize, usize) {
         let needed = |columns: &[Column]| {
             let widths = columns
@@ -172,17 +172,17 @@ impl Sheet {
     }
 }
 
-/// The tables at a width.
+/// The tables laid out for a width.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed<'s> {
     sheet: &'s Sheet,
     glyphs: Glyphs,
-    /// Where the columns of each part stand, and their units.
+    /// The layout of each part's columns, and the place of their units.
     parts: [(ColumnLayout, Units); 2],
 }
 
 impl Placed<'_> {
-    /// The lines of both parts.
+    /// Returns the lines of both parts.
     pub(crate) fn lines(&self) -> Vec<TableLine> {
         let mut lines = self.part(SheetPart::Vectors);
         let points = self.part(SheetPart::Points);
@@ -193,12 +193,12 @@ impl Placed<'_> {
         lines
     }
 
-    /// How many lines the vectors take.
+    /// Returns the number of lines of the vectors.
     pub(crate) fn vector_lines(&self) -> usize {
         self.part(SheetPart::Vectors).len()
     }
 
-    /// The lines of one part: chunk by chunk of the columns that fit side by side.
+    /// Returns the lines of one part: chunk by chunk of the columns that fit side by side.
     fn part(&self, part: SheetPart) -> Vec<TableLine> {
         let mut lines = Vec::new();
         let (columns, units) = &self.parts[part as usize];
@@ -220,7 +220,7 @@ impl Placed<'_> {
         lines
     }
 
-    /// What a line shows: the name, and the cells behind it.
+    /// Returns the content of a line: the name and the cells behind it.
     pub(crate) fn show(&self, line: &TableLine, tables: &Tables) -> Line {
         let (part, chunk) = match line {
             TableLine::Blank => return Line::default(),
@@ -252,7 +252,7 @@ impl Placed<'_> {
         columns.line(chunk, ("", name), cells.iter().map(Some), roles)
     }
 
-    /// The line of a row that has something to say in the place of figures.
+    /// Returns the line of a row with text in place of values.
     pub(crate) fn told(&self, row: (SheetPart, usize), words: &str) -> Line {
         let (part, row) = row;
         let name = self.sheet.rows[part as usize].get(row);
@@ -262,7 +262,7 @@ impl Placed<'_> {
     }
 }
 
-/// How the tables are set: room to spare moves columns apart, but not so far that rows fall apart.
+/// The layout's settings: free columns widen the gaps, but only so far that rows stay readable.
 const SETTING: Setting = Setting {
     indent: 0,
     names: 0,
@@ -282,7 +282,7 @@ impl SheetPart {
         }
     }
 
-    /// The whole name of a row; nothing where there is no such row.
+    /// Returns the full name of a row; empty if there is no such row.
     pub(crate) fn name(self, tables: &Tables, row: usize) -> &str {
         let name = match self {
             SheetPart::Vectors => tables.vectors.get(row).map(|vector| &vector.name),
@@ -298,7 +298,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
-    /// Every preset's tables at its opening.
+    /// Returns every preset's tables at its start position.
     fn tables() -> Vec<Tables> {
         let all = presets::all().iter().map(|preset| {
             let scene = Scene::parse(preset.text, preset.name).unwrap();

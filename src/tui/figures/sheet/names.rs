@@ -1,14 +1,14 @@
-//! Names of rows, cut to what a small screen has room for.
+//! Shortens the names of rows for small screens.
 
 use std::collections::HashMap;
 
-/// Longer names are cut: they would push the figures from a small screen.
+/// Maximum length of a name; longer ones would push the values off a small screen.
 const LONGEST_NAME: usize = 9;
-/// Stands where a name was cut.
+/// The mark in place of cut characters.
 const CUT: char = '~';
 
-/// The names, none longer than may be, and those that differ still different: a name is cut behind its
-/// beginning, or where others begin alike, around the first part that it shares with no other.
+/// Shortens names to the maximum length and keeps different ones different. A name is cut behind
+/// its beginning; if that is not unique, around its first part that occurs in no other name.
 pub(super) fn short_names(names: &[&str]) -> Vec<String> {
     const HEAD: usize = LONGEST_NAME - 1;
     const INNER: usize = LONGEST_NAME - 2;
@@ -21,7 +21,7 @@ pub(super) fn short_names(names: &[&str]) -> Vec<String> {
         }
     }
     let short = |name: &&str| -> String {
-        // Names of scenes are ASCII: a byte is a character.
+        // Names in scenes are ASCII, so a byte is a character.
         if name.len() <= LONGEST_NAME || !name.is_ascii() {
             return name.chars().take(LONGEST_NAME).collect();
         }
@@ -30,7 +30,7 @@ pub(super) fn short_names(names: &[&str]) -> Vec<String> {
             return format!("{}{CUT}", &name[..HEAD]);
         }
         let different = |at: &usize| parts[&name.get(*at..at + INNER)] == 1;
-        // Whole words are known again most easily.
+        // Whole words are easiest to recognize.
         let words = (1..=last).filter(|&at| !name.as_bytes()[at - 1].is_ascii_alphanumeric());
         match words.chain(1..=last).find(different) {
             Some(at) if at < last => format!("{CUT}{}{CUT}", &name[at..at + INNER]),

@@ -1,4 +1,4 @@
-//! Speed against error: the chart, and beside or below it the methods by their letters.
+//! Accuracy view: a chart of speed against error, with the list of methods next to or below it.
 //!
 //! ```text
 //! error                              method               time   error
@@ -23,15 +23,15 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the list: with time and error of position, and with all that there is.
+/// Widths of the list in columns: with time and position error only, and with every measure.
 const NARROW: u16 = 37;
 const WIDE: u16 = 59;
-/// A chart beside the list has at least so many columns; below that it stands above.
+/// Minimum width of a chart next to the list; on a narrower screen the chart is above the list.
 const LEAST_CHART: u16 = 34;
-/// Where it stands above, it takes half the height, but within these rows.
+/// Minimum and maximum height of a chart above the list, which takes half of the area.
 const ROWS_ABOVE: (u16, u16) = (7, 18);
 
-/// Where the parts of the view are.
+/// The areas of the chart and of the list.
 struct AccuracyAreas {
     chart: Rect,
     list: Rect,
@@ -67,14 +67,15 @@ fn arrange(area: Rect) -> AccuracyAreas {
     }
 }
 
-/// Where the errors of a method and its iterations stand.
+/// The areas of a watched method: its errors and its table of iterations.
 struct MethodAreas {
-    /// `None` where there are no errors, or no room for them.
+    /// The convergence chart; `None` if there are no errors to plot or the screen is too small.
     chart: Option<Rect>,
     list: Rect,
 }
 
-/// Columns of a table of iterations; beside that the chart has room on a wide screen, and above it on a high one.
+/// Width of the table of iterations. The chart is next to it on a wide screen and above it on a
+/// high one.
 const ITERATIONS: u16 = 80;
 const LEAST_HEIGHT: u16 = 18;
 const CHART_ROWS: u16 = 8;
@@ -113,7 +114,7 @@ fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
     }
 }
 
-/// Speed against error.
+/// The accuracy view: speed against error.
 pub(super) struct AccuracyView;
 
 impl Pane for AccuracyView {
@@ -227,7 +228,7 @@ fn render_chart(app: &App, findings: &Findings, area: Rect, buffer: &mut Buffer)
     show(&raster, area, buffer);
 }
 
-/// The methods by their letters: what is most asked for where there is little room.
+/// Returns the lines of the methods' table; a narrow list shows only time and position error.
 fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
     let measures: &[StudyMeasure] = match list.width >= WIDE {
         true => &[
@@ -242,7 +243,8 @@ fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
     let scene = app.open_scene().scene();
     let accuracy = Accuracy { scene, findings };
     let mut table = accuracy.table(measures);
-    // Both figures have room on the smallest screen.
+    // Without a minimum name width and with the smallest gap, both values fit on the smallest
+    // screen.
     (table.setting.gap, table.setting.names) = (1, 0);
     let mut page = Page::default();
     page.table(table);

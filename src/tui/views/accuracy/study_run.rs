@@ -1,29 +1,30 @@
-//! The study of the open scene, done in slices between frames, so that every key is answered.
+//! Runs the accuracy study of the open scene in slices between frames, so that every key is
+//! answered.
 
 use crate::solver::Solver;
 use crate::study::{Findings, Study, USUAL_POSITIONS};
 use std::time::Duration;
 
-/// Work between two looks at the keyboard.
+/// Duration of one slice of work between two reads of the keyboard.
 const SLICE: Duration = Duration::from_millis(25);
 
-/// A clock that only goes forward; its beginning means nothing.
+/// A monotonic clock with an arbitrary origin.
 pub(crate) type Ticker = fn() -> Duration;
 
-/// How far a study has come.
+/// The phase of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
-    /// Not begun.
+    /// Not started.
     Idle,
     /// Measuring.
     Running,
     /// Stopped before its end.
     Stopped,
-    /// Everything was measured.
+    /// All measurements are complete.
     Done,
 }
 
-/// The study of a scene, if it was asked for.
+/// The accuracy study of a scene, empty until it is started.
 #[derive(Debug)]
 pub(crate) struct StudyRun {
     clock: Ticker,
@@ -42,7 +43,7 @@ impl StudyRun {
         }
     }
 
-    /// Begins, goes on where it was stopped, or measures again where all was measured.
+    /// Starts the study, resumes a stopped one, or restarts a completed one.
     pub(crate) fn go_on(&mut self, solver: &Solver) {
         if matches!(self.phase, Phase::Idle | Phase::Done) {
             let study = Study::new(solver, USUAL_POSITIONS);
@@ -52,7 +53,7 @@ impl StudyRun {
         self.phase = Phase::Running;
     }
 
-    /// Stops where it is, if it is running; whether it was.
+    /// Stops the study; returns `true` if it was running.
     pub(crate) fn stop(&mut self) -> bool {
         let was_running = self.phase == Phase::Running;
         if was_running {
@@ -61,12 +62,12 @@ impl StudyRun {
         was_running
     }
 
-    /// Another scene: nothing is known of it.
+    /// Discards the study and its findings, because another scene is open.
     pub(crate) fn forget(&mut self) {
         *self = StudyRun::new(self.clock);
     }
 
-    /// Works for a slice of time, if there is anything to do.
+    /// Works for one slice of time if the study is running.
     pub(crate) fn work(&mut self) {
         let (Phase::Running, Some(study)) = (self.phase, &mut self.study) else {
             return;
@@ -82,12 +83,12 @@ impl StudyRun {
         self.phase
     }
 
-    /// What was found so far; `None` before it has begun.
+    /// Returns the findings so far; `None` before the study is started.
     pub(crate) fn findings(&self) -> Option<&Findings> {
         self.findings.as_ref()
     }
 
-    /// How much is done, from 0 to 1.
+    /// Returns the completed fraction, from 0 to 1.
     pub(crate) fn progress(&self) -> f64 {
         self.study.as_ref().map_or(0.0, |study| study.progress())
     }

@@ -1,4 +1,5 @@
-//! The curves of four poses while a cursor goes along them: pivots and their pins, and the linkage that two of them make.
+//! Draws the centre and circle point curves of four poses, the dyad under the cursor, and the
+//! linkage made from two dyads.
 
 use super::list::CandidateList;
 use super::walk::CurveWalk;
@@ -12,9 +13,10 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// The window holds what lies within so many sizes of the poses: curves go on without end.
+/// Half the size of the window, as a multiple of the poses' size. The window must be limited
+/// because the curves extend to infinity.
 const NEAR: f64 = 1.5;
-/// The half of a slide's guide, in sizes.
+/// Half the length of a slide's guide, as a multiple of the poses' size.
 const GUIDE: f64 = 0.5;
 
 pub(super) fn render(
@@ -38,7 +40,8 @@ pub(super) fn render(
     super::super::show(&raster, picture, buffer);
 }
 
-/// The poses with some room around them, and what is picked.
+/// Returns the extents of the poses with a margin, including the picked dyad and the one under the
+/// cursor.
 fn reach(list: &CandidateList, walk: &CurveWalk) -> Reach {
     let (middle, size) = list.middle_and_size();
     let corner = Vec2::new(1.0, 1.0).scaled(NEAR * size);
@@ -48,7 +51,7 @@ fn reach(list: &CandidateList, walk: &CurveWalk) -> Reach {
     Reach::of_places(&places, &[])
 }
 
-/// The pin, and the pivot where there is one.
+/// Yields the dyad's pin, and its pivot if it has one.
 fn ends(dyad: &PosedDyad) -> impl Iterator<Item = Vec2> {
     let pivot = match dyad.held {
         Partner::Rocker(pivot) => Some(pivot),
@@ -57,7 +60,8 @@ fn ends(dyad: &PosedDyad) -> impl Iterator<Item = Vec2> {
     std::iter::once(dyad.pin).chain(pivot)
 }
 
-/// The linkage of the two where there is one, else what is picked; and the curves around it.
+/// Draws the linkage of the two dyads if there is one, or else the dyads themselves, and the
+/// curves.
 fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
     let mut figure = match list.shown() {
         Some(shown) => drawing::linkage(

@@ -1,4 +1,5 @@
-//! The candidates of a task: being looked for, then in a list, the one under the cursor on its way.
+//! The candidates of a task: the running search, the list, and the motion of the candidate under
+//! the cursor.
 
 use super::shown::ShownCandidate;
 use super::walk::CurveWalk;
@@ -12,19 +13,20 @@ use crate::{Vec2, angle, parallel};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long the way from point to point takes while it is played, in seconds; and the shortest and longest whole way.
+/// Playing time between two points of the task, in seconds; the next two limit the time of the
+/// whole motion.
 const STRETCH: f64 = 0.8;
 const SHORTEST_WAY: f64 = 1.6;
 const LONGEST_WAY: f64 = 6.0;
 
-/// A search, as both who searches and who waits see it.
+/// A search, shared by the thread that searches and the one that shows its progress.
 #[derive(Debug, Default)]
 pub(crate) struct TaskSearch {
     progress: SearchProgress,
 }
 
 impl TaskSearch {
-    /// Looks for linkages, which may take long.
+    /// Searches for linkages, which may take long.
     pub(crate) fn run(&self, order: &TaskOrder) -> FoundCandidates {
         let threads = parallel::cores();
         let how = SynthesisOrder {
@@ -37,31 +39,31 @@ impl TaskSearch {
     }
 }
 
-/// What is looked at of the candidates.
+/// The page of the candidates' view.
 #[derive(Debug, Default)]
 pub(crate) enum CandidatesPage {
-    /// All of them.
+    /// The list of all candidates.
     #[default]
     List,
-    /// The one under the cursor alone, where there is no room for both.
+    /// The candidate under the cursor alone, on a screen too small for both.
     Alone,
-    /// Of four poses the curves of pivots and their pins.
+    /// The curves of pivots and their pins, for a task of four poses.
     Curves(Box<CurveWalk>),
 }
 
-/// What a search has found, as it is listed.
+/// The results of a search, as listed.
 #[derive(Debug)]
 pub(crate) struct FoundCandidates {
     pub(super) synthesis: Synthesis,
     rows: Vec<CandidateRow>,
     verdict: String,
-    /// That nothing does the task, and why.
+    /// The reason why no linkage does the task.
     nothing: String,
-    /// The unit of what is missed.
+    /// The unit of the miss.
     miss_unit: &'static str,
-    /// Of four poses, where pivots may stand.
+    /// The possible pivots, curve by curve, for a task of four poses.
     pivots: Vec<Arc<[Vec2]>>,
-    /// And where their pins lie at the first point.
+    /// Their pins' positions at the first pose, for a task of four poses.
     pins: Vec<Arc<[Vec2]>>,
 }
 
@@ -89,7 +91,7 @@ impl FoundCandidates {
         found
     }
 
-    /// Says what it is in the language that is spoken.
+    /// Writes all texts in the current language.
     pub(super) fn say(&mut self, order: &TaskOrder) {
         let found = &self.synthesis;
         let report = report_of(found, order);
@@ -99,7 +101,7 @@ impl FoundCandidates {
         self.nothing = report.nothing();
     }
 
-    /// All that does the task is told.
+    /// Returns the report on all candidates that do the task.
     pub(super) fn report<'a>(&'a self, order: &'a TaskOrder) -> SynthesisReport<'a> {
         report_of(&self.synthesis, order)
     }
@@ -119,18 +121,18 @@ pub(crate) struct CandidateList {
     pub(super) order: TaskOrder,
     search: Arc<TaskSearch>,
     pub(super) found: Option<FoundCandidates>,
-    /// Which candidate it is on, the defective ones behind the others.
+    /// Index of the selected candidate; defective ones follow the others.
     pub(super) cursor: usize,
     pub(super) page: CandidatesPage,
     way: WayPlayed,
-    /// What is drawn; `None` where that is still to be built.
+    /// The drawn candidate; `None` if it must still be built.
     shown: Option<ShownCandidate>,
-    /// As which of the scenes that were shown one was taken last.
+    /// Serial number of the scene last opened from this list.
     pub(crate) taken: Option<usize>,
 }
 
 impl CandidateList {
-    /// Of a task whose linkages are still to be looked for.
+    /// Creates the list of a task that has not been searched yet.
     pub(crate) fn new(order: TaskOrder) -> CandidateList {
         CandidateList {
             order,
@@ -152,56 +154,57 @@ impl CandidateList {
         &self.search
     }
 
-    /// The search has come to its end.
+    /// Stores the results of the completed search.
     pub(crate) fn take(&mut self, found: FoundCandidates) {
         self.found = Some(found);
     }
 
-    /// Another language is spoken.
+    /// Writes all texts again after a change of the language.
     pub(crate) fn say_again(&mut self) {
         if let Some(found) = &mut self.found {
             found.say(&self.order);
         }
     }
 
-    /// Nobody waits for what is still looked for.
+    /// Cancels the search, because its results are no longer needed.
     pub(crate) fn leave(&self) {
         self.search.progress.leave();
     }
 
-    /// What of the search is done, in percent; `None` where it has come to its end.
+    /// Returns the search's progress in percent; `None` if it is complete.
     pub(crate) fn percent(&self) -> Option<u32> {
         let progress = &self.search.progress;
         self.found.is_none().then(|| progress.percent())
     }
 
-    /// How many do the task, and how many do not.
+    /// Returns the numbers of candidates that do the task and of defective ones.
     pub(crate) fn count(&self) -> (usize, usize) {
         let found = self.found.as_ref().map(|found| &found.synthesis);
         found.map_or((0, 0), |found| (found.good.len(), found.defective.len()))
     }
 
-    /// The rows, the defective ones behind the others.
+    /// Returns the rows; defective candidates follow the others.
     pub(crate) fn rows(&self) -> &[CandidateRow] {
         self.found.as_ref().map_or(&[], |found| &found.rows)
     }
 
-    /// How many were found, and whether there are others.
+    /// Returns the sentence that says how many linkages were found and whether there may be others.
     pub(crate) fn verdict(&self) -> &str {
         self.found.as_ref().map_or("", |found| &found.verdict)
     }
 
-    /// That nothing does the task, and why.
+    /// Returns the reason why no linkage does the task.
     pub(crate) fn nothing(&self) -> &str {
         self.found.as_ref().map_or("", |found| &found.nothing)
     }
 
-    /// The unit of what is missed.
+    /// Returns the unit of the miss.
     pub(crate) fn miss_unit(&self) -> &'static str {
         self.found.as_ref().map_or("", |found| found.miss_unit)
     }
 
-    /// Where pivots and pins may be, of four poses.
+    /// Yields the curves of possible pivots of four poses and, while the motion is at its first
+    /// point, those of the pins.
     pub(crate) fn curves(&self) -> impl Iterator<Item = &Arc<[Vec2]>> {
         let found = self.found.iter();
         let at_first = self.way.place == 0.0;
@@ -215,7 +218,8 @@ impl CandidateList {
         self.cursor
     }
 
-    /// Moves the cursor by so many candidates, as far as there are any; the next one begins at its first point.
+    /// Moves the cursor by `rows` candidates within the list. A newly selected candidate starts at
+    /// its first point.
     pub(crate) fn move_by(&mut self, rows: isize) {
         let most = self.rows().len().saturating_sub(1);
         let cursor = self.cursor.saturating_add_signed(rows).min(most);
@@ -225,18 +229,18 @@ impl CandidateList {
         }
     }
 
-    /// Another linkage is drawn, from its first point on.
+    /// Discards the drawing and rewinds the motion to the first point.
     pub(super) fn change_drawing(&mut self) {
         self.shown = None;
         self.way.rewind();
     }
 
-    /// What is looked at.
+    /// Returns the current page.
     pub(crate) fn page(&self) -> &CandidatesPage {
         &self.page
     }
 
-    /// The candidate under the cursor, or the one that is being made on the curves, and its row.
+    /// Returns the candidate under the cursor, or the one built on the curves, with its row.
     pub(crate) fn chosen(&self) -> Option<(&Candidate, &CandidateRow)> {
         if let CandidatesPage::Curves(walk) = &self.page {
             return walk.linkage();
@@ -249,7 +253,8 @@ impl CandidateList {
         Some((candidate, found.rows.get(self.cursor)?))
     }
 
-    /// The one under the cursor as a scene, and what it is called; `None` where it does not do the task.
+    /// Returns the text and the name of a scene of the candidate under the cursor; `None` if it
+    /// does not do the task.
     pub(crate) fn scene(&self) -> Option<(String, String)> {
         let found = self.found.as_ref()?;
         let candidate = found.synthesis.good.get(self.cursor)?;
@@ -260,14 +265,15 @@ impl CandidateList {
         Some((text, format!("{}-{number}", self.order.name)))
     }
 
-    // ---- on its way
+    // ---- its motion
 
-    /// As far as it can be shown.
+    /// Returns the drawn candidate, if it could be built.
     pub(crate) fn shown(&self) -> Option<&ShownCandidate> {
         self.shown.as_ref().filter(|_| self.chosen().is_some())
     }
 
-    /// The point of the task that it is at or nearest to, from 1, of how many; and the crank's angle there in degrees.
+    /// Returns the number of the nearest point of the task, counted from 1, the number of points,
+    /// and the crank's angle in degrees.
     pub(crate) fn stand(&self) -> Option<(usize, usize, f64)> {
         let (candidate, _) = self.chosen()?;
         let at = self.crank(&candidate.at)?;
@@ -279,7 +285,7 @@ impl CandidateList {
         self.way.since.is_some()
     }
 
-    /// Plays the way to and fro, or stops.
+    /// Starts or pauses the motion, which plays forwards and backwards.
     pub(crate) fn toggle(&mut self, now: Duration) {
         self.way.since = match self.way.since {
             Some(_) => None,
@@ -287,24 +293,24 @@ impl CandidateList {
         };
     }
 
-    /// Goes to the next point of the task, or to the one before.
+    /// Moves to the next or the previous point of the task.
     pub(crate) fn step(&mut self, forward: bool) {
         let most = self.stretches() as f64;
         self.way.step(forward, most);
     }
 
-    /// Time has passed.
+    /// Advances the motion to the time `now`.
     pub(crate) fn follow(&mut self, now: Duration) {
         let most = self.stretches();
         self.way.follow(now, most);
     }
 
-    /// It is `now`, but the time since has not been seen.
+    /// Sets the motion's clock to `now` without advancing it.
     pub(crate) fn rebase(&mut self, now: Duration) {
         self.way.since = self.way.since.map(|_| now);
     }
 
-    /// Builds and solves what is drawn, where that is another than before.
+    /// Builds the selected candidate if it has changed, and solves its current position.
     pub(crate) fn draw(&mut self) {
         let Some((candidate, _)) = self.chosen() else {
             return;
@@ -324,13 +330,14 @@ impl CandidateList {
         }
     }
 
-    /// From how many points of the task it goes on to the next.
+    /// Returns the number of intervals between the task's points.
     fn stretches(&self) -> usize {
         let points = self.chosen().map_or(0, |(c, _)| c.at.len());
         points.saturating_sub(1)
     }
 
-    /// The crank's angle now, in degrees, by its angles at the points.
+    /// Returns the current angle of the crank in degrees, interpolated between its angles `at` at
+    /// the task's points.
     fn crank(&self, at: &[f64]) -> Option<f64> {
         let from = self.way.place.floor();
         let before = *at.get(from as usize)?;
@@ -339,18 +346,18 @@ impl CandidateList {
     }
 }
 
-/// Where on its way a candidate is.
+/// The state of a candidate's playback.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct WayPlayed {
-    /// 0 at the first point, 1 at the second.
+    /// The position in the motion: 0 at the first point, 1 at the second.
     place: f64,
     is_back: bool,
-    /// Until when it was played; `None` where it stands.
+    /// The time of the last advance; `None` if paused.
     since: Option<Duration>,
 }
 
 impl WayPlayed {
-    /// To the first point; what is played goes on from there.
+    /// Rewinds to the first point; a running playback continues from there.
     fn rewind(&mut self) {
         (self.place, self.is_back) = (0.0, false);
     }
@@ -364,7 +371,7 @@ impl WayPlayed {
         };
     }
 
-    /// To and fro over so many stretches.
+    /// Advances the playback, forwards and backwards over `stretches` intervals.
     fn follow(&mut self, now: Duration, stretches: usize) {
         let Some(since) = self.since.filter(|_| stretches > 0) else {
             return;
@@ -372,7 +379,7 @@ impl WayPlayed {
         let most = stretches as f64;
         let whole = (most * STRETCH).clamp(SHORTEST_WAY, LONGEST_WAY);
         let by = now.saturating_sub(since).as_secs_f64() * most / whole;
-        // There and back is one round.
+        // One round goes to the end and back.
         let before = if self.is_back {
             2.0 * most - self.place
         } else {

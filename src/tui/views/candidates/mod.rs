@@ -1,4 +1,5 @@
-//! The linkages that were found for a task in a list, and beside it the one under the cursor, on its way.
+//! Lists the linkages found for a task, with the moving candidate under the cursor next to the
+//! list.
 //!
 //! ```text
 //! Linkages for wiper                         6, 2 defective
@@ -29,15 +30,16 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
 use shown::ShownCandidate;
 
-/// CandidateColumns of the list, its margins included: with the figures, and with the wishes that are missed behind them.
+/// Widths of the list, its margins included: with the values only, and with the unmet preferences
+/// behind them.
 const LIST: [u16; 2] = [34, 52];
-/// CandidateColumns of a mark, of figures, and between two columns.
+/// Widths of a mark, of the miss, and of the gap between two columns.
 const INDENT: u16 = 2;
 const MISS: u16 = 8;
 const GAP: u16 = 1;
-/// The drawing keeps so many lines.
+/// Minimum height of the drawing, in lines.
 const LOWEST_DRAWING: u16 = 6;
-/// Lines of what is said of all candidates together.
+/// Maximum height of the verdict on all candidates, in lines.
 const MOST_VERDICT: usize = 4;
 
 pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut Buffer) {
@@ -61,19 +63,19 @@ pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut
     }
 }
 
-/// Whether both the list and the candidate under its cursor are seen.
+/// Returns `true` if the screen has space for both the list and the selected candidate.
 pub(crate) fn sees_both(size: Size) -> bool {
     let screen = Rect::from((Position::ORIGIN, size));
     arrange(middle(screen), LIST).preview.is_some()
 }
 
-/// Lines of the list, and how many are seen.
+/// Returns the number of lines of the list and how many of them fit.
 pub(super) fn extent(list: &CandidateList, area: Rect) -> (usize, usize) {
     let height = arrange(area, LIST).list.height;
     (lines(list).len(), height.saturating_sub(1).into())
 }
 
-/// The first line: the task, and how many were found.
+/// Renders the title line: the task's name and the number of candidates.
 fn title(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let right = area.right().saturating_sub(1);
     let name = words().linkages_for(&list.order().name);
@@ -99,9 +101,9 @@ fn title(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
 /// A line of the list.
 #[derive(Clone, Copy)]
 enum ListLine<'a> {
-    /// Those follow that do not do the task.
+    /// The heading above the defective candidates.
     Defective,
-    /// A candidate, by its number from 0, and whether it does the task.
+    /// A candidate: its index, its row, and whether it does the task.
     Candidate(usize, &'a CandidateRow, bool),
 }
 
@@ -163,7 +165,8 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Where the columns of the list end, from its left side; the words begin behind the last.
+/// The right edges of the list's columns, from its left side. The words begin behind the last
+/// column.
 struct CandidateColumns {
     number: u16,
     miss: u16,
@@ -184,7 +187,7 @@ impl CandidateColumns {
         }
     }
 
-    /// CandidateColumns of the words about the crank, and what stands behind them.
+    /// Returns the column of the unmet preferences, which follow the words about the crank.
     fn lacks(&self) -> u16 {
         let turns = [words().turns_fully_shortly(), words().swings_shortly()];
         let widest = turns.map(columns).into_iter().max().unwrap_or(0);
@@ -192,7 +195,7 @@ impl CandidateColumns {
     }
 }
 
-/// Prints texts so that they end at these columns of a line; the last one begins there.
+/// Prints text that ends at this column of the line if `right`, or else starts there.
 fn put(area: Rect, buffer: &mut Buffer, column: u16, text: &str, part: ScreenPart, right: bool) {
     let style = theme::part(part);
     if right {
@@ -247,7 +250,7 @@ fn entry(
         ScreenPart::Name,
         true,
     );
-    // The words behind the figures may have no room.
+    // The mark is needed because the words behind the values may not fit.
     if !row.lacks.is_empty() {
         cell(1, "!", ScreenPart::Warning, false);
     }
@@ -268,7 +271,7 @@ fn entry(
     }
 }
 
-/// The candidate under the cursor: its drawing on its way, and what is to be said of it.
+/// Renders the selected candidate: its moving drawing and its facts.
 fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let facts = facts(app, list, area.width.into());
     let picture = beside(&facts, area, buffer);
@@ -277,7 +280,7 @@ fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Prints what is said at the bottom of an area; what is left above it is for a drawing.
+/// Prints the facts at the bottom of an area and returns the area above them for a drawing.
 fn beside(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Rect {
     let most = area.height.saturating_sub(LOWEST_DRAWING);
     let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
@@ -310,7 +313,7 @@ fn drawing(
     super::show(&raster, area, buffer);
 }
 
-/// What is to be said of the candidate, and of all of them, in lines.
+/// Returns the wrapped facts on the candidate and on all candidates.
 fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPart)> {
     let Some((_, row)) = list.chosen() else {
         return Vec::new();
@@ -338,7 +341,7 @@ fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPa
     in_lines(app, said, width)
 }
 
-/// What is said in lines, each sentence in so many at most; what says nothing takes none.
+/// Wraps each text, truncates it to its maximum number of lines, and drops empty texts.
 fn in_lines(
     app: &App,
     said: impl IntoIterator<Item = (String, ScreenPart, usize)>,

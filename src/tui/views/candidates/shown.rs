@@ -1,4 +1,4 @@
-//! A candidate that is drawn and moved over its task.
+//! Draws a candidate and moves it over its task.
 
 use crate::Vec2;
 use crate::drawing::Reach;
@@ -8,24 +8,25 @@ use crate::tui::Origin;
 use crate::tui::document::opening;
 use std::sync::Arc;
 
-/// Places that a way is followed in.
+/// Number of steps along the led point's path.
 const SAMPLES: u16 = 180;
 
-/// A candidate as a scene that moves.
+/// A candidate as a movable scene.
 #[derive(Debug)]
 pub(crate) struct ShownCandidate {
     scene: Scene,
     solver: Solver,
     reach: Reach,
     state: Workspace,
-    /// The crank's angle of the state, in degrees; `None` before the first.
+    /// The crank's angle of `state`, in degrees; `None` before the first solve.
     at: Option<f64>,
-    /// Where the led point comes by from the first point of the task to the last; a gap where it cannot be.
+    /// The led point's path from the first point of the task to the last, with NaN where the
+    /// linkage cannot be assembled.
     way: Arc<[Vec2]>,
 }
 
 impl ShownCandidate {
-    /// Opens the scene of a candidate whose crank is at these angles at the points of its task.
+    /// Opens the scene of a candidate; `at` are its crank angles at the task's points.
     pub(super) fn of(text: &str, at: &[f64]) -> Option<ShownCandidate> {
         let opened = opening::text(text, Origin::Stdin).ok()?;
         let (scene, solver) = (opened.scene, opened.solver);
@@ -66,7 +67,7 @@ impl ShownCandidate {
     }
 }
 
-/// The way of P; of a function, which leads no point, none.
+/// Computes the path of point P; empty for a function task, which leads no point.
 fn way(scene: &Scene, solver: &Solver, state: &mut Workspace, at: &[f64]) -> Arc<[Vec2]> {
     let mut points = scene.mechanism.point_ids();
     let led = points.find(|id| scene.point_name(*id) == Some("P"));

@@ -1,62 +1,64 @@
-//! The cursor on the curves of four poses: it goes along pivots with their pins, and two of these make a linkage.
+//! The cursor on the curves of four poses. It moves along pivots with their pins; two of these
+//! dyads make a linkage.
 
 use super::list::{CandidateList, CandidatesPage};
 use crate::Vec2;
 use crate::report::CandidateRow;
 use crate::synthesis::{Candidate, Partner, PosedDyad, TaskKind};
 
-/// A long step goes over this part of a curve.
+/// Number of long steps that cover a curve.
 const LONG: usize = 20;
 
-/// Where on the curves the cursor is, and what was picked.
+/// The position of the cursor on the curves, and the picked dyad.
 #[derive(Debug, Default)]
 pub(crate) struct CurveWalk {
-    /// Which curve, and which of its dyads, from 0.
+    /// Index of the curve; `place` is the index of the dyad on it.
     curve: usize,
     place: usize,
-    /// The dyad that was picked.
+    /// The picked dyad.
     picked: Option<PosedDyad>,
-    /// What it makes with the one under the cursor.
+    /// The linkage of the picked dyad and the one under the cursor.
     linkage: Option<(Candidate, CandidateRow)>,
 }
 
 impl CurveWalk {
-    /// The one that was picked.
+    /// Returns the picked dyad.
     pub(crate) fn picked(&self) -> Option<&PosedDyad> {
         self.picked.as_ref()
     }
 
-    /// What the two make; `None` where that is no linkage.
+    /// Returns the linkage of the two dyads; `None` if they make none.
     pub(super) fn linkage(&self) -> Option<(&Candidate, &CandidateRow)> {
         let (candidate, row) = self.linkage.as_ref()?;
         Some((candidate, row))
     }
 }
 
-/// How far a step on the curves goes.
+/// The size of a step on the curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WalkStep {
-    /// To the next pivot and pin, from the end of a curve to the next one.
+    /// To the next dyad; from the end of a curve to the next curve.
     Next,
-    /// Over a part of the curve.
+    /// Over a twentieth of the curve.
     Long,
-    /// To the next curve, where it is nearest to the poses.
+    /// To the next curve, at its point nearest to the poses.
     Curve,
 }
 
 impl CandidateList {
-    /// Of four poses the dyads that there are, curve by curve.
+    /// Returns the dyads of four poses, curve by curve.
     fn dyads(&self) -> &[Vec<PosedDyad>] {
         let found = self.found.as_ref().map(|found| &found.synthesis);
         found.map_or(&[], |found| &found.curves)
     }
 
-    /// Whether there are curves to walk on.
+    /// Returns `true` if there is a curve to walk on.
     pub(crate) fn has_curves(&self) -> bool {
         self.dyads().iter().any(|curve| !curve.is_empty())
     }
 
-    /// From the list to the candidate alone, where both are not seen, on to the curves, and back.
+    /// Cycles the pages: the list, the candidate alone if the screen does not show both, the
+    /// curves.
     pub(crate) fn turn_page(&mut self, sees_both: bool) {
         let curves = match self.has_curves() {
             true => CandidatesPage::Curves(Box::new(self.walk_from_start())),
@@ -70,7 +72,8 @@ impl CandidateList {
         self.change_drawing();
     }
 
-    /// Back by one: from a picked dyad to none, and from there to the list; false where it is there.
+    /// Goes one level back: clears the picked dyad, or returns to the list. Returns `false` if the
+    /// list was already shown.
     pub(crate) fn step_out(&mut self) -> bool {
         match &mut self.page {
             CandidatesPage::List => return false,
@@ -83,7 +86,7 @@ impl CandidateList {
         true
     }
 
-    /// At the first curve that has a place.
+    /// Returns a cursor on the first curve that is not empty.
     fn walk_from_start(&self) -> CurveWalk {
         let curve = self.dyads().iter().position(|curve| !curve.is_empty());
         let curve = curve.unwrap_or(0);
@@ -94,7 +97,8 @@ impl CandidateList {
         }
     }
 
-    /// The place of a curve whose pivot and pin are nearest to the poses; curves begin and end far away.
+    /// Returns the index of the curve's dyad nearest to the poses. Curves begin and end far away,
+    /// so their ends are poor starting points.
     fn near_poses(&self, curve: usize) -> usize {
         let (middle, _) = self.middle_and_size();
         let far = |dyad: &PosedDyad| {
@@ -109,7 +113,7 @@ impl CandidateList {
         nearest.map_or(0, |(place, _)| place)
     }
 
-    /// The middle of the poses, and a length by which their curves are measured.
+    /// Returns the centroid of the poses and their characteristic size.
     pub(super) fn middle_and_size(&self) -> (Vec2, f64) {
         let origins = self.posed_origins();
         let count = origins.len().max(1) as f64;
@@ -118,7 +122,7 @@ impl CandidateList {
         (middle, 2.0 * far.fold(0.0, f64::max))
     }
 
-    /// The dyad under the cursor, while curves are walked.
+    /// Returns the dyad under the cursor; `None` on other pages.
     pub(crate) fn walked(&self) -> Option<&PosedDyad> {
         let CandidatesPage::Curves(walk) = &self.page else {
             return None;
@@ -126,7 +130,8 @@ impl CandidateList {
         self.dyads().get(walk.curve)?.get(walk.place)
     }
 
-    /// The number of the dyad under the cursor and how many its curve has, and the same of the curve; counted from 1.
+    /// Returns the number of the dyad and the count of dyads on its curve, then the number of the
+    /// curve and the count of curves. Numbers count from 1.
     pub(crate) fn walked_place(&self) -> Option<[(usize, usize); 2]> {
         let CandidatesPage::Curves(walk) = &self.page else {
             return None;
@@ -138,7 +143,7 @@ impl CandidateList {
         ])
     }
 
-    /// Goes along the curves, on from the last one to the first.
+    /// Moves the cursor along the curves, cyclically.
     pub(crate) fn walk(&mut self, step: WalkStep, forward: bool) {
         let CandidatesPage::Curves(walk) = &self.page else {
             return;
@@ -161,8 +166,9 @@ impl CandidateList {
         self.judge_walked();
     }
 
-    /// Picks the dyad under the cursor; where one was picked, the linkage of the two is listed, wherever it belongs, and
-    /// the list is looked at with the cursor on it. False where the two make none.
+    /// Picks the dyad under the cursor. If one was picked already, adds the linkage of the two to
+    /// the list, in its place by rank. Then shows the list with the cursor on it. Returns `false`
+    /// if the two make no linkage.
     pub(crate) fn pick(&mut self) -> bool {
         let dyad = self.walked().copied();
         let CandidatesPage::Curves(walk) = &mut self.page else {
@@ -185,7 +191,7 @@ impl CandidateList {
         true
     }
 
-    /// What the picked dyad and the one under the cursor make.
+    /// Computes the linkage of the picked dyad and the one under the cursor.
     fn judge_walked(&mut self) {
         let walked = self.walked().copied();
         let linkage = walked.and_then(|walked| self.judged(&walked));
@@ -207,13 +213,13 @@ impl CandidateList {
         Some((candidate, row))
     }
 
-    /// What is said of a dyad.
+    /// Returns a description of a dyad.
     pub(super) fn told_dyad(&self, dyad: &PosedDyad) -> Option<String> {
         let found = self.found.as_ref()?;
         Some(found.report(&self.order).dyad(dyad))
     }
 
-    /// The origins of the poses.
+    /// Returns the origins of the poses.
     pub(super) fn posed_origins(&self) -> Vec<Vec2> {
         match &self.order.file.task.kind {
             TaskKind::Poses(task) => task.poses.iter().map(|pose| pose.at).collect(),
@@ -222,7 +228,8 @@ impl CandidateList {
     }
 }
 
-/// The place after so many steps on curves of so many places each, from the end of one to the next and around.
+/// Returns the place after `by` steps over curves with these numbers of places, continuing from the
+/// end of one curve to the next, cyclically.
 fn stepped(
     counts: &[usize],
     (curve, place): (usize, usize),
@@ -247,7 +254,7 @@ fn stepped(
     (curve, place)
 }
 
-/// The next curve that has places, or the one before.
+/// Returns the next or the previous curve that is not empty.
 fn next_curve(counts: &[usize], curve: usize, forward: bool) -> usize {
     let number = counts.len();
     let around = (1..=number).map(|step| match forward {

@@ -1,5 +1,5 @@
-//! Where the parts of the motion view stand: tables beside the drawing where there are columns for both, whatever the
-//! scene, and below it on narrow screens.
+//! Arranges the motion view: tables next to the drawing if the screen is wide enough, or else below
+//! it, independent of the scene.
 
 use super::super::layout::{moved, percent_of};
 use super::super::{inset, table};
@@ -8,34 +8,34 @@ use crate::tui::app::{App, Mode};
 use ratatui::layout::Rect;
 use std::borrow::Cow;
 
-/// Where the parts of the view are.
+/// The areas of the motion view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct MotionAreas {
-    /// Above the drawing, where there are rows enough.
+    /// The title above the drawing, if there are enough rows.
     pub(super) title: Option<Rect>,
     pub(super) drawing: Rect,
-    /// Below the drawing, without a line where nothing needs to be told.
+    /// The legend below the drawing; empty if it has no entries.
     pub(super) legend: Rect,
-    /// One cell wide or high.
+    /// The separator, one cell wide or high.
     pub(super) rule: Rect,
     pub(super) table: Rect,
 }
 
-/// From so many columns on the tables stand beside the drawing.
+/// Minimum width for tables next to the drawing.
 const ROOM_BESIDE: u16 = 72;
-/// Percent of the columns that tables beside the drawing leave it: half of a screen of 80 x 24 and more.
+/// Minimum width of the drawing next to tables, in percent: half of a screen of 80 x 24 and more.
 const BESIDE_TABLES: u16 = 58;
-/// Tables below the drawing leave it two thirds of the height.
+/// Tables below the drawing get at most one third of the height.
 const TABLE_SHARE: u16 = 3;
 const LOWEST_TABLE: u16 = 4;
-/// On lower screens the lines of the rule and of the title go to the drawing.
+/// Minimum height for the separator and the title; on lower screens the drawing gets their lines.
 const ROOM_FOR_RULE: u16 = 14;
-/// A drawing below this height is no drawing.
+/// Minimum height of a drawing.
 const LOWEST_DRAWING: u16 = 4;
-/// A legend takes so many lines at the most, and one on low screens.
+/// Maximum number of legend lines; a low screen shows one.
 const MOST_LEGEND: usize = 2;
 
-/// Puts the tables where there is room for them.
+/// Arranges the view's parts in an area.
 pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
     let [part, rule, table] = if area.width >= ROOM_BESIDE {
         beside(app, area)
@@ -58,7 +58,7 @@ pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
     }
 }
 
-/// An area for the drawing without its last lines, which are the legend's.
+/// Splits an area into the drawing and the legend below it.
 pub(super) fn with_legend(app: &App, area: Rect) -> (Rect, Rect) {
     let lines = u16::try_from(legend(app, area).len()).unwrap_or(0);
     let height = area.height.saturating_sub(lines).max(1);
@@ -71,7 +71,7 @@ pub(super) fn with_legend(app: &App, area: Rect) -> (Rect, Rect) {
     (drawing, legend)
 }
 
-/// The lines of the legend for a drawing in this area.
+/// Returns the lines of the legend for a drawing in this area.
 pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     let most = if area.height < ROOM_FOR_RULE {
         1
@@ -83,7 +83,7 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     drawing::legend_lines(&app.viewport().legend(&view), app.glyphs(), width, most)
 }
 
-/// The window on the drawing in this area.
+/// Returns the part of the scene's plane visible in this area.
 pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
     let reach = reach(app, area.height);
     let size = (area.width, area.height);
@@ -91,13 +91,13 @@ pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
     viewport.view(app.open_scene(), &reach, size, app.aspect())
 }
 
-/// The space that a drawing of so many rows must have room for.
+/// Returns the extents that a drawing of this height must contain.
 fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
     let open_scene = app.open_scene();
     let own = app.viewport().reach(open_scene, rows);
     match (app.mode(), open_scene.assembly_list(), app.compared()) {
         (Mode::Assemblies(_), Some(assembly_list), _) => Cow::Borrowed(assembly_list.reach()),
-        // As long as the drawing needs no more than the linkage, that is known already.
+        // If the drawing needs only the linkage's extents, the union is cached.
         (_, _, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
             Cow::Borrowed(compared.reach())
         }
@@ -106,7 +106,8 @@ fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
     }
 }
 
-/// The drawing, the line beside it, and the tables: what these cannot use is the drawing's.
+/// Returns the areas of drawing, separator and tables side by side. The drawing gets the columns
+/// that the tables cannot use.
 fn beside(app: &App, area: Rect) -> [Rect; 3] {
     let (_, wide) = app.sheet().widths(app.glyphs());
     let used = table::columns_of(wide).saturating_add(1 + 1 + super::super::MARGIN);
@@ -122,7 +123,7 @@ fn beside(app: &App, area: Rect) -> [Rect; 3] {
     })
 }
 
-/// The drawing, the line below it, and the tables.
+/// Returns the areas of drawing, separator and tables, one below another.
 fn below(app: &App, area: Rect) -> [Rect; 3] {
     let width = usize::from(inset(area).width);
     let placed = app.sheet().placed(width, app.glyphs());
@@ -132,14 +133,15 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let share = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
     let rule = u16::from(area.height >= ROOM_FOR_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
-    // What the width keeps the drawing from using shows more of the tables.
+    // If the width limits the drawing's scale, the unused rows show more of the tables.
     let lowest = area.height.saturating_sub(all.saturating_add(rule));
-    // Of the whole motion: the line must stand still while the linkage moves.
+    // Uses the extents of the whole motion, so that the separator stays fixed while the linkage
+    // moves.
     let scale_at = |height| {
         let reach = reach(app, height);
         drawing::WorldView::fit(&reach, area.width, height, app.aspect()).cells_along(1.0)
     };
-    // A rounding error makes no drawing smaller.
+    // A tolerance, so that a rounding error does not shrink the drawing.
     let least = scale_at(drawing) * (1.0 - 1e-9);
     let drawing = (lowest.max(LOWEST_DRAWING)..drawing)
         .find(|&lower| scale_at(lower) >= least)

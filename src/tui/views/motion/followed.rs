@@ -1,4 +1,4 @@
-//! The points that the motion view gives arrows and traces, as they are chosen in the tables.
+//! The points that get arrows and traces in the motion view, as selected in the tables.
 
 use crate::PointId;
 use crate::quantity::Subject;
@@ -6,14 +6,14 @@ use crate::scene::Scene;
 use crate::tui::figures::rows::subject_of;
 use crate::tui::figures::sheet::SheetPart;
 
-/// Points that the motion view gives arrows and traces; none chosen means the usual ones.
+/// The points that get arrows and traces; an empty selection means the default ones.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct FollowedPoints {
     points: Vec<PointId>,
 }
 
 impl FollowedPoints {
-    /// Chooses a point, or no longer.
+    /// Selects or deselects a point.
     pub(crate) fn toggle(&mut self, point: PointId) {
         match self.points.iter().position(|&p| p == point) {
             Some(at) => drop(self.points.remove(at)),
@@ -25,7 +25,7 @@ impl FollowedPoints {
         self.points.contains(&point)
     }
 
-    /// The same points in the scene after a change, by their names.
+    /// Returns the points with the same names in the edited scene.
     pub(crate) fn moved(&self, before: &Scene, after: &Scene) -> FollowedPoints {
         let points = self.points.iter();
         let points = points.filter_map(|&point| same_point(point, before, after));
@@ -34,21 +34,21 @@ impl FollowedPoints {
         }
     }
 
-    /// In the order in which they were chosen.
+    /// Returns the points in the order of their selection.
     pub(crate) fn points(&self) -> &[PointId] {
         &self.points
     }
 }
 
-/// The point of that name in the scene after a change, if there is one.
+/// Returns the point with the same name in the edited scene, if there is one.
 pub(crate) fn same_point(point: PointId, before: &Scene, after: &Scene) -> Option<PointId> {
     let name = before.point_name(point)?;
     let mut points = after.mechanism.point_ids();
     points.find(|&point| after.point_name(point) == Some(name))
 }
 
-/// What stands behind a row of the tables: a point itself, of a vector its ends, of a link that is given
-/// by its points alone all of these.
+/// Returns the points of a row of the tables: a point itself, the ends of a vector, or all points
+/// of a link defined only by its points.
 fn points_of(scene: &Scene, part: SheetPart, row: usize) -> Vec<PointId> {
     let mechanism = &scene.mechanism;
     match subject_of(scene, part, row) {
@@ -64,7 +64,8 @@ fn points_of(scene: &Scene, part: SheetPart, row: usize) -> Vec<PointId> {
     }
 }
 
-/// Those of them that move, with their names: a point of the ground has no arrows and leaves no trace.
+/// Returns the moving points among them, with their names. A point of the ground has neither arrows
+/// nor a trace.
 pub(crate) fn moving(scene: &Scene, part: SheetPart, row: usize) -> Vec<(PointId, &str)> {
     let points = points_of(scene, part, row).into_iter();
     let moving = points.filter(|&p| scene.mechanism.point(p).ground.is_none());

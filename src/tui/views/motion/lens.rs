@@ -1,4 +1,4 @@
-//! The window on the drawing: what it is fitted to, how much it is enlarged, and where a hand has put it.
+//! The visible part of the drawing: its framing, its magnification and its shift by the user.
 
 use crate::drawing::{Reach, WorldView};
 use crate::scene::Scene;
@@ -7,18 +7,18 @@ use crate::tui::views::motion::followed::same_point;
 use crate::wording::words;
 use crate::{PointId, Vec2};
 
-/// The part of the drawing that is seen: its magnification and where it was moved to.
+/// The visible part of the drawing: magnification and shift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Window {
-    /// Half steps of two from the whole motion.
+    /// Zoom level; the magnification is `2^(level / 2)`.
     level: i8,
-    /// From the middle of the whole motion, in the scene's length unit.
+    /// Shift from the middle of the whole motion, in the scene's length unit.
     shift: Vec2,
 }
 
-/// From a quarter of the size to 64 times.
+/// Zoom levels: from a quarter of the size to 64 times.
 const LEVELS: std::ops::RangeInclusive<i8> = -4..=12;
-/// A pan goes so far, in diagonals of what is seen.
+/// One step of panning, as a fraction of the visible diagonal.
 const PAN: f64 = 0.1;
 
 impl Window {
@@ -27,50 +27,51 @@ impl Window {
     }
 }
 
-/// What the window is fitted to before it is enlarged and moved.
+/// The subject that the window is fitted to before it is zoomed and panned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Framing {
-    /// The whole motion, and nearer to the linkage where that would make it small.
+    /// The whole motion, or closer to the linkage if it would be small.
     #[default]
     Along,
     /// The whole motion.
     Motion,
-    /// The linkage as it stands.
+    /// The linkage in its current pose.
     Pose,
-    /// The surroundings of a point, which stays in the middle.
+    /// A point and its surroundings; the point stays in the middle.
     Point(PointId),
 }
 
-/// What the window is fitted to, and what a person has made of it: another one, another drawing.
+/// The framing with the user's zoom and pan. A change of it requires a new drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Lens {
     framing: Framing,
     window: Window,
-    /// A window that was moved by hand, or under a hand that holds something, does not go along.
+    /// The pinned window, which does not follow the motion. A window is pinned when it is panned or
+    /// zoomed, and during a drag.
     held: Option<HeldWindow>,
 }
 
-/// The window of a coordinate of the driver, and the point that is followed as it was there.
+/// The window at a fixed driver coordinate, with the followed point's position there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct HeldWindow {
     at: f64,
     point: Option<Vec2>,
-    /// As it is seen, while a hand holds something in it: what the scene needs by then does not move it either.
+    /// The exact window during a drag, which keeps it even if the scene's extents change.
     seen: Option<WorldView>,
 }
 
 impl Lens {
-    /// The same of which nothing is held: that shows nothing else.
+    /// Returns a copy without the pinned window. Pinning alone does not change the drawing.
     pub(super) fn at_rest(self) -> Lens {
         Lens { held: None, ..self }
     }
 
-    /// Shows the linkage as it is shown first.
+    /// Restores the default window.
     pub(crate) fn reset(&mut self) {
         self.frame(Framing::Along);
     }
 
-    /// Fits the window anew, and where it is fitted already, to the whole motion and back.
+    /// Restores the default window; if it is the default already, shows the whole motion.
     pub(super) fn fit(&mut self) {
         self.frame(match self.fits() {
             true => Framing::Motion,
@@ -78,7 +79,7 @@ impl Lens {
         });
     }
 
-    /// What is seen; the whole motion where something is shown that belongs to all of it.
+    /// Describes the framing in words. `of_the_whole` means that a layer shows the whole motion.
     pub(super) fn told(&self, of_the_whole: bool) -> &'static str {
         match self.framing {
             Framing::Along if !of_the_whole => words().window_goes_along(),
@@ -87,7 +88,7 @@ impl Lens {
         }
     }
 
-    /// Fits the window to the linkage as it stands, or no longer.
+    /// Fits the window to the linkage's current pose, or returns to the default.
     pub(super) fn fit_pose(&mut self) {
         self.frame(match self.framing == Framing::Pose && self.is_whole() {
             true => Framing::Along,
@@ -95,7 +96,8 @@ impl Lens {
         });
     }
 
-    /// Keeps the next of some points in the middle, from the first on; after the last none.
+    /// Centres the window on the next of the points, starting with the first; after the last one,
+    /// returns to the default.
     pub(super) fn follow(&mut self, points: &[PointId]) -> Option<PointId> {
         let next = match self.framing {
             Framing::Point(last) => points.iter().skip_while(|&&p| p != last).nth(1),
@@ -111,7 +113,8 @@ impl Lens {
         Some(point)
     }
 
-    /// The scene was changed: the point that is followed is the one of that name, if it is still there.
+    /// Moves to an edited scene: the followed point is identified by its name, and dropped if it is
+    /// gone.
     pub(crate) fn move_to(&mut self, before: &Scene, after: &Scene) {
         if let Framing::Point(point) = self.framing {
             match same_point(point, before, after) {
@@ -127,7 +130,7 @@ impl Lens {
         self.held = None;
     }
 
-    /// A hand holds something in the drawing: the window that is seen stays under it.
+    /// Starts a drag in the drawing: pins the visible window.
     pub(crate) fn hold(&mut self, open_scene: &OpenScene, seen: WorldView) {
         self.stay(open_scene);
         if let Some(held) = &mut self.held {
@@ -135,7 +138,7 @@ impl Lens {
         }
     }
 
-    /// The window no longer goes along.
+    /// Pins the window to the current driver coordinate.
     fn stay(&mut self, open_scene: &OpenScene) {
         let point = match self.framing {
             Framing::Point(point) => open_scene.state().position(point),
@@ -149,7 +152,8 @@ impl Lens {
         });
     }
 
-    /// What was moved by hand stays where it was put; a point that is followed stays in its place there.
+    /// Sets the window after a zoom or pan and pins it. A window that follows a point is not
+    /// pinned.
     fn put(&mut self, open_scene: &OpenScene, window: Window) {
         self.window = window;
         match self.framing {
@@ -159,7 +163,7 @@ impl Lens {
         self.let_go();
     }
 
-    /// The hand has let go.
+    /// Ends a drag.
     pub(crate) fn let_go(&mut self) {
         if let Some(held) = &mut self.held {
             held.seen = None;
@@ -169,23 +173,23 @@ impl Lens {
         }
     }
 
-    /// How much larger than at first the drawing is, unless it is as large: in words. (No line of the legend tells
-    /// it: such a line would move what was put under a pointer.)
+    /// Describes the magnification in words; `None` if it is the default. The legend has no line
+    /// for it, because such a line would move the drawing under the pointer.
     pub(crate) fn enlarged(&self) -> Option<String> {
         (!self.is_whole()).then(|| words().zoomed(&times(self.zoom())))
     }
 
-    /// Whether the window is as it is at first.
+    /// Returns `true` if the window is the default one.
     pub(crate) fn fits(&self) -> bool {
         self.framing == Framing::Along && self.is_whole()
     }
 
-    /// Whether it is neither enlarged nor moved.
+    /// Returns `true` if the window is neither zoomed nor panned.
     fn is_whole(&self) -> bool {
         self.window == Window::default()
     }
 
-    /// Enlarges by so many steps; false at the end of what is sensible.
+    /// Zooms in by `steps` levels; returns `false` at the limit.
     pub(crate) fn enlarge(&mut self, open_scene: &OpenScene, steps: i8) -> bool {
         let level = self.window.level.saturating_add(steps);
         let possible = LEVELS.contains(&level);
@@ -196,7 +200,8 @@ impl Lens {
         possible
     }
 
-    /// The same about a place that is seen so far from the middle of the window: it all but stays where it is.
+    /// Zooms about a place given by its distance from the window's middle, so that the place nearly
+    /// keeps its position on the screen.
     pub(crate) fn enlarge_at(
         &mut self,
         open_scene: &OpenScene,
@@ -208,7 +213,7 @@ impl Lens {
         if possible {
             let by = from_middle * (1.0 - before / self.zoom());
             let Window { level, shift } = self.window;
-            // Not so far that nothing is seen any more.
+            // Limits the shift, so that the drawing stays visible.
             let most = open_scene.reach().bounds().size().norm();
             let shift = match by.is_finite() {
                 true => (shift + by).map(|along| along.clamp(-most, most)),
@@ -219,17 +224,18 @@ impl Lens {
         possible
     }
 
-    /// Moves the window by a step to the right and upwards, as far as there is something to see.
+    /// Pans the window by a step to the right and upwards within the drawing's extents; returns
+    /// `true` if it moves.
     pub(crate) fn pan(&mut self, open_scene: &OpenScene, right: f64, up: f64) -> bool {
         let size = open_scene.reach().bounds().size();
         let step = PAN * size.norm() / self.zoom();
         self.shift_to(open_scene, self.window.shift + Vec2::new(right, up) * step)
     }
 
-    /// Moves the window, as far as there is something to see; whether it moves.
+    /// Shifts the window within the drawing's extents; returns `true` if it moves.
     fn shift_to(&mut self, open_scene: &OpenScene, wanted: Vec2) -> bool {
         let size = open_scene.reach().bounds().size();
-        // A place that was enlarged may lie farther out already.
+        // A zoom about a place may have moved the window beyond these limits already.
         let here = self.window.shift;
         let within = |wanted: f64, size: f64, here: f64| {
             let most = (size / 2.0).max(here.abs());
@@ -251,7 +257,7 @@ impl Lens {
         self.window.zoom()
     }
 
-    /// The window of so many cells on a drawing that needs this space.
+    /// Returns the view of `cols` by `rows` cells on a drawing with these extents.
     pub(super) fn view(
         &self,
         open_scene: &OpenScene,
@@ -283,7 +289,7 @@ impl Lens {
     }
 }
 
-/// `2x`, `1.4x`.
+/// Formats a magnification, such as `2x` or `1.4x`.
 fn times(zoom: f64) -> String {
     let text = format!("{zoom:.2}");
     let text = if zoom < 1.0 {

@@ -1,4 +1,4 @@
-//! The linkage, and its tables live beside it, on narrow screens below.
+//! Motion view: the linkage with live tables next to it, or below it on narrow screens.
 
 mod arrangement;
 pub(crate) mod followed;
@@ -23,44 +23,44 @@ use arrangement::arrange;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-/// Offered where only a part of the motion is seen.
+/// The action that fits the window, offered when only a part of the motion is visible.
 pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 
-/// The drawing as it was made last: names keep their sides from frame to frame.
+/// The last drawing, kept so that labels stay on the same sides from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
-    /// Which scene the labels belong to, in which form, and what of it was shown.
+    /// The scene revision of the labels, and the viewport's settings.
     drawn: Option<(Edition, ViewportSetting)>,
-    /// Where on the screen it stands, and what of the world is seen there.
+    /// The drawing's area on the screen, and the view on the scene's plane.
     window: Option<(Rect, drawing::WorldView)>,
 }
 
-/// A place in the scene's frame that is seen in the drawing.
+/// A place of the scene seen in the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SeenPlace {
     pub(crate) place: Vec2,
-    /// How far it lies from the middle of what is seen.
+    /// Vector from the middle of the visible part, in the scene's length unit.
     pub(crate) from_middle: Vec2,
-    /// How long a column is.
+    /// Width of a column in the scene's length unit.
     pub(crate) column: f64,
     /// The window in which it is seen.
     pub(crate) window: WorldView,
 }
 
 impl Sketch {
-    /// The drawing.
+    /// Returns the drawing.
     pub(super) fn raster(&self) -> &Raster {
         &self.raster
     }
 
-    /// Nothing is drawn yet in the frame that begins.
+    /// Starts a frame in which the drawing is not placed yet.
     pub(super) fn begin(&mut self) {
         self.window = None;
     }
 
-    /// The place in the scene's frame that a cell of the drawing shows.
+    /// Returns the place of the scene at a cell of the drawing; `None` outside the drawing.
     pub(crate) fn place(&self, at: Position) -> Option<SeenPlace> {
         let (area, view) = self.window.filter(|(area, _)| area.contains(at))?;
         let cell = Vec2::new(f64::from(at.x - area.x), f64::from(at.y - area.y));
@@ -74,7 +74,7 @@ impl Sketch {
         })
     }
 
-    /// Draws the linkage as it is now, for a drawing of this size.
+    /// Draws the linkage's current state for an area of the screen.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
         let drawn = Some((app.open_scene().edition().clone(), app.viewport().setting()));
         if self.drawn != drawn {
@@ -88,8 +88,8 @@ impl Sketch {
         drawing::render_into(&figure_of(app, lit), &view, app.glyphs(), labels, raster);
     }
 
-    /// What is drawn as a document for this ground, without what lights up, and where on the screen it stands; `None` where there is no
-    /// drawing on it.
+    /// Returns the last drawing as an SVG document for a background, without highlighting, and its
+    /// area on the screen; `None` if the screen shows no drawing.
     pub(crate) fn document(&self, app: &App, ground: SvgGround) -> Option<(String, Rect)> {
         let (area, view) = self.window?;
         let labels = &mut self.labels.clone();
@@ -98,7 +98,7 @@ impl Sketch {
     }
 }
 
-/// The linkage as it is now, with what it is compared with.
+/// Returns the linkage's current state, with the ghosts of the linkages that it is compared with.
 fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
     let mut figure = app.viewport().figure(open_scene, lit);
@@ -112,7 +112,7 @@ fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     if let Some(compared) = app.compared() {
         compared.add_ghost(&mut figure);
     }
-    // While it plays, what was before has another place in the motion.
+    // While the motion plays, the state before the edit belongs to another driver coordinate.
     if let Some(before) = app.scene_before().filter(|_| !app.playback().is_playing()) {
         let [now, before] = [open_scene, before].map(|of| (of.scene(), of.state()));
         drawing::add_before(&mut figure, now, before);
@@ -120,10 +120,10 @@ fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     figure
 }
 
-/// The drawing, with live tables.
+/// The drawing with live tables.
 pub(super) struct MotionView;
 
-/// The drawing among other panes: tables have one of their own.
+/// The drawing among other panes; the tables have a pane of their own.
 pub(super) struct DrawingPane;
 
 impl Pane for DrawingPane {
@@ -214,8 +214,8 @@ impl Pane for MotionView {
         ]
     }
 
-    /// What the last state cost, where that was measured and there is room for it, and how far a place in it
-    /// can be from the truth.
+    /// Returns the last state's cost, if it was measured and fits into `room` columns, and the
+    /// largest error bound of a position.
     fn trust(&self, app: &App, room: u16) -> Option<String> {
         let open_scene = app.open_scene();
         let bound = match open_scene.largest_bound() {
@@ -239,9 +239,9 @@ impl Pane for MotionView {
     }
 }
 
-/// The legend, arrows in the look that they have in the drawing.
+/// Prints the legend; arrows have the same style as in the drawing.
 fn explain(app: &App, drawing: Rect, area: Rect, buffer: &mut Buffer) {
-    // Where the arrows were measured, so that both say the same.
+    // Uses the area in which the arrows were measured, so that the scales agree.
     let lines = arrangement::legend(app, drawing);
     for (y, line) in (area.top()..area.bottom()).zip(lines) {
         let mut x = area.x;
@@ -256,7 +256,7 @@ fn explain(app: &App, drawing: Rect, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// A line between two parts of the screen.
+/// Draws a line between two parts of the screen.
 pub(super) fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
     let (upright, level) = match glyphs {
         Glyphs::Ascii => ('|', '-'),

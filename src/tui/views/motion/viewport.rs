@@ -1,7 +1,7 @@
-//! What the motion view shows beside the linkage, and which part of it how large.
+//! Layers and viewport of the motion view.
 //!
-//! Layers are switched by keys and stay on from scene to scene; the window is fitted to each scene anew.
-//! What follows from the whole motion is found once for a scene and a choice, not for every frame.
+//! Layers are toggled by keys and stay on for the next scenes; the window is fitted to each new
+//! scene. Data on the whole motion is computed once per scene and selection, not once per frame.
 
 use crate::PointId;
 use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
@@ -12,21 +12,22 @@ use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::motion::lens::Lens;
 use crate::wording::words;
 
-/// Positions of the linkage that are shown elsewhere in its motion.
+/// Number of ghosts, which show the linkage at other positions of its motion.
 const GHOSTS: u16 = 6;
 
-/// A lower drawing leaves no room for the tips of arrows: the linkage would be too small to see.
+/// Minimum height for a drawing with room for arrow tips; in a lower one the linkage would be too
+/// small.
 const ROOM_FOR_ARROWS: u16 = 12;
 
-/// Traces are named while they are so few.
+/// Maximum number of traces that the legend names.
 const MOST_NAMES: usize = 3;
 
-/// A picture of its own is so many columns wide, and so many rows high at the most.
+/// Width and maximum height of an exported drawing, in character cells.
 const PICTURE: (u16, u16) = (100, 50);
-/// The height of its characters for their width.
+/// Ratio of height to width of such a cell.
 const PICTURE_ASPECT: f64 = 2.0;
 
-/// Which names are shown.
+/// The names shown in the drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum ShownNames {
     #[default]
@@ -44,7 +45,7 @@ impl ShownNames {
         }
     }
 
-    /// In words.
+    /// Describes the setting in words.
     pub(crate) fn text(self) -> &'static str {
         match self {
             ShownNames::Points => words().names_of_points(),
@@ -54,7 +55,7 @@ impl ShownNames {
     }
 }
 
-/// A layer that is on or off.
+/// A layer that can be toggled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Layer {
     Velocities,
@@ -66,7 +67,7 @@ pub(crate) enum Layer {
     Guides,
 }
 
-/// Which of the layers are on.
+/// The states of all layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct On([bool; 7]);
 
@@ -76,7 +77,7 @@ impl On {
     }
 }
 
-/// What a person has set.
+/// The user's settings of the viewport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ViewportSetting {
     names: ShownNames,
@@ -84,19 +85,19 @@ pub(crate) struct ViewportSetting {
     lens: Lens,
 }
 
-/// What the motion view shows, and how large.
+/// The layers and the window of the motion view.
 #[derive(Debug)]
 pub(crate) struct Viewport {
     names: ShownNames,
     on: On,
-    /// The window on it.
+    /// The window on the drawing.
     pub(crate) lens: Lens,
     overlay: Overlay,
-    /// The space that the linkage needs with its arrows, where there are any.
+    /// The extents of the linkage with its arrows, if there are arrows.
     reach: Option<Reach>,
-    /// For which scene, and what, the overlay was made.
+    /// The scene revision and the request for which the overlay was computed.
     made: Option<(Edition, Wanted)>,
-    /// Which points leave traces, in words.
+    /// The legend's text on the traced points.
     traced: String,
 }
 
@@ -117,7 +118,7 @@ impl Default for Viewport {
 }
 
 impl Viewport {
-    /// What is set: another one, another drawing.
+    /// Returns the settings; a change of them requires a new drawing.
     pub(crate) fn setting(&self) -> ViewportSetting {
         ViewportSetting {
             names: self.names,
@@ -126,37 +127,40 @@ impl Viewport {
         }
     }
 
-    /// Switches to the next names.
+    /// Switches to the next setting of names.
     pub(crate) fn next_names(&mut self) -> ShownNames {
         self.names = self.names.next();
         self.names
     }
 
-    /// Switches a layer on or off, and says which.
+    /// Toggles a layer and returns its new state.
     pub(crate) fn toggle(&mut self, layer: Layer) -> bool {
         let on = &mut self.on.0[layer as usize];
         *on = !*on;
         *on
     }
 
-    /// Whether what acts is shown.
+    /// Returns `true` if loads are shown.
     pub(crate) fn shows_forces(&self) -> bool {
         self.on.has(Layer::Forces)
     }
 
-    /// Fits the window anew, and where it is fitted already, to the whole motion and back.
+    /// Restores the default window; if it is the default already, shows the whole motion. Returns
+    /// the description of the framing.
     pub(crate) fn fit(&mut self) -> &'static str {
         self.lens.fit();
         self.lens.told(self.is_of_the_whole())
     }
 
-    /// Fits the window to the linkage as it stands, or no longer.
+    /// Fits the window to the linkage's current pose, or returns to the default. Returns the
+    /// description of the framing.
     pub(crate) fn fit_pose(&mut self) -> &'static str {
         self.lens.fit_pose();
         self.lens.told(self.is_of_the_whole())
     }
 
-    /// Keeps a point in the middle: the first that is followed, then the next; after the last none.
+    /// Centres the window on the first of the followed points, then on the next; after the last
+    /// one, returns to the default. Returns the description of the framing.
     pub(crate) fn follow(&mut self, open_scene: &OpenScene, followed: &FollowedPoints) -> String {
         let points = chosen(open_scene, followed, drawing::usual_traces);
         match self.lens.follow(&points) {
@@ -168,7 +172,7 @@ impl Viewport {
         }
     }
 
-    /// Need what is wanted of the motion, unless it is known already.
+    /// Computes the overlay for the scene and the layers, unless it is cached.
     pub(crate) fn focus(&mut self, open_scene: &OpenScene, followed: &FollowedPoints) {
         let wanted = self.wanted(open_scene, followed);
         if wanted.is_empty() && self.made.is_none() {
@@ -215,7 +219,7 @@ impl Viewport {
         }
     }
 
-    /// The linkage as it is now, with all layers that are on, and what is lit up in it.
+    /// Returns the linkage's current state with all active layers; `lit` is highlighted.
     pub(crate) fn figure(&self, open_scene: &OpenScene, lit: Option<Subject>) -> Figure {
         let layers = Layers {
             ground: self.on.has(Layer::Guides),
@@ -232,13 +236,13 @@ impl Viewport {
         figure
     }
 
-    /// The space that a drawing of so many rows is fitted to before it is enlarged.
+    /// Returns the extents to which a drawing of this height is fitted.
     pub(crate) fn reach<'s>(&'s self, open_scene: &'s OpenScene, rows: u16) -> &'s Reach {
         let with_arrows = self.reach.as_ref().filter(|_| rows >= ROOM_FOR_ARROWS);
         with_arrows.unwrap_or(open_scene.reach())
     }
 
-    /// The window of so many cells on a drawing that needs this space.
+    /// Returns the view of a number of cells on a drawing with these extents.
     pub(crate) fn view(
         &self,
         open_scene: &OpenScene,
@@ -251,14 +255,14 @@ impl Viewport {
             .view(open_scene, reach, size, aspect, of_the_whole)
     }
 
-    /// Whether something is shown that belongs to the whole motion.
+    /// Returns `true` if an active layer shows the whole motion.
     fn is_of_the_whole(&self) -> bool {
         [Layer::Traces, Layer::Ghosts]
             .into_iter()
             .any(|layer| self.on.has(layer))
     }
 
-    /// What is on that the drawing does not explain by itself, the most important first.
+    /// Returns the legend of the active layers, the most important entries first.
     pub(crate) fn legend(&self, view: &WorldView) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.lens.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
@@ -274,7 +278,7 @@ impl Viewport {
         entries
     }
 
-    /// The drawing as an SVG document, as it is seen now.
+    /// Returns the visible part of the drawing as an SVG document.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> String {
         let (cols, most) = PICTURE;
         let reach = self.reach(open_scene, most);
@@ -291,14 +295,14 @@ impl Viewport {
     }
 }
 
-/// The points that are followed; where there are none, the usual ones.
+/// Returns the followed points, or the default ones if there are none.
 fn chosen(
     open_scene: &OpenScene,
     followed: &FollowedPoints,
     usual: fn(&crate::Mechanism) -> Vec<PointId>,
 ) -> Vec<PointId> {
     let mechanism = &open_scene.scene().mechanism;
-    // After an edit a point may be gone.
+    // An edit may have removed points.
     let count = mechanism.points().len();
     let there = followed.points().iter().filter(|p| p.index() < count);
     let there: Vec<PointId> = there.copied().collect();

@@ -1,4 +1,4 @@
-//! The motor over a cycle: the curve of what the driver must do, and beside or below it the figures.
+//! Motor view: the curve of the driver's effort over a cycle, with the values next to or below it.
 //!
 //! ```text
 //! N m      * driver.torque 12.3    over driver.angle 60.00 deg
@@ -19,17 +19,17 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the figures of all parts, and of those of the whole alone.
+/// Widths of the values: with all parts of the effort, and with its total only.
 const WIDE: u16 = 66;
 const NARROW: u16 = 42;
-/// A curve beside the figures has at least so many columns; otherwise it stands above them.
+/// Minimum width of a curve next to the values; on a narrower screen the curve is above them.
 const LEAST_CURVE: u16 = 44;
-/// Blanks between the two.
+/// Blanks between the curve and the values.
 const GAP: u16 = 2;
-/// Where it stands above, it takes less than half the height, but within these rows.
+/// Minimum and maximum height of a curve above the values, which takes two fifths of the area.
 const ROWS_ABOVE: (u16, u16) = (5, 16);
 
-/// Where the parts of the view are.
+/// The areas of the curve and of the values.
 struct MotorAreas {
     curve: Rect,
     list: Rect,
@@ -72,7 +72,7 @@ fn arrange(app: &App, area: Rect) -> MotorAreas {
     }
 }
 
-/// The motor over a cycle.
+/// The motor view: the motor's duty over a cycle.
 pub(super) struct MotorView;
 
 impl Pane for MotorView {

@@ -1,5 +1,6 @@
-//! The motor over a cycle, or over a period of a motion over time, as it is found of the open scene: once for a scene or
-//! an edit; a frame only looks where the driver is.
+//! Computes the motor's duty of the open scene, over a cycle or over a period of a motion over
+//! time. It is computed once per scene revision; a frame only evaluates the driver's current
+//! position.
 
 use crate::Vec2;
 use crate::drawing::effort;
@@ -13,7 +14,7 @@ use crate::study::motor::{NoTimedDuty, TimedDuty};
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
-/// What was found of a scene, if it has been looked at.
+/// The motor study of a scene, empty until the view is shown.
 #[derive(Debug, Default)]
 pub(crate) struct MotorStudy {
     studied: Option<Studied>,
@@ -21,24 +22,24 @@ pub(crate) struct MotorStudy {
 
 #[derive(Debug)]
 struct Studied {
-    /// Which scene, in which form.
+    /// The revision of the scene.
     of: Edition,
     found: FoundMotor,
     page: Page,
-    /// `None` where nothing acts.
+    /// The curve; `None` if there are no forces.
     plot: Option<Plot>,
 }
 
-/// All that was found.
+/// The result of a motor study.
 #[derive(Debug)]
 enum FoundMotor {
     Cycle(Box<MotorReport>),
     Period(Box<Period>),
-    /// In words, why there is nothing over a period.
+    /// The reason why there is no duty over a period.
     Nothing(String),
 }
 
-/// A period of a motion over time.
+/// The duty over a period of a motion over time.
 #[derive(Debug)]
 struct Period {
     report: TimedMotorReport,
@@ -105,7 +106,7 @@ impl Period {
 }
 
 impl MotorStudy {
-    /// Studies the scene, if that was not done yet.
+    /// Computes the study of the scene unless it is cached.
     pub(crate) fn study(&mut self, open_scene: &OpenScene) {
         if self
             .studied
@@ -124,12 +125,12 @@ impl MotorStudy {
         });
     }
 
-    /// All that was found.
+    /// Returns the results as a page.
     pub(crate) fn page(&self) -> Option<&Page> {
         self.studied.as_ref().map(|studied| &studied.page)
     }
 
-    /// Why there is neither curve nor figures.
+    /// Returns the reason why there are neither curve nor values.
     pub(crate) fn nothing(&self) -> String {
         match self.studied.as_ref().map(|studied| &studied.found) {
             Some(FoundMotor::Cycle(report)) => {
@@ -141,12 +142,12 @@ impl MotorStudy {
         }
     }
 
-    /// The curve over the cycle; `None` where nothing acts.
+    /// Returns the curve over the cycle; `None` if there are no forces.
     pub(crate) fn plot(&self) -> Option<&Plot> {
         self.studied.as_ref()?.plot.as_ref()
     }
 
-    /// Where the driver is in the cycle or the period, and what it must do there.
+    /// Returns the driver's position in the cycle or period, with its effort there.
     pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
         let report = match &self.studied.as_ref()?.found {
             FoundMotor::Cycle(report) => report,
@@ -166,14 +167,15 @@ impl MotorStudy {
         } else {
             at
         };
-        // As the view of forces has it, not as the sums over the cycle do.
+        // The torque solved at this position, as in the forces view, not the one of the sums over
+        // the cycle.
         Some(Here {
             along: Some(along),
             values: vec![duty.step(along).torque],
         })
     }
 
-    /// The curve as an SVG document.
+    /// Returns the curve as an SVG document.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
         let here = self.here(open_scene);
         Some(
@@ -182,7 +184,7 @@ impl MotorStudy {
         )
     }
 
-    /// The cycle step by step as comma separated values.
+    /// Returns the steps of the cycle as CSV.
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
         let report = match &self.studied.as_ref()?.found {
             FoundMotor::Cycle(report) => report,
@@ -195,7 +197,7 @@ impl MotorStudy {
         String::from_utf8(text).ok()
     }
 
-    /// All that was found as text.
+    /// Returns the results as text.
     pub(crate) fn text(&self, ascii: bool) -> Option<String> {
         Some(match &self.studied.as_ref()?.found {
             FoundMotor::Cycle(report) => report.to_text(ascii),

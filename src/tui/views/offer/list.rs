@@ -1,22 +1,21 @@
-//! The offer of edits that earlier sessions have left: a list in the middle of the screen, and what is looked
-//! at of it.
+//! The offer of unsaved edits from earlier sessions: the list and the page read by the user.
 
 use crate::tui::document::difference::difference;
 use crate::tui::document::recovery::{Generation, Others};
 use crate::wording::words;
 
-/// What is offered, and where the cursor is.
+/// The offered edits and the cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Offer {
     pub(crate) others: Others,
     pub(crate) cursor: usize,
-    /// What is read of the edits under the cursor.
+    /// The opened page on the selected edits, if any.
     pub(crate) page: Option<OfferPage>,
-    /// Whether it is asked if the edits under the cursor are to go.
+    /// `true` while the user must confirm that the selected edits are dropped.
     pub(crate) asks: bool,
 }
 
-/// Lines that are read.
+/// A page of scrollable lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct OfferPage {
     pub(crate) title: &'static str,
@@ -25,7 +24,7 @@ pub(crate) struct OfferPage {
 }
 
 impl Offer {
-    /// What others have kept, if that is anything.
+    /// Creates an offer; `None` if there are neither unsaved edits nor other open sessions.
     pub(crate) fn of(others: Others) -> Option<Offer> {
         let is_any = !others.alive.is_empty() || !others.left.is_empty();
         is_any.then_some(Offer {
@@ -36,12 +35,12 @@ impl Offer {
         })
     }
 
-    /// The edits under the cursor.
+    /// Returns the selected edits.
     pub(crate) fn chosen(&self) -> Option<&Generation> {
         self.others.left.get(self.cursor)
     }
 
-    /// Reads the text of the edits.
+    /// Opens the text of the selected edits as a page.
     pub(crate) fn look(&mut self) {
         let lines = |chosen: &Generation| {
             let lines = chosen.edits.text.lines().map(str::to_owned);
@@ -54,7 +53,7 @@ impl Offer {
         });
     }
 
-    /// Reads what they change of the text that the file has now.
+    /// Opens the difference between the file's current text and the selected edits as a page.
     pub(crate) fn compare(&mut self, present: &str) {
         self.page = self.chosen().map(|chosen| OfferPage {
             title: words().what_the_edits_change(),
@@ -63,7 +62,7 @@ impl Offer {
         });
     }
 
-    /// Moves the cursor, or the page, by so many lines.
+    /// Moves the cursor, or scrolls the page, by `lines`.
     pub(crate) fn move_by(&mut self, lines: isize) {
         self.asks = false;
         match &mut self.page {
@@ -78,7 +77,7 @@ impl Offer {
         }
     }
 
-    /// The edits under the cursor are gone; whether others are left.
+    /// Removes the selected edits from the list; returns `true` if others remain.
     pub(crate) fn forget(&mut self) -> bool {
         if self.cursor < self.others.left.len() {
             self.others.left.remove(self.cursor);
@@ -89,7 +88,7 @@ impl Offer {
     }
 }
 
-/// What waits to be made together, a line each.
+/// Returns the staged edits, one per line.
 fn waiting(chosen: &Generation) -> Vec<String> {
     let edits = chosen.edits.waiting.list().iter();
     let lines = edits.map(|(name, text)| words().edit_that_waits(name, text));

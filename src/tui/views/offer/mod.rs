@@ -1,4 +1,4 @@
-//! The offer of edits that earlier sessions have left, in the middle of the screen.
+//! Renders the offer of unsaved edits from earlier sessions, in the middle of the screen.
 //!
 //! ```text
 //! +- Unsaved edits of this scene -------------------+
@@ -23,9 +23,9 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the list.
+/// Width of the list in columns.
 const LIST: u16 = 54;
-/// A line, and how it looks.
+/// A line and its style.
 type OfferLine = (String, ScreenPart);
 
 pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) {
@@ -50,16 +50,16 @@ pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) 
     }
 }
 
-/// Where the offer stands.
+/// Returns the area of the offer's frame.
 pub(super) fn placed(offer: &Offer, area: Rect) -> Rect {
     OfferLayout::of(offer, area).place
 }
 
-/// What is seen of the offer, and where.
+/// The contents and the place of the offer.
 struct OfferLayout {
     place: Rect,
     lines: Vec<OfferLine>,
-    /// Below the lines.
+    /// The key hints below the lines.
     keys: Vec<String>,
 }
 
@@ -92,7 +92,7 @@ fn rows<T>(lines: &[T]) -> u16 {
     u16::try_from(lines.len()).unwrap_or(u16::MAX)
 }
 
-/// The keys that matter, and what they do.
+/// Returns the relevant keys and their effects.
 fn keys(offer: &Offer) -> Vec<String> {
     let [compare, take] = [("c", words().compare()), ("t", words().take())];
     let keys = match (&offer.page, offer.others.left.is_empty(), offer.asks) {
@@ -110,12 +110,12 @@ fn keys(offer: &Offer) -> Vec<String> {
     keys.into_iter().map(told).collect()
 }
 
-/// A key and what it does.
+/// Formats a key and its effect.
 fn told((key, does): (&str, &str)) -> String {
     format!("{key} {does}")
 }
 
-/// Two blanks apart, in as many lines as they take.
+/// Joins the key hints with two blanks and breaks them into lines.
 fn hints(keys: &[String], width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for key in keys {
@@ -130,7 +130,7 @@ fn hints(keys: &[String], width: usize) -> Vec<String> {
     lines
 }
 
-/// The generations, with the cursor among those that are seen, and who else is there.
+/// Returns the generations of edits, scrolled to the cursor, and the other open sessions.
 fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<OfferLine> {
     let elsewhere = offer.others.alive.iter().flat_map(|other| {
         let lines = wrapped(&elsewhere(other), columns.into(), false);
@@ -177,7 +177,7 @@ fn elsewhere(other: &Alive) -> String {
     words().open_elsewhere_too(process, host, time)
 }
 
-/// The lines of a page from where it is scrolled to.
+/// Returns the visible lines of a scrolled page, below its time.
 fn read(page: &OfferPage, offer: &Offer, most: u16) -> Vec<OfferLine> {
     let time = offer.chosen().map_or("", |chosen| &chosen.time);
     let head = (words().of_time(time), ScreenPart::Quiet);

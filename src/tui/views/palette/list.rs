@@ -1,5 +1,5 @@
-//! The commands that are listed: all of the table of actions, narrowed by what is typed, the best first; behind them the
-//! topics of the manual that tell of it.
+//! The list of commands: the table of actions, filtered by the typed text, best matches first,
+//! followed by the matching topics of the manual.
 
 use crate::document::with_ascii_letters;
 use crate::manual::{self, TOPICS, Topic};
@@ -8,24 +8,24 @@ use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
 use crate::wording::words;
 
-/// What is listed.
+/// An entry of the list.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Listed {
     Command(&'static ActionRow),
-    /// A topic of the manual, and its place there.
+    /// A topic of the manual, with its index.
     Topic(usize, &'static Topic),
 }
 
-/// What a word costs that a command is looked for by: more than letters of its name.
+/// The cost of a keyword match, higher than that of any match in a command's name.
 const KEYWORD: usize = 1000;
 
-/// All commands, narrowed by what is searched for.
+/// All commands, filtered by the typed text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CommandList {
     line: EditLine,
-    /// By their places in the table, the best first.
+    /// Indices into the table of actions, best matches first.
     found: Vec<usize>,
-    /// By their places in the manual.
+    /// Indices into the manual.
     topics: Vec<usize>,
     cursor: usize,
 }
@@ -46,12 +46,13 @@ impl CommandList {
         self.line.text()
     }
 
-    /// The line that is typed into; [`CommandList::narrow`] has to follow.
+    /// Returns the input line; [`CommandList::narrow`] must be called after a change.
     pub(crate) fn line(&mut self) -> &mut EditLine {
         &mut self.line
     }
 
-    /// Lists what is meant by what is typed: the best first, of these the shortest, and otherwise as in the table.
+    /// Lists the matching commands: the best first, then the shortest, and in the table's order if
+    /// they are equal.
     pub(crate) fn narrow(&mut self) {
         let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
@@ -71,7 +72,7 @@ impl CommandList {
         self.cursor = 0;
     }
 
-    /// What is listed.
+    /// Yields the listed entries.
     pub(crate) fn found(&self) -> impl Iterator<Item = Listed> {
         let commands = self.found.iter().filter_map(|at| rows().nth(*at));
         let topics = self.topics.iter();
@@ -87,19 +88,19 @@ impl CommandList {
         self.cursor
     }
 
-    /// What is under the cursor.
+    /// Returns the entry under the cursor.
     pub(crate) fn chosen(&self) -> Option<Listed> {
         self.found().nth(self.cursor)
     }
 
-    /// Moves the cursor, within the list.
+    /// Moves the cursor within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
         let most = self.count().saturating_sub(1);
         self.cursor = self.cursor.saturating_add_signed(rows).min(most);
     }
 }
 
-/// How far the words that a command is looked for by are from what is typed: one of them begins so. `None` where none does.
+/// Returns the cost of the typed text as a prefix of one of the keywords; `None` if none matches.
 fn keyword_cost(typed: &str, sought: &str) -> Option<(usize, usize)> {
     let typed = typed.trim();
     let sought = plain(sought);
@@ -108,22 +109,23 @@ fn keyword_cost(typed: &str, sought: &str) -> Option<(usize, usize)> {
     Some((KEYWORD, word.len()))
 }
 
-/// Every command but the list of commands itself.
+/// Returns every command except the list of commands itself.
 fn rows() -> impl Iterator<Item = &'static ActionRow> {
     action::entries().filter(|row| row.action != Action::Palette)
 }
 
-/// In small letters of ASCII, for keyboards that have no others.
+/// Converts to lower-case ASCII, for keyboards without other letters.
 fn plain(text: &str) -> String {
     with_ascii_letters(text).to_ascii_lowercase()
 }
 
-/// How far a text is from what is typed, blanks left out: the letters must stand in it in their order, and each gap
-/// between them costs, least where a word begins behind it. `None` where they do not.
+/// Returns the distance of a text from the typed letters, ignoring blanks. The letters must occur
+/// in their order; each gap costs by its length, and less before the start of a word. `None` if a
+/// letter is missing.
 fn cost(typed: &str, text: &str) -> Option<usize> {
     let text: Vec<char> = plain(text).chars().collect();
     let begins = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
-    // What the letters so far cost, by where the last of them stands.
+    // The minimum costs of the letters so far, by the position of the last one.
     let mut before: Option<Vec<Option<usize>>> = None;
     for letter in typed.chars().filter(|c| *c != ' ') {
         let step = |at: usize| {

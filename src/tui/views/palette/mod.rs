@@ -1,4 +1,5 @@
-//! The list of all commands over the view: what is typed narrows it, and Enter does what the cursor is on.
+//! Renders the list of all commands over the view: typing filters it, and Enter runs the selected
+//! command.
 //!
 //! ```text
 //! +- :zoom ---------------------------+
@@ -18,11 +19,11 @@ use list::{CommandList, Listed};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns and rows of the list, as far as there is room: they stay while it is narrowed.
+/// Maximum size of the list in columns and rows, which does not change while it is filtered.
 const COLUMNS: u16 = 42;
 const ROWS: u16 = 14;
 
-/// Where the box is.
+/// Returns the area of the popup.
 pub(super) fn placed(area: Rect) -> Rect {
     popup::centred(area, COLUMNS, ROWS)
 }
@@ -66,7 +67,7 @@ pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut 
     }
 }
 
-/// What a command does, and its keys at the right; or what a topic of the manual tells.
+/// Renders a command with its keys at the right, or a topic of the manual.
 fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &mut Buffer) {
     let (mark, part) = match is_chosen {
         true => ("> ", ScreenPart::Key),
@@ -91,13 +92,13 @@ fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &m
     }
 }
 
-/// The cursor is seen, with rows above it where there are some.
+/// Returns the first visible row, such that the cursor is centred if possible.
 fn first_seen(palette: &CommandList, height: usize) -> usize {
     let most = palette.count().saturating_sub(height);
     palette.cursor().saturating_sub(height / 2).min(most)
 }
 
-/// Lines of the list, and how many are seen.
+/// Returns the number of rows and the number of visible ones.
 pub(super) fn extent(palette: &CommandList, area: Rect) -> (usize, usize) {
     (palette.count(), popup::within(placed(area)).height.into())
 }

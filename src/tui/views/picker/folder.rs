@@ -1,5 +1,4 @@
-//! What a folder holds for somebody who looks for a scene: other folders, and files that end in
-//! `.toml`.
+//! Reads a folder for the scene picker: its folders, and its files that end in `.toml`.
 
 use crate::files::read_file;
 use crate::scene::LARGEST_FILE;
@@ -9,30 +8,30 @@ use std::fs::{self, DirEntry};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The ending of scene files.
+/// File name extension of scenes.
 const ENDING: &str = "toml";
-/// More than this nobody looks through, and reading them all would keep the keys waiting.
+/// Maximum number of entries read. A longer list is of no use, and reading it would delay the keys.
 const MOST_ENTRIES: usize = 50_000;
 
-/// To know what more files hold than this takes too long.
+/// Maximum number of files whose contents are read to detect tasks; more would take too long.
 const MOST_READ: usize = 1000;
 
-/// What a folder holds, each part in the order of its names.
+/// The entries of a folder, each list sorted by name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Folder {
-    /// The folders in it.
+    /// The subfolders.
     pub(crate) folders: Vec<PathBuf>,
-    /// Whatever is called like a scene file: whether it is one shows when it is opened.
+    /// All files named like a scene; their contents are checked when they are opened.
     pub(crate) scenes: Vec<PathBuf>,
-    /// Whether there is so much in it that the rest was left unread.
+    /// `true` if the folder has more entries than were read.
     pub(crate) is_cut: bool,
 }
 
 impl Folder {
-    /// Reads a folder. Hidden entries, and those that vanish meanwhile, are left out.
+    /// Reads a folder, without hidden entries and those that vanish meanwhile.
     ///
     /// # Errors
-    /// What the system says where it cannot be read.
+    /// Returns the system's error if the folder cannot be read.
     pub(crate) fn read(path: &Path) -> io::Result<Folder> {
         let mut folder = Folder::default();
         for (seen, entry) in fs::read_dir(path)?.enumerate() {
@@ -49,7 +48,8 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Leaves out files that hold tasks. Of many files none is read: what they are shows when they are opened.
+    /// Removes the files that contain tasks. If there are many files, they are kept unread and
+    /// checked when opened.
     pub(super) fn leave_out_tasks(&mut self) {
         if self.scenes.len() <= MOST_READ {
             self.scenes.retain(|path| !is_task(path));
@@ -69,25 +69,26 @@ impl Folder {
     }
 }
 
-/// Whether it is a folder, or a link to one.
+/// Returns `true` for a folder or a symbolic link to one.
 fn is_folder(entry: &DirEntry, path: &Path) -> bool {
     entry.file_type().is_ok_and(|kind| {
         kind.is_dir() || (kind.is_symlink() && fs::metadata(path).is_ok_and(|m| m.is_dir()))
     })
 }
 
-/// Whether a file that can be read holds a task.
+/// Returns `true` if a file is readable and contains a task.
 fn is_task(path: &Path) -> bool {
     read_file(path, LARGEST_FILE).is_ok_and(|bytes| TaskFile::is_meant(&bytes))
 }
 
-/// Capitals beside their small letters; what differs by them alone keeps one order.
+/// Returns a sort key that ignores case first and then distinguishes it, so that the order is
+/// fixed.
 fn sorting(path: &Path) -> (String, String) {
     let name = name_of(path);
     (name.to_lowercase(), name)
 }
 
-/// The last part of a path, as far as it is text.
+/// Returns the last part of a path, with invalid characters replaced.
 pub(crate) fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
     name.to_string_lossy().into_owned()

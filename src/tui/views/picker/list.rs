@@ -1,4 +1,4 @@
-//! Choosing a scene: the files of a folder and the presets as one list, which narrows as one types.
+//! The list of the scene picker: a folder's files and the presets, filtered by typing.
 
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, is_harmful, sanitized};
@@ -8,23 +8,23 @@ use crate::wording::words;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// What a scene is chosen for.
+/// The purpose for which a scene is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
-    /// To be opened in place of the open one.
+    /// To replace the open scene.
     Open,
-    /// To be held against the open one.
+    /// To be compared with the open scene.
     Compare,
 }
 
-/// What can be chosen.
+/// An entry's target.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum PickerTarget {
-    /// The open scene, as it was when it was opened.
+    /// The open scene in its original version.
     Original,
-    /// The linkages for the task that was looked at last.
+    /// The candidates of the most recent task.
     Candidates,
-    /// A folder to look into.
+    /// A folder to enter.
     Folder(PathBuf),
     /// A file.
     File(PathBuf),
@@ -33,7 +33,7 @@ pub(crate) enum PickerTarget {
 }
 
 impl PickerTarget {
-    /// Where an open scene comes from.
+    /// Returns the target of an open scene's origin; `None` if it is neither a preset nor a file.
     pub(crate) fn of(origin: &Origin) -> Option<PickerTarget> {
         match origin {
             Origin::Preset(name) => {
@@ -52,52 +52,52 @@ impl PickerTarget {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PickerItem {
     pub(crate) place: PickerTarget,
-    /// As it is listed: the name of a file with its ending, of a folder with a stroke behind it.
+    /// The listed name: a file's name with its extension, or a folder's name with a trailing slash.
     pub(crate) name: String,
-    /// The title of a preset; of a file nothing is known until it is looked at.
+    /// The title of a preset; empty for a file, whose title is unknown until it is read.
     pub(crate) title: String,
-    /// Name and title in small letters, for the search.
+    /// Name and title in lower case, for the search.
     key: String,
 }
 
 /// A line of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PickerRow<'p> {
-    /// The folder whose files follow.
+    /// The heading of a folder's entries.
     Folder(&'p Path),
-    /// The presets follow.
+    /// The heading of the presets.
     Presets,
-    /// Something to know, where entries could be expected.
+    /// A note in place of entries.
     Note(&'p str),
-    /// An entry, and whether it is under the cursor.
+    /// An entry, and whether it is selected.
     Item(&'p PickerItem, bool),
 }
 
-/// The list, what was typed to narrow it, and the cursor in it.
+/// The list, its search text and its cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Picker {
     purpose: Purpose,
-    /// What stands before folders and files.
+    /// The entry above folders and files.
     first: Option<PickerItem>,
     /// The open scene, which is not compared with itself.
     here: Option<PickerTarget>,
     folder: PathBuf,
-    /// What is to be said about the folder.
+    /// The note about the folder.
     note: Option<String>,
     items: Vec<PickerItem>,
     search: String,
-    /// The numbers of the entries that match the search.
+    /// Indices of the entries that match the search.
     matches: Vec<usize>,
-    /// Which of the matches the cursor is on.
+    /// Index into the matches.
     cursor: usize,
 }
 
-/// Longer searches find nothing that shorter ones do not.
+/// Maximum length of a search, in characters; a longer one would not find more.
 const LONGEST_SEARCH: usize = 40;
-/// Leads out of a folder.
+/// The entry that leads to the parent folder.
 const ABOVE: &str = "..";
 
-/// A folder, and what was found in it, or in words why nothing was.
+/// A folder with its contents, or the reason why it could not be read.
 #[derive(Debug)]
 pub(crate) struct FolderReading {
     folder: PathBuf,
@@ -105,7 +105,8 @@ pub(crate) struct FolderReading {
 }
 
 impl FolderReading {
-    /// Reads a folder, which may take long. A task is nothing to be compared with.
+    /// Reads a folder, which may take long. Tasks are left out if a scene for a comparison is
+    /// chosen.
     pub(crate) fn of(folder: &Path, purpose: Purpose) -> FolderReading {
         let folder = whole(folder);
         let mut found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
@@ -117,7 +118,7 @@ impl FolderReading {
 }
 
 impl Default for FolderReading {
-    /// None so far.
+    /// Creates the placeholder shown while a folder is read.
     fn default() -> Self {
         FolderReading {
             folder: PathBuf::new(),
@@ -127,7 +128,7 @@ impl Default for FolderReading {
 }
 
 impl Picker {
-    /// The presets; a folder is listed once it was read.
+    /// Creates a list with the presets; the folder's entries are added after it was read.
     pub(crate) fn new(
         purpose: Purpose,
         first: Option<PickerItem>,
@@ -156,18 +157,18 @@ impl Picker {
         &self.search
     }
 
-    /// How many entries match, of how many.
+    /// Returns the number of matching entries and the number of all entries.
     pub(crate) fn count(&self) -> (usize, usize) {
         (self.matches.len(), self.items.len())
     }
 
-    /// The entry under the cursor; `None` where nothing matches.
+    /// Returns the selected entry; `None` if there are no matches.
     pub(crate) fn chosen(&self) -> Option<&PickerItem> {
         let number = self.matches.get(self.cursor)?;
         self.items.get(*number)
     }
 
-    /// Lists another folder, with nothing typed, and the cursor on `at` where that is in it.
+    /// Lists a folder with an empty search; the cursor is on `at` if it is listed.
     pub(crate) fn list(&mut self, read: FolderReading, at: Option<&PickerTarget>) {
         self.folder = read.folder;
         self.search.clear();
@@ -192,7 +193,7 @@ impl Picker {
         self.cursor = at.and_then(known).unwrap_or_else(|| self.first_scene());
     }
 
-    /// Lists what was found in the folder; what is to be said about it.
+    /// Adds the entries of the folder and returns the note about it.
     fn take(&mut self, found: Folder) -> Option<String> {
         let note = match (found.is_cut, found.scenes.is_empty()) {
             (true, _) => Some(words().more_than_can_be_listed()),
@@ -212,18 +213,19 @@ impl Picker {
         note.map(str::to_owned)
     }
 
-    /// Whether a folder is the one that holds the folder that is listed.
+    /// Returns `true` if a folder is the parent of the listed one.
     pub(crate) fn is_above(&self, folder: &Path) -> bool {
         self.folder.parent() == Some(folder)
     }
 
-    /// The folder that holds the one that is listed, and this one as a place in it.
+    /// Returns the parent of the listed folder, and the listed folder as an entry of it.
     pub(crate) fn above(&self) -> Option<(PathBuf, PickerTarget)> {
         let above = self.folder.parent()?.to_owned();
         Some((above, PickerTarget::Folder(self.folder.clone())))
     }
 
-    /// Types into the search; what could act on a terminal is left out, and so is a blank in front.
+    /// Appends a character to the search. Rejects control characters that could affect the
+    /// terminal, and a leading blank.
     pub(crate) fn push(&mut self, c: char) {
         let fits = self.search.chars().count() < LONGEST_SEARCH;
         if fits && !is_harmful(c) && !(c == ' ' && self.search.is_empty()) {
@@ -243,19 +245,19 @@ impl Picker {
         self.search_again();
     }
 
-    /// Moves the cursor by so many entries, as far as there are any.
+    /// Moves the cursor by `entries` within the matches.
     pub(crate) fn move_by(&mut self, entries: isize) {
         let most = self.matches.len().saturating_sub(1);
         self.cursor = self.cursor.saturating_add_signed(entries).min(most);
     }
 
-    /// The lines of the list: what matches, under the headings of its parts.
+    /// Returns the lines of the list: the matches under the headings of their parts.
     pub(crate) fn rows(&self) -> Vec<PickerRow<'_>> {
         let items = self.matches.iter().enumerate();
         let items = items.filter_map(|(i, &n)| Some((i == self.cursor, self.items.get(n)?)));
         let mut rows = Vec::with_capacity(self.matches.len() + 3);
         let (mut in_folder, mut in_presets) = (false, false);
-        // What is to be said about the folder is said where nothing is searched for.
+        // The note about the folder is shown only without a search.
         let note = self.note.as_deref().filter(|_| self.search.is_empty());
         for (under_cursor, item) in items {
             match item.place {
@@ -279,7 +281,8 @@ impl Picker {
         rows
     }
 
-    /// What was typed has changed: the cursor goes to what begins that way, or to the first scene.
+    /// Filters again after a change of the search. The cursor goes to the first match that begins
+    /// with the search, or else to the first scene.
     fn search_again(&mut self) {
         self.narrow();
         let typed = self.search.to_lowercase();
@@ -291,8 +294,8 @@ impl Picker {
         };
     }
 
-    /// Need the entries that have every word of the search in their name or title. The way out of the
-    /// folder is nothing that is searched for.
+    /// Selects the entries whose name or title contains every word of the search. The entry of the
+    /// parent folder is not searched.
     fn narrow(&mut self) {
         let typed = self.search.to_lowercase();
         let words: Vec<&str> = typed.split_whitespace().collect();
@@ -305,7 +308,8 @@ impl Picker {
         self.matches = found.map(|(n, _)| n).collect();
     }
 
-    /// Where the cursor is best when nothing says more: folders come first, but are not looked for.
+    /// Returns the default cursor: the first scene, because folders come first but are rarely
+    /// meant.
     fn first_scene(&self) -> usize {
         let is_scene = |n: &usize| !matches!(self.items[*n].place, PickerTarget::Folder(_));
         self.matches.iter().position(is_scene).unwrap_or(0)
@@ -319,21 +323,21 @@ impl PickerItem {
             place,
             name: name.to_owned(),
             title: title.to_owned(),
-            // Who has no Turkish letters types those that stand for them.
+            // A form without Turkish letters, for keyboards that lack them.
             key: format!("{name} {title} {plain}").to_lowercase(),
         }
     }
 }
 
-/// The titles of the presets as their files have them, in their order.
+/// The titles of the presets from their files, in the order of the presets.
 static TITLES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let title = |preset: &Preset| Scene::parse(preset.text, preset.name).map(|scene| scene.name);
     let titles = presets::all().iter().map(title);
     titles.map(Result::unwrap_or_default).collect()
 });
 
-/// The path of a folder that can be walked out of: with `..` in its middle it could not. As it is where
-/// it leads nowhere.
+/// Returns the canonical path of a folder, whose parents can be entered; a `..` in its middle would
+/// prevent that. A path that does not exist is only made absolute.
 fn whole(folder: &Path) -> PathBuf {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),

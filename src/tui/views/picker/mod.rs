@@ -1,4 +1,5 @@
-//! The list of presets and files, and beside it the scene under the cursor.
+//! Renders the scene picker: the list of presets and files, with a preview of the selected scene
+//! next to it.
 //!
 //! ```text
 //! Open a scene  search: pre_                     3 of 31
@@ -25,14 +26,15 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Where the parts of the screen are.
+/// The areas of the list and of the preview.
 pub(super) struct PickerAreas {
     pub(super) list: Rect,
-    /// One column, and what is right of it; none on small screens.
+    /// The separator and the preview right of it; `None` on small screens.
     pub(super) preview: Option<(Rect, Rect)>,
 }
 
-/// A list, of so many columns on usual and on wide screens, and what stands beside it.
+/// Arranges a list and the preview next to it; the list has one width on usual screens and one on
+/// wide ones.
 pub(super) fn arrange(area: Rect, [usual, wide]: [u16; 2]) -> PickerAreas {
     if area.width < NARROWEST || area.height < LOWEST {
         let list = inset(area);
@@ -70,12 +72,12 @@ pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buff
     }
 }
 
-/// Lines of the list, and how many are seen.
+/// Returns the number of lines of the list and the number of visible ones.
 pub(super) fn extent(picker: &Picker, area: Rect) -> (usize, usize) {
     (picker.rows().len(), arrange(area, LISTS).list.height.into())
 }
 
-/// The first line: what is typed, and how much is left by it.
+/// Renders the title line: the search and the number of matches.
 fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let what = match picker.purpose() {
         Purpose::Open => words().open_a_scene(),
@@ -152,8 +154,8 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The first line of a list that is seen, and the last that could be the first: the cursor is seen, with as much above
-/// it as below.
+/// Returns the first visible line of a list, such that the cursor is centred if possible, and the
+/// maximum of that line.
 pub(super) fn first_and_most(cursor: usize, lines: usize, area: Rect) -> (usize, usize) {
     let height = usize::from(area.height).max(1);
     let most = lines.saturating_sub(height);
@@ -173,7 +175,7 @@ fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &
     let name = cut(&shown(&item.name, app.glyphs()), room);
     let x = area.x + INDENT;
     print(buffer, x, area.y, area.width, &name, part(ScreenPart::Text));
-    // Titles stand below each other.
+    // Titles are aligned in a column.
     let x = x + NAMES;
     if area.right() >= x + SHORTEST_TITLE && columns(&name) < NAMES {
         let title = cut(
@@ -226,7 +228,7 @@ fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The drawing, and the facts below it.
+/// Renders the drawing with the facts below it.
 fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
     let facts = facts(sample, area.width.into());
     let most = area
@@ -253,7 +255,7 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What is worth knowing before a scene is opened, in lines.
+/// Returns the facts about a scene, wrapped and truncated.
 fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
     let Sample { scene, .. } = sample;
     let lines = |text: &str, most: usize, part: ScreenPart| {
@@ -279,7 +281,7 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
         .collect()
 }
 
-/// The first fault in words, where it is and what mends it.
+/// Renders the first fault, its place and its fix.
 fn faulty(app: &App, fault: &Unopenable, area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     let area = paragraph(
@@ -348,7 +350,7 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Writes text into as many lines as it takes; what is left of the area.
+/// Prints wrapped text and returns the area below it.
 pub(super) fn paragraph(
     app: &App,
     text: &str,
@@ -364,7 +366,7 @@ pub(super) fn paragraph(
     split(area, u16::try_from(lines.len()).unwrap_or(area.height)).1
 }
 
-/// The first lines of an area, and the others.
+/// Splits an area into its first `height` lines and the rest.
 pub(super) fn split(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);
     let below = Rect {
@@ -375,8 +377,8 @@ pub(super) fn split(area: Rect, height: u16) -> (Rect, Rect) {
     (Rect { height, ..area }, below)
 }
 
-/// The text, or where it is longer than `most` characters, two points and its end: of a path that says
-/// most.
+/// Returns the text, or two points and its last characters if it is longer than `most`. The end of
+/// a path is the most informative part.
 fn ending(text: &str, most: usize) -> String {
     let length = text.chars().count();
     if length <= most {
@@ -386,21 +388,22 @@ fn ending(text: &str, most: usize) -> String {
     format!("..{end}")
 }
 
-/// Below this, the list stands alone.
+/// Minimum screen size for a preview; on a smaller screen the list is alone.
 const NARROWEST: u16 = 70;
 const LOWEST: u16 = 14;
-/// Columns of the list, its margins included; on wider screens titles stand behind the names.
+/// Widths of the list with its margins: on usual screens, and on wide ones with titles behind the
+/// names.
 const LISTS: [u16; 2] = [30, 56];
-/// From here on screens are wide.
+/// Minimum width of a wide screen.
 const ROOM_FOR_TITLES: u16 = 110;
-/// In front of a name, for the mark of the cursor.
+/// Columns in front of a name for the cursor's mark.
 const INDENT: u16 = 2;
-/// Columns of names that have titles behind them, and what a title needs to say something.
+/// Width of the names in front of titles, and the minimum width of a title.
 const NAMES: u16 = 22;
 const SHORTEST_TITLE: u16 = 24;
-/// The drawing keeps so many lines.
+/// Minimum height of the drawing, in lines.
 const LOWEST_DRAWING: u16 = 6;
-/// Lines of what is said about a scene.
+/// Maximum numbers of lines for the facts, the source and the note.
 const MOST_FACTS: usize = 2;
 const MOST_SOURCE: usize = 2;
 const MOST_NOTE: usize = 3;

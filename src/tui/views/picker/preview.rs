@@ -1,4 +1,4 @@
-//! What can be said and shown of a scene before it is opened.
+//! Previews of scenes, files and folders before they are opened.
 
 use crate::Input;
 use crate::drawing::Reach;
@@ -14,58 +14,59 @@ use crate::wording::words;
 use std::fs;
 use std::path::Path;
 
-/// Larger files are not opened before somebody asks for it: that could take longer than the time
-/// between two keys.
+/// Maximum size of a previewed file. A larger one could take longer than the time between two keys,
+/// so it is opened only on request.
 const LARGEST: u64 = 32 << 10;
-/// Previews that are kept: going to and fro costs nothing.
+/// Number of cached previews, so that moving back and forth costs nothing.
 const KEPT: usize = 24;
 
-/// What is shown beside an entry of the list.
+/// The preview of an entry.
 #[derive(Debug)]
 pub(crate) enum Preview {
-    /// A scene where it opens.
+    /// A scene that opens without faults.
     Scene(Box<Sample>),
     /// A file that cannot be opened.
     Fault(Unopenable),
-    /// What a folder holds, by name.
+    /// The names of a folder's entries.
     Folder(Vec<String>),
-    /// There is nothing to see yet; why, in words.
+    /// The reason why there is no preview yet.
     Unseen(String),
 }
 
-/// A scene where it opens.
+/// A scene solved at its start position.
 #[derive(Debug)]
 pub(crate) struct Sample {
     pub(crate) scene: Scene,
     pub(crate) reach: Reach,
     pub(crate) state: State,
-    /// `4 links, 1 slide, unit mm`.
+    /// The parts, such as `4 links, 1 slide, unit mm`.
     pub(crate) parts: String,
-    /// `r2 turns fully`.
+    /// The driver's range, such as `r2 turns fully`.
     pub(crate) range: String,
 }
 
-/// Why a file cannot be opened.
+/// The reason why a file cannot be opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Unopenable {
-    /// What is wrong first.
+    /// The first fault.
     pub(crate) what: String,
-    /// Line and column, from 1.
+    /// Line and column of the fault, counted from 1.
     pub(crate) at: Option<(usize, usize)>,
-    /// What would mend it.
+    /// The fix, if one is known.
     pub(crate) mend: Option<String>,
-    /// How many more faults there are.
+    /// Number of further faults.
     pub(crate) more: usize,
 }
 
-/// The previews that were made, the last ones last.
+/// The cached previews, the most recent ones last.
 #[derive(Debug, Default)]
 pub(crate) struct Previews {
     made: Vec<(PickerTarget, Preview)>,
 }
 
 impl Previews {
-    /// Whether the preview of an entry is to be made: not if there is one, or it is being made.
+    /// Reserves the preview of an entry; returns `true` if it must be made, `false` if it exists or
+    /// is being made.
     pub(crate) fn expect(&mut self, place: &PickerTarget) -> bool {
         let is_new = self.of(place).is_none();
         if is_new {
@@ -78,7 +79,7 @@ impl Previews {
         is_new
     }
 
-    /// The preview of an entry was made; of one that is still in the list.
+    /// Stores a finished preview, unless its entry has been dropped from the cache.
     pub(crate) fn put(&mut self, place: &PickerTarget, preview: Preview) {
         let expected = self.made.iter_mut().find(|(known, _)| known == place);
         if let Some((_, made)) = expected {
@@ -86,20 +87,21 @@ impl Previews {
         }
     }
 
-    /// The preview of an entry, if it was made.
+    /// Returns the preview of an entry, if it was reserved or made.
     pub(crate) fn of(&self, place: &PickerTarget) -> Option<&Preview> {
         let made = self.made.iter().find(|(known, _)| known == place);
         made.map(|(_, preview)| preview)
     }
 
-    /// Files may change while nobody looks at them.
+    /// Drops all previews, because files may change while the picker is closed.
     pub(crate) fn forget(&mut self) {
         self.made.clear();
     }
 }
 
 impl Preview {
-    /// Makes the preview of an entry, which may take long. `original` is the text that was opened.
+    /// Makes the preview of an entry, which may take long. `original` is the text of the open
+    /// scene's original version.
     pub(crate) fn of(place: &PickerTarget, original: &str) -> Preview {
         match place {
             PickerTarget::Folder(path) => of_folder(path),
@@ -123,7 +125,7 @@ fn of_text(text: &str, name: &str) -> Preview {
 
 fn of_file(path: &Path) -> Preview {
     let size = fs::metadata(path).map_or(0, |file| if file.is_file() { file.len() } else { 0 });
-    // What is too large for any scene is refused without being read to its end.
+    // Opening a file too large for any scene fails below, without reading it to its end.
     if (LARGEST + 1..=LARGEST_FILE as u64).contains(&size) {
         let size = size.div_ceil(1 << 10);
         return Preview::Unseen(words().too_large_for_preview(size));

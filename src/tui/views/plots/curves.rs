@@ -1,6 +1,7 @@
-//! What is plotted, and what was sampled for it.
+//! The selected quantities of the plots and their samples.
 //!
-//! Samples are solved once for a scene and a choice; a frame only looks where the driver is.
+//! Samples are solved once per scene and selection; a frame only evaluates the driver's current
+//! position.
 
 use crate::Vec2;
 use crate::drawing::plot::Plot;
@@ -16,50 +17,50 @@ use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
 
-/// What stands along x, by name: another scene has other quantities.
+/// The x axis of the plots. A quantity is identified by its name, because another scene has other
+/// quantities.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Along {
-    /// The driver's coordinate.
+    /// The driver coordinate.
     Driver,
     /// Time.
     Time,
-    /// A quantity that was chosen, against which the others stand.
+    /// A chosen quantity, against which the others are plotted.
     Figure(String),
 }
 
 /// The plots of a scene.
 #[derive(Debug)]
 pub(crate) struct Plots {
-    /// The names of the quantities, in the order in which they were chosen; `None` until something is
-    /// chosen: then the usual ones are plotted.
+    /// The names of the quantities in the order of their selection; `None` means the default ones.
     chosen: Option<Vec<String>>,
-    /// `None` until it is chosen: then it is the time of a motion, or the driver's coordinate.
+    /// The x axis; `None` means the time of a motion over time, or else the driver coordinate.
     along: Option<Along>,
     /// Whether extrema are marked.
     extrema: bool,
-    /// Whether it is drawn what tolerances do.
+    /// Whether tolerance bands are drawn.
     band: bool,
-    /// What the figure does that may be chosen next.
+    /// The summary of the quantity under the list's cursor.
     note: ExcursionNote,
-    /// `None` until they are looked at, and when something else has been chosen.
+    /// The samples; `None` until they are needed and after a change of the selection.
     sampled: Option<Sampled>,
 }
 
-/// What was sampled of a scene.
+/// The samples of a scene.
 #[derive(Debug)]
 struct Sampled {
-    /// Of this scene, and what it is held against.
+    /// The revisions of the scene and of the compared scene.
     of: (Edition, Option<Edition>),
-    /// What is plotted, in the order of the panels' figures.
+    /// The plotted quantities, in the order of the panels.
     names: Vec<String>,
     outcome: SamplingOutcome,
 }
 
-/// What came of sampling.
+/// The result of sampling.
 #[derive(Debug)]
 enum SamplingOutcome {
     Plot(Box<Curves>, Plot),
-    /// In words, why there is nothing.
+    /// The reason why there is no plot.
     Nothing(String),
 }
 
@@ -77,7 +78,8 @@ impl Default for Plots {
 }
 
 impl Plots {
-    /// Samples what was chosen, if that was not done yet for this scene and what it is held against.
+    /// Samples the selected quantities, unless the samples for this scene and the compared scene
+    /// are cached.
     pub(crate) fn sample(&mut self, open_scene: &OpenScene, compared: Option<&ComparedScene>) {
         let of = (
             open_scene.edition().clone(),
@@ -91,7 +93,7 @@ impl Plots {
         let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &along) {
             Ok(curves) => {
                 let plot = Plot::of(&curves);
-                // Beside those of another scene hues tell the scenes apart.
+                // In a comparison, hues distinguish the scenes and not the links.
                 let plot = match compared {
                     Some(_) => plot,
                     None => {
@@ -112,7 +114,7 @@ impl Plots {
         }
     }
 
-    /// What stands along x.
+    /// Returns the quantity of the x axis.
     fn along(&self, scene: &Scene) -> Along {
         let usual = || match scene.motion {
             Some(_) => Along::Time,
@@ -121,22 +123,22 @@ impl Plots {
         self.along.clone().unwrap_or_else(usual)
     }
 
-    /// Follows the figure under the cursor of the list over the whole motion.
+    /// Summarizes the quantity under the list's cursor over the whole motion.
     pub(crate) fn note(&mut self, open_scene: &OpenScene, name: Option<&str>) {
         self.note.follow(open_scene, name);
     }
 
-    /// What it does, in a few short lines.
+    /// Returns the summary in a few short lines.
     pub(crate) fn noted(&self) -> &[String] {
         self.note.lines()
     }
 
-    /// The page of all that it does.
+    /// Returns the full summary as a page.
     pub(crate) fn noted_page(&self) -> &Page {
         self.note.page()
     }
 
-    /// What is plotted: what was chosen as far as the scene has it, or the usual figures.
+    /// Returns the plotted quantities: the selected ones that the scene has, or the default ones.
     fn names(&self, scene: &Scene) -> Vec<String> {
         let Some(chosen) = &self.chosen else {
             return usual(scene);
@@ -146,18 +148,18 @@ impl Plots {
         chosen.iter().filter(known).cloned().collect()
     }
 
-    /// Whether a quantity is plotted, or stands along x.
+    /// Returns `true` if a quantity is plotted or is on the x axis.
     pub(crate) fn is_chosen(&self, name: &str) -> bool {
         let names = self.sampled.as_ref().map(|s| &s.names);
         names.is_some_and(|names| names.iter().any(|n| n == name))
     }
 
-    /// How many quantities are chosen.
+    /// Returns the number of selected quantities.
     pub(crate) fn count(&self) -> usize {
         self.sampled.as_ref().map_or(0, |s| s.names.len())
     }
 
-    /// Chooses a quantity, or no longer.
+    /// Selects or deselects a quantity.
     pub(crate) fn toggle(&mut self, name: &str, scene: &Scene) {
         let mut names = self.names(scene);
         match names.iter().position(|n| n == name) {
@@ -171,18 +173,18 @@ impl Plots {
         self.sampled = None;
     }
 
-    /// Takes nothing, to choose anew.
+    /// Deselects all quantities.
     pub(crate) fn clear(&mut self) {
         self.chosen = Some(Vec::new());
         self.along = None;
         self.sampled = None;
     }
 
-    /// Puts the next thing along x: the driver's coordinate, time, and then each of the figures that are
-    /// chosen, for the others to stand against it. Says what it is.
+    /// Switches the x axis to the next of the driver coordinate, time, and each selected quantity.
+    /// Returns a description of it.
     pub(crate) fn next_abscissa(&mut self, scene: &Scene) -> String {
         let names = self.names(scene);
-        // One figure alone has nothing to stand against.
+        // A single quantity must stay on the y axis.
         let figures = names.iter().filter(|_| names.len() > 1);
         let time = Clock::of(scene).map(|_| Along::Time);
         let mut all = vec![Along::Driver];
@@ -202,13 +204,13 @@ impl Plots {
         told
     }
 
-    /// Marks extrema, or no longer.
+    /// Toggles the marks of extrema and returns the new state.
     pub(crate) fn toggle_extrema(&mut self) -> bool {
         self.extrema = !self.extrema;
         self.extrema
     }
 
-    /// Draws what tolerances do, or no longer.
+    /// Toggles the tolerance bands and returns the new state.
     pub(crate) fn toggle_band(&mut self) -> bool {
         self.band = !self.band;
         self.sampled = None;
@@ -219,7 +221,10 @@ impl Plots {
         self.extrema
     }
 
-    /// What is to be drawn, or in words why there is nothing.
+    /// Returns the plot.
+    ///
+    /// # Errors
+    /// Returns the reason why there is no plot.
     pub(crate) fn plot(&self) -> Result<&Plot, &str> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
             None => Err(""),
@@ -228,7 +233,7 @@ impl Plots {
         }
     }
 
-    /// Adds the curves of what the scene is held against, dotted and in the scene's unit.
+    /// Adds the dotted curves of the compared scene, in the open scene's unit.
     fn compare(&mut self, compared: &ComparedScene, unit: &str, along: &Along) {
         let Some(Sampled { names, outcome, .. }) = &mut self.sampled else {
             return;
@@ -249,7 +254,8 @@ impl Plots {
         }
     }
 
-    /// The figures where the driver is, as the curves have them: but over time they pass with the scene's speed.
+    /// Returns the plotted values at the driver's current position. Unless time is on the x axis,
+    /// rates are those at the scene's speed, as in the curves.
     pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
         let curves = self.curves()?;
         if open_scene.timetable().is_none() {
@@ -262,20 +268,21 @@ impl Plots {
         Some(curves.here_at(time, open_scene.state()))
     }
 
-    /// Whether what is plotted has the rates of the scene's motion over time, if that has one.
+    /// Returns `true` if the plotted rates are those of the scene's motion over time, if it has
+    /// one.
     pub(crate) fn is_timed(&self) -> bool {
         let curves = self.curves();
         curves.is_none_or(|curves| curves.abscissa == Abscissa::Time)
     }
 
-    /// Why a part of what is plotted is not shown.
+    /// Returns the reason why some of the curves are hidden, if any.
     pub(crate) fn hidden(&self) -> Option<String> {
         let curves = self.curves()?;
         let hidden = curves.hidden.as_ref()?;
         Some(hidden.text(&curves.driver.unit))
     }
 
-    /// What was sampled; `None` where there is nothing.
+    /// Returns the sampled curves; `None` if there are none.
     pub(crate) fn curves(&self) -> Option<&Curves> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
             Some(SamplingOutcome::Plot(curves, _)) => Some(curves),
@@ -283,7 +290,8 @@ impl Plots {
         }
     }
 
-    /// The plot as an SVG document, with the cursor where the driver is; `None` where there is none.
+    /// Returns the plot as an SVG document with the cursor at the driver's position; `None` if
+    /// there is no plot.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
         let plot = self.plot().ok()?;
         let here = self.here(open_scene);
@@ -291,13 +299,13 @@ impl Plots {
         Some(plot.svg(title, PAPER, self.extrema, here.as_ref()))
     }
 
-    /// What is plotted as comma separated values; `None` where there is nothing.
+    /// Returns the plotted curves as CSV; `None` if there are none.
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
         curves_csv(self.curves()?, dialect).ok()
     }
 }
 
-/// Draws how far the figures may be off, where the scene has tolerances.
+/// Adds the tolerance bands of all values except forces, if the scene has tolerances.
 fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
     let (scene, solver) = (open_scene.scene(), open_scene.solver());
     let told = |(_, curve): &(usize, &Curve)| curve.quantity.order() != Order::Force;
@@ -306,7 +314,7 @@ fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
         .map(|(i, curve)| (i, curve.quantity.clone()))
         .unzip();
     let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &figures);
-    // Where no tolerance is given, or none can be told of, curves stand alone.
+    // Without tolerances, or without a quantity that can have a band, the curves are drawn alone.
     let Ok(mut study) = study else { return };
     let (kind, bands) = study.quick_band(&curves.at);
     for ((figure, quantity), offsets) in places.into_iter().zip(&figures).zip(bands) {
@@ -318,7 +326,10 @@ fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
 /// The size of an SVG in its own units.
 const PAPER: Vec2 = Vec2 { x: 800.0, y: 640.0 };
 
-/// The samples of these quantities, or in words why there are none.
+/// Samples the named quantities.
+///
+/// # Errors
+/// Returns the reason why there are no curves.
 fn sampled(
     scene: &Scene,
     solver: &Solver,
@@ -359,11 +370,13 @@ fn sampled(
     Ok(curves)
 }
 
-/// Figures of a scene's own that are plotted before anything is chosen, at the most.
+/// Maximum number of the scene's own quantities in a default plot.
 const OWN: usize = 2;
 
-/// What is plotted before anything is chosen: figures of the scene's own, or the turning of the last link on the ground that is not
-/// driven, or the way of the last slide there, or the velocity of the last moving point.
+/// Returns the quantities plotted by default. The scene's own ones come first; if it has none, the
+/// angular rates of the last undriven link on the ground. Without such a link, the position and
+/// rate of the last undriven slide there are plotted, and without a slide the velocity of the last
+/// moving point.
 fn usual(scene: &Scene) -> Vec<String> {
     let own = scene.figures.iter().take(OWN);
     let own: Vec<String> = own.map(|figure| figure.name.clone()).collect();

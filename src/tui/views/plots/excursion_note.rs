@@ -1,4 +1,4 @@
-//! What the figure under the cursor does over the whole motion: found once for a figure and an edit.
+//! Summarizes the selected quantity over the whole motion, once per quantity and scene revision.
 
 use crate::page::Page;
 use crate::quantity::Catalogue;
@@ -6,7 +6,8 @@ use crate::report::brief_cycle;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
-/// Stroke, turns, time ratio, dwell and rate of one figure, in a line each, and the page of all that it does.
+/// Stroke, turns, time ratio, dwell and rate of a quantity, one line each, and the full summary as
+/// a page.
 #[derive(Debug, Default)]
 pub(crate) struct ExcursionNote {
     of: Option<(Edition, String)>,
@@ -15,7 +16,7 @@ pub(crate) struct ExcursionNote {
 }
 
 impl ExcursionNote {
-    /// Follows a figure of the open scene, if that was not done yet.
+    /// Summarizes a quantity of the open scene, unless it is cached.
     pub(crate) fn follow(&mut self, open_scene: &OpenScene, name: Option<&str>) {
         let of = name.map(|name| (open_scene.edition().clone(), name.to_owned()));
         if self.of == of {

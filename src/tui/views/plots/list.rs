@@ -1,4 +1,4 @@
-//! The list in which is chosen what is plotted.
+//! The list in which the plotted quantities are selected.
 
 use crate::quantity::{Catalogue, Quantity, Subject};
 use crate::scene::Scene;
@@ -6,21 +6,21 @@ use crate::solver::Solver;
 use crate::study::changing;
 use crate::tui::commands::line::EditLine;
 
-/// All quantities of a scene, narrowed by what is searched for.
+/// All quantities of a scene, filtered by the search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PlotList {
     all: Vec<Quantity>,
-    /// Those that are listed, by their place among all.
+    /// Indices of the listed quantities.
     found: Vec<usize>,
     cursor: usize,
     search: EditLine,
     typing: bool,
-    /// The first line that is seen of what the figure under the cursor does, where that is read.
+    /// The first visible line of the selected quantity's summary, if it is open.
     read: Option<usize>,
 }
 
-/// All that can be plotted of a scene, also what comes only when it is named. What stays over the motion is left out,
-/// unless it is plotted already.
+/// Returns all quantities that can be plotted, including unlisted ones. Those constant over the
+/// motion are left out, unless they are plotted already.
 fn all_of(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> Vec<Quantity> {
     let catalogue = Catalogue::new(scene);
     let mut all = catalogue.figures();
@@ -32,7 +32,7 @@ fn all_of(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> V
 }
 
 impl PlotList {
-    /// The quantities of a scene, with the cursor on the first of those for which `is_chosen` holds.
+    /// Creates the list of a scene's quantities, with the cursor on the first selected one.
     pub(crate) fn new(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> Self {
         let all = all_of(scene, solver, &is_chosen);
         let cursor = all.iter().position(|q| is_chosen(&q.name));
@@ -46,7 +46,7 @@ impl PlotList {
         }
     }
 
-    /// The scene was changed: what it has now is listed, and the cursor stays on its name.
+    /// Lists the quantities of the edited scene; the cursor stays on the same name.
     pub(crate) fn move_to(
         &mut self,
         scene: &Scene,
@@ -62,13 +62,13 @@ impl PlotList {
         self.cursor = stays.unwrap_or(0);
     }
 
-    /// Names and units of what is listed.
+    /// Yields the names and units of the listed quantities.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&str, &str)> {
         let rows = self.found.iter().filter_map(|&i| self.all.get(i));
         rows.map(|q| (q.name.as_str(), q.unit.as_str()))
     }
 
-    /// How many are listed, and of how many.
+    /// Returns the number of listed quantities and the number of all.
     pub(crate) fn count(&self) -> (usize, usize) {
         (self.found.len(), self.all.len())
     }
@@ -77,18 +77,18 @@ impl PlotList {
         self.cursor
     }
 
-    /// The name under the cursor.
+    /// Returns the name under the cursor.
     pub(crate) fn current(&self) -> Option<&str> {
         self.rows().nth(self.cursor).map(|(name, _)| name)
     }
 
-    /// What the quantity under the cursor is about.
+    /// Returns the subject of the quantity under the cursor.
     pub(crate) fn subject(&self) -> Option<Subject> {
         let current = self.all.get(*self.found.get(self.cursor)?)?;
         current.subject()
     }
 
-    /// What is searched for, and whether keys are typed into it; `None` where nothing is.
+    /// Returns the search text and whether it is being typed; `None` without a search.
     pub(crate) fn search(&self) -> Option<(&str, bool)> {
         let text = self.search.text();
         (self.typing || !text.is_empty()).then_some((text, self.typing))
@@ -98,17 +98,18 @@ impl PlotList {
         self.typing
     }
 
-    /// Keys are typed into the search, or no longer.
+    /// Starts or ends typing the search.
     pub(crate) fn set_typing(&mut self, typing: bool) {
         self.typing = typing;
     }
 
-    /// The line that is typed into; [`PlotList::narrow`] has to follow.
+    /// Returns the search's input line while it is being typed; [`PlotList::narrow`] must be called
+    /// after a change.
     pub(crate) fn typed(&mut self) -> Option<&mut EditLine> {
         self.typing.then_some(&mut self.search)
     }
 
-    /// Ends the search: everything is listed again. False where there was none.
+    /// Ends the search and lists everything again; returns `false` if there was no search.
     pub(crate) fn end_search(&mut self) -> bool {
         let was = self.search().is_some();
         let current = self.found.get(self.cursor).copied();
@@ -119,8 +120,7 @@ impl PlotList {
         was
     }
 
-    /// Lists what has all the words that are searched for in its name or unit, upper and lower case
-    /// alike.
+    /// Lists the quantities whose name or unit contains all words of the search, ignoring case.
     pub(crate) fn narrow(&mut self) {
         let text = self.search.text().to_ascii_lowercase();
         let fits = |q: &Quantity| {
@@ -135,25 +135,24 @@ impl PlotList {
         self.cursor = stays.unwrap_or(0);
     }
 
-    /// The first line that is seen of what the figure under the cursor does over the whole motion; `None` where that is
-    /// not read.
+    /// Returns the first visible line of the selected quantity's summary; `None` if it is closed.
     pub(crate) fn read(&self) -> Option<usize> {
         self.read
     }
 
-    /// Reads what the figure under the cursor does, or no longer.
+    /// Opens or closes the summary of the selected quantity.
     pub(crate) fn set_reading(&mut self, reads: bool) {
         self.read = (reads && self.current().is_some()).then_some(0);
     }
 
-    /// Scrolls what is read, by so many lines and to this one at the most.
+    /// Scrolls the summary by `lines`, at most to line `most`.
     pub(crate) fn scroll_by(&mut self, lines: isize, most: usize) {
         self.read = self
             .read
             .map(|first| first.saturating_add_signed(lines).min(most));
     }
 
-    /// Moves the cursor, within the list.
+    /// Moves the cursor within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
         let most = self.found.len().saturating_sub(1);
         self.cursor = self.cursor.saturating_add_signed(rows).min(most);

@@ -1,4 +1,4 @@
-//! Quantities over the motion, and at their left the list in which they are chosen.
+//! Plots view: quantities over the motion, with the list of quantities at their left.
 //!
 //! ```text
 //!  plot what?        2 of 28  | mm/s  * C.vx -722.6      over driver.angle 60.00 deg
@@ -25,17 +25,18 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-/// Columns of the list beside a plot; on a screen narrower than this it stands alone.
+/// Width of the list next to a plot, and the minimum screen width for both; on a narrower screen
+/// the list is alone.
 const LIST: u16 = 30;
 const BOTH: u16 = 70;
-/// Rows of the list's heading.
+/// Height of the list's heading.
 const HEAD: u16 = 1;
-/// Where the mark of a row says that it is chosen.
+/// Column of the selection mark.
 const MARKED: usize = 3;
-/// Longer names are cut.
+/// Maximum width of a name; longer names are cut.
 const NAME: u16 = 16;
 
-/// Where the parts of the view are.
+/// The areas of the list and of the plot.
 struct PlotAreas {
     list: Option<Rect>,
     plot: Option<Rect>,
@@ -70,7 +71,7 @@ fn arrange(app: &App, area: Rect) -> PlotAreas {
     }
 }
 
-/// Figures over the motion.
+/// The plots view: quantities over the motion.
 pub(super) struct PlotsView;
 
 impl Pane for PlotsView {
@@ -178,8 +179,7 @@ impl Pane for PlotsView {
     }
 }
 
-/// What the figure under the cursor does over the whole motion, line by line, where that is read, and the first line
-/// that is seen of it.
+/// Returns the first visible line and the lines of the selected quantity's summary, if it is open.
 fn read(app: &App, body: Rect) -> Option<(usize, Vec<Line>)> {
     let Mode::PlotList(list) = app.mode() else {
         return None;
@@ -215,7 +215,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     mark_panels(plot, &look, area, buffer);
 }
 
-/// How the plot is drawn in an area.
+/// Returns the style of the plot in an area.
 fn style(app: &App, area: Rect) -> PlotStyle {
     PlotStyle {
         cols: area.width,
@@ -227,7 +227,7 @@ fn style(app: &App, area: Rect) -> PlotStyle {
     }
 }
 
-/// Above the plot, why a part of it is not shown; gives the room that is left.
+/// Prints the reason why some curves are hidden, and returns the area below it.
 fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
     let Some(why) = app.plots().hidden() else {
         return area;
@@ -252,14 +252,14 @@ fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
     }
 }
 
-/// Marks at the right edge that there are more panels above or below.
+/// Marks at the right edge if there are more panels above or below.
 fn mark_panels(plot: &Plot, look: &PlotStyle, area: Rect, buffer: &mut Buffer) {
     let hidden = plot.panels.len() - plot.panels_in(look.rows);
     let first = look.first.min(hidden);
     mark_more(area, first > 0, first < hidden, buffer);
 }
 
-/// In the middle, why there is nothing to see, and which key leads on.
+/// Prints the reason why there is no plot in the middle of the area, with the keys that help.
 fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
     let lead = |(action, what)| {
         let key = app.keymap().key(Action::Plots(action))?;
@@ -342,7 +342,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
         );
         return;
     }
-    // The cursor is seen, with rows above it where there are some.
+    // The cursor is centred if possible.
     let height = usize::from(rows.height).max(1);
     let most = found.saturating_sub(height);
     let first = list.cursor().saturating_sub(height / 2).min(most);
@@ -359,7 +359,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
         let x = print(buffer, rows.x, y, rows.width, mark, part(ScreenPart::Text));
         let plot = app.plots().plot().ok();
         if let Some(role) = plot.and_then(|plot| plot.role_of(name)) {
-            // The mark between the brackets is of the curve's hue.
+            // The mark between the brackets has the curve's hue.
             let sign = &mark[MARKED..=MARKED];
             print(
                 buffer,
@@ -386,7 +386,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Rows of the list: below it stands what the figure under the cursor does, where there is room for both.
+/// Returns the height of the list. The summary of the selected quantity is below it, if both fit.
 fn list_rows(app: &App, area: Rect) -> u16 {
     let all = area.height.saturating_sub(HEAD);
     let notes = u16::try_from(app.plots().noted().len()).unwrap_or(0);
@@ -396,7 +396,7 @@ fn list_rows(app: &App, area: Rect) -> u16 {
     }
 }
 
-/// Digits of a number.
+/// Returns the number of decimal digits of `count`.
 fn columns_of(count: usize) -> usize {
     count.to_string().len()
 }

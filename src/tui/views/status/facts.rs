@@ -1,4 +1,4 @@
-//! What the line tells, part by part.
+//! The facts of the status line.
 
 use crate::report::stop_name;
 use crate::solver::Condition;
@@ -13,7 +13,7 @@ use crate::tui::player::open_scene::{OpenScene, shown};
 use crate::tui::views::picker::list::Purpose;
 use crate::wording::words;
 
-/// More turns than this are told with an exponent.
+/// Numbers of turns from here on are shown with an exponent.
 const MANY_TURNS: f64 = 1e7;
 
 pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
@@ -62,13 +62,13 @@ pub(super) fn scene(app: &App) -> String {
     format!("{}{mark}", shown(&name, app.glyphs()))
 }
 
-/// The driver's coordinate: an angle within a turn, and the turns.
+/// Returns the driver coordinate: an angle within one turn, and the number of whole turns.
 pub(super) fn driver(open_scene: &OpenScene) -> String {
     let (at, unit) = (open_scene.at(), open_scene.unit());
     let driver_range = open_scene.driver_range();
     let decimals = driver_range.decimals();
     let shortest = |at: f64| match open_scene.time() {
-        // A time leads to coordinates of any number of digits.
+        // A coordinate computed from a time may have any number of digits.
         Some(_) => coordinate(rounded(at, decimals), decimals),
         None => coordinate(at, decimals),
     };
@@ -77,7 +77,7 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
         return format!("{text:>7} {unit}");
     }
     let turns = (at / crate::angle::TURN).floor();
-    // Subtracting whole turns from a decimal leaves digits that nobody asked for.
+    // Subtracting whole turns from a decimal number leaves rounding noise in its last digits.
     let within = rounded(at - turns * crate::angle::TURN, 9);
     let text = shortest(within);
     if turns == 0.0 {
@@ -93,7 +93,8 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
     }
 }
 
-/// The same, and the time of its motion if it has one, or the speed at which it passes where rates know of none.
+/// Returns the driver coordinate with the time of a motion over time; if the view's rates ignore
+/// that motion, with the driver's speed instead.
 pub(super) fn driver_in_time(app: &App) -> String {
     let open_scene = app.open_scene();
     let driver = driver(open_scene);
@@ -113,13 +114,13 @@ pub(super) fn driver_in_time(app: &App) -> String {
     format!("{driver}  {when}")
 }
 
-/// How far the work of the view has come: there, the driver is of no interest.
+/// Returns the progress of the view's work, which then replaces the driver.
 pub(super) fn progress(app: &App) -> Option<String> {
     let is_normal = *app.mode() == Mode::Normal;
     is_normal.then(|| app.view().pane().progress(app)).flatten()
 }
 
-/// In one word, and with what follows from it where there is room.
+/// Returns the state in one word, or with its consequences if the line is not `narrow`.
 pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, ScreenPart) {
     match condition {
         Condition::Ok => (words().ok(), ScreenPart::Text),
@@ -131,14 +132,15 @@ pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, Screen
     }
 }
 
-/// Whether there is anything in the motion that the driver can come near to.
+/// Returns `true` if the motion has a limit or a change point that the driver can approach.
 pub(super) fn can_come_near(app: &App) -> bool {
     let open_scene = app.open_scene();
     open_scene.driver_range().shuttle().is_some()
         || !open_scene.solver().motion().change_points.is_empty()
 }
 
-/// What lies ahead of the driver, where figures exist and something is near.
+/// Returns a description of the next limit or change point, if the state is regular and one is
+/// near.
 pub(super) fn near(app: &App) -> Option<String> {
     let open_scene = app.open_scene();
     if app.condition() != Condition::Ok {
@@ -161,7 +163,7 @@ pub(super) fn near(app: &App) -> Option<String> {
     Some(ahead.text(scene, open_scene.driver_range(), open_scene.unit()))
 }
 
-/// How far the figures that are shown can be from the truth, where there is room for it.
+/// Returns the error bound of the shown values in at most `room` columns.
 pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     let shows_figures = *app.mode() == Mode::Normal && app.condition() == Condition::Ok;
     shows_figures

@@ -1,4 +1,4 @@
-//! The keys that matter now.
+//! The hints of the keys that are useful now.
 
 use super::{Writer, is_listing};
 use crate::tui::app::{App, Mode, View};
@@ -9,15 +9,15 @@ use crate::tui::views::most_scroll;
 use crate::tui::views::motion::FIT;
 use crate::wording::words;
 
-/// Columns from which on keys of a list are told in several words.
+/// Minimum width for longer hints on the keys of a list.
 const ROOM_FOR_WORDS: u16 = 100;
 
-/// The key that comes first, and what it does.
+/// Returns the first key and its effect.
 pub(super) fn first(app: &App) -> (String, &'static str) {
     hint_of(app, offered(app)[0]).unwrap_or_default()
 }
 
-/// Offers keys as far as there is room.
+/// Prints as many key hints as fit.
 pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     if let Mode::Help(help) = app.mode()
         && help.is_typing()
@@ -68,7 +68,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     }
 }
 
-/// What leads from pane to pane, where there are several.
+/// Returns the keys that switch between panes, if there are several.
 fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
     if *app.mode() != Mode::Normal || app.standing().len() < 2 {
         return Vec::new();
@@ -80,7 +80,8 @@ fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
     hints.collect()
 }
 
-/// What to offer now, the most important first: the last ones are dropped where there is no room.
+/// Returns the actions to offer, the most important first; the last ones are dropped if they do not
+/// fit.
 fn offered(app: &App) -> &'static [Action] {
     match app.mode() {
         Mode::Help(_) => &[
@@ -97,7 +98,7 @@ fn offered(app: &App) -> &'static [Action] {
     }
 }
 
-/// The first key of an action, if it has one, and what it does now.
+/// Returns the first key of an action, if it has one, and its current effect.
 fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
     let is_looked_at = action == Action::Look(app.view());
@@ -132,7 +133,7 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     Some((key.to_string(), name))
 }
 
-/// The keys of the list in which is chosen what is plotted.
+/// Returns the keys of the list of quantities to plot.
 fn list_hints(typing: bool, narrow: bool) -> Vec<(Key, &'static str)> {
     if typing {
         return vec![(Key::Enter, words().keep()), (Key::Escape, words().all())];

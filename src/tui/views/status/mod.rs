@@ -1,5 +1,5 @@
-//! The last line: mode, scene, driver, state, what it cost and its largest bound; then the keys that
-//! matter now, as far as there is room. A message that has no room in it stands above.
+//! The status line: mode, scene, driver, state, its cost and its largest error bound, followed by
+//! as many key hints as fit. A message that is too long for it is shown above.
 //!
 //! ```text
 //!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
@@ -25,24 +25,25 @@ use told::ToldAbove;
 pub(super) use told::broken;
 use writer::Writer;
 
-/// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
+/// Maximum and minimum width of a scene's name. It is cut, sooner on short lines, and left out if
+/// less than the minimum remains.
 const LONGEST_SCENE: usize = 20;
 const SHORTEST_SCENE: u16 = 6;
 
-/// Narrower lines have single blanks between their parts.
+/// Minimum width of a line with double blanks between its parts.
 const ROOM_FOR_GAPS: u16 = 60;
 
-/// Columns of the hints that are worth more than the cost of a state.
+/// Columns reserved for hints, which are more important than the cost of a state.
 const HINTS: u16 = 26;
 
-/// The last line of a screen, and above it what was said that has no room in it.
+/// Renders the status line, and above it a message that is too long for it.
 pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer) {
     if let Some(message) = line(app, row(screen, screen.height - 1), buffer) {
         ToldAbove::of(&message, app, screen).render(buffer);
     }
 }
 
-/// Where the message stands that has no room in the last line; nowhere where there is none.
+/// Returns the area of the message above the status line; zero if there is none.
 pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
     if app.message().is_none() {
         return Rect::ZERO;
@@ -54,7 +55,7 @@ pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
     })
 }
 
-/// The line alone. Gives the message that has no room in it.
+/// Renders the status line alone. Returns the message if it is too long for the line.
 pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String> {
     let mut line = Writer::new(area, buffer);
     line.say(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
@@ -70,13 +71,14 @@ pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String>
     line.untold()
 }
 
-/// Scene, driver and state, as a screen tells them that has room for nothing else.
+/// Returns scene, driver and state for a screen that shows nothing else.
 pub(super) fn in_short(app: &App) -> [String; 3] {
     let state = facts::state(app.condition(), true).0;
     [facts::scene(app), facts::driver_in_time(app), state.into()]
 }
 
-/// What matters most of the state, then what was said; false, and nothing is written, where that has no room.
+/// Renders the most important facts and the message. Returns `false` and writes nothing if the
+/// message does not fit.
 fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -> bool {
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
@@ -89,7 +91,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
     let why = if is_missing { columns(state) + 2 } else { 0 };
     let needed = why + columns(&shown(message, app.glyphs()));
     let Some(spare) = line.room().checked_sub(needed + 1) else {
-        // Why figures are missing stays to be read.
+        // The reason for missing values must stay visible.
         if is_missing {
             line.leave_untold(message);
             return false;
@@ -97,12 +99,12 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
         return line.tell_alone(message, app);
     };
     line.gap(1);
-    // A part of a figure would be another figure: it stands whole, or not at all.
+    // A truncated number would be a different one, so the driver is shown completely or not at all.
     if spare >= columns(&driver) + 2 {
         line.say(&driver, ScreenPart::Text);
         line.gap(2);
     }
-    // Why figures are missing stays to be read, whatever else there is to say.
+    // The reason for missing values must stay visible in any case.
     if is_missing {
         line.say(state, part);
         line.gap(2);
@@ -111,7 +113,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
     true
 }
 
-/// Scene, driver and state, then the keys that matter now.
+/// Renders scene, driver and state, followed by key hints.
 fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     let gap = if narrow { 1 } else { 2 };
     line.gap(1);
@@ -122,7 +124,7 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
         true => "",
         false => facts::state(app.condition(), narrow).0,
     };
-    // A short line keeps its room for the key that leads on.
+    // Reserves room for the most important key on a short line.
     let (key, name) = hints::first(app);
     let leading_on = columns(&key) + 1 + columns(name);
     let behind = columns(&driver) + columns(state) + leading_on + 3 * gap;
@@ -142,8 +144,8 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     hints::render(app, line);
 }
 
-/// How the mechanism stands: its state, or what lies ahead of it, and how far that can be trusted. What
-/// comes behind stays in its place while it moves on, so far as there is room.
+/// Renders the state, or the next limit, and its error bound. If the line is long enough, room is
+/// reserved so that the following parts keep their columns during the motion.
 fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let gap = if narrow { 1 } else { 2 };
     let (state, part) = facts::state(app.condition(), narrow);
@@ -180,7 +182,7 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     }
 }
 
-/// Columns of what can lie ahead: `change point in 90.5 deg`.
+/// Returns the width of the longest description of a limit, such as `change point in 90.5 deg`.
 fn columns_ahead() -> u16 {
     let kinds = [words().dead_point(), words().change_point()];
     let longest = kinds.map(|kind| columns(&words().near_in(kind, "90.5", "deg")));

@@ -1,4 +1,4 @@
-//! What is typed, chosen or asked in the last line.
+//! The prompts of the status line.
 
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
@@ -16,7 +16,7 @@ use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
 use crate::wording::words;
 
-/// Renders what is asked for behind the name of the mode. False where nothing is typed, chosen or asked in this line.
+/// Renders the prompt behind the mode. Returns `false` if the mode has no prompt in this line.
 pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
     match app.mode() {
         Mode::GoTo(typed) => coordinate(app, typed, line),
@@ -25,7 +25,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::GoalRun => design(app, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Recovery(_) => offered(app, line),
-        // What is asked stands in the middle of the screen.
+        // The question itself is in the middle of the screen.
         Mode::Unsaved(_) | Mode::Confirm(_) => line.gap(1),
         Mode::Pick(picker) => picking(app, picker, line),
         Mode::Candidates => candidate(app, line),
@@ -43,7 +43,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
     true
 }
 
-/// Where a coordinate is typed.
+/// Renders the prompt for a coordinate.
 fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     let unit = app.open_scene().unit();
     let what = match app.open_scene().driver_range().turns() {
@@ -56,13 +56,13 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     end(words().go(), words().cancel(), app, line);
 }
 
-/// How a goal is typed: of the value under the cursor, where no other is named.
+/// Returns an example of a goal, whose value is the selected one unless another is named.
 fn goal_example(app: &App) -> String {
     let name = app.editor().value().map(Value::dotted);
     words().goals_are_typed(&name.unwrap_or_default())
 }
 
-/// How far the search for designs has come; then the one that is looked at, and what can be done with it.
+/// Renders the progress of the search for designs, or the selected design with its keys.
 fn design(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     let Some(run) = app.goal_run() else {
@@ -87,7 +87,7 @@ fn design(app: &App, line: &mut Writer<'_>) {
     let longest = line.room().saturating_sub(hinted + 1);
     let told = run.line().unwrap_or_default();
     let shown_line = shown(&told, app.glyphs());
-    // What is taken is seen as a whole.
+    // A design must be completely visible before it is accepted.
     if columns(&shown_line) > longest {
         line.leave_untold(&told);
     } else {
@@ -99,7 +99,7 @@ fn design(app: &App, line: &mut Writer<'_>) {
     }
 }
 
-/// Where something is typed of which an example stands there first.
+/// Renders a prompt with an example in place of empty input.
 fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     if typed.text().is_empty() && app.message().is_none() {
@@ -111,7 +111,7 @@ fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
     end(words().take(), words().cancel(), app, line);
 }
 
-/// Where the name of a file is typed.
+/// Renders the prompt for a file name.
 fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().write_to(), ScreenPart::Text);
@@ -119,7 +119,7 @@ fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     end(words().writing(), words().cancel(), app, line);
 }
 
-/// Where a name is typed that is sought.
+/// Renders the prompt for a search.
 fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().name(), ScreenPart::Text);
@@ -127,7 +127,7 @@ fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     end(words().keep(), words().back(), app, line);
 }
 
-/// Which value is typed: it stands in its row.
+/// Renders the hints for typing a value; the text itself is in the value's row.
 fn value(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     if app.message().is_some_and(|message| line.tell(message, app)) {
@@ -142,7 +142,7 @@ fn value(app: &App, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
-/// What is under the cursor of a list of scenes, in a few words, and what can be done with it.
+/// Renders a short description of the selected entry of the scene picker, with its keys.
 fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     line.gap(1);
     let enter = match picker.chosen().map(|item| &item.place) {
@@ -155,7 +155,7 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     let keys = [(Key::Enter, enter), (Key::Escape, Some(words().back()))];
     let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
     let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
-    // Where there is no room for a preview, the title alone tells what it would show.
+    // Without room for a preview the title is the only description.
     let hints: u16 = match app.size().width < ROOM_FOR_GAPS {
         true => 0,
         false => keys.iter().flatten().map(needed).sum(),
@@ -189,7 +189,8 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     }
 }
 
-/// What can be done with the candidate under the cursor; on a small screen first what its drawing would tell.
+/// Renders the keys for the selected candidate; on a small screen, after its defects or unmet
+/// preferences.
 fn candidate(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     let Some(list) = app.candidates() else {
@@ -233,7 +234,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
         false => words().play(),
     };
     line.hint(&back.0, back.1);
-    // Where Tab leads from here.
+    // The page that Tab shows next.
     let is_listed = matches!(list.page(), CandidatesPage::List);
     let next = match (is_listed && !sees_both(app.size()), list.has_curves()) {
         (true, _) => Some(words().linkage_alone()),
@@ -249,7 +250,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     line.hint(&key(Action::Help), words().help());
 }
 
-/// How much of the tables is copied.
+/// Renders the keys that choose how much of the tables is copied.
 fn how_much(line: &mut Writer<'_>) {
     line.gap(1);
     for (key, name) in [
@@ -262,7 +263,7 @@ fn how_much(line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), words().back());
 }
 
-/// What was said to the offer in the middle of the screen.
+/// Renders the message about the offer in the middle of the screen.
 fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     if !app.message().is_some_and(|message| line.tell(message, app)) {
@@ -270,13 +271,13 @@ fn offered(app: &App, line: &mut Writer<'_>) {
     }
 }
 
-/// Says behind a line that is typed in what is wrong with it, or what its keys do.
+/// Renders the fault of the typed line behind it, or the effects of its keys.
 fn end(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(3);
     keys(enter, escape, app, line);
 }
 
-/// What was said, or what keys do.
+/// Renders the message, or else the effects of the keys.
 fn keys(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
     if app.message().is_some_and(|message| line.tell(message, app)) {
         return;

@@ -1,5 +1,5 @@
-//! What was said, where the last line has no room for the whole of it: it stands in as many lines as it takes above that
-//! one, over the verdict first, until the next key. Nothing that is typed or asked is covered.
+//! Shows a message that is too long for the status line in as many lines as it needs above that
+//! line. It covers the verdict first, stays until the next key, and never covers a prompt.
 //!
 //! ```text
 //!  r3 length = 2 * b: there is no parameter `b`; parameters: a, rod, stroke,
@@ -19,14 +19,14 @@ use ratatui::widgets::{Clear, Widget};
 /// Blanks before and behind the lines.
 const INDENT: u16 = 1;
 
-/// Lines above the last one of a screen, and where they stand.
+/// The lines of a message above the status line, and their area.
 pub(in crate::tui::views) struct ToldAbove {
     lines: Vec<String>,
     pub(in crate::tui::views) place: Rect,
 }
 
 impl ToldAbove {
-    /// A message on a screen, whose first line stays as it is.
+    /// Arranges a message on a screen, whose first line stays visible.
     pub(super) fn of(message: &str, app: &App, screen: Rect) -> ToldAbove {
         let width = usize::from(screen.width.saturating_sub(2 * INDENT)).max(1);
         let mut lines = broken(&shown(message, app.glyphs()), width);
@@ -55,7 +55,7 @@ impl ToldAbove {
     }
 }
 
-/// The words of a text in lines; one that is longer than a line, as a path may be, goes on in the next.
+/// Wraps a text; a word longer than a line, such as a path, is split.
 pub(in crate::tui::views) fn broken(text: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for line in wrapped(text, width) {

@@ -1,4 +1,4 @@
-//! Writing along a line.
+//! Writes text along a line.
 
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -7,12 +7,12 @@ use crate::tui::views::{columns, print};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Writes along the line.
+/// A cursor that writes along a line.
 pub(super) struct Writer<'a> {
     buffer: &'a mut Buffer,
     x: u16,
     area: Rect,
-    /// What was said and has no room in the line.
+    /// The message that does not fit into the line.
     untold: Option<String>,
 }
 
@@ -26,22 +26,22 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Columns that are left.
+    /// Returns the columns that are left.
     pub(super) fn room(&self) -> u16 {
         self.room_from(self.x)
     }
 
-    /// Columns from a place on.
+    /// Returns the columns from `x` to the end of the line.
     pub(super) fn room_from(&self, x: u16) -> u16 {
         self.area.right().saturating_sub(x)
     }
 
-    /// Where the next text begins.
+    /// Returns the column of the next text.
     pub(super) fn x(&self) -> u16 {
         self.x
     }
 
-    /// Goes on to this place, if it lies ahead.
+    /// Moves to a column if it is ahead.
     pub(super) fn go_to(&mut self, x: u16) {
         self.x = self.x.max(x);
     }
@@ -55,7 +55,8 @@ impl<'a> Writer<'a> {
         self.x = self.x.saturating_add(columns);
     }
 
-    /// A message, as a whole; false where there is no room for that, and it is left to be told above the line.
+    /// Writes a message. Returns `false` if it does not fit completely; it is then kept for the
+    /// lines above.
     pub(super) fn tell(&mut self, message: &str, app: &App) -> bool {
         let told = shown(message, app.glyphs());
         if columns(&told) > self.room() {
@@ -66,8 +67,8 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// A message in the place of all that stands in the line; false where it is longer than that, and is left to be told
-    /// above.
+    /// Writes a message in place of the whole line. Returns `false` if it is too long; it is then
+    /// kept for the lines above.
     pub(super) fn tell_alone(&mut self, message: &str, app: &App) -> bool {
         let told = shown(message, app.glyphs());
         let spare = self.area.width.checked_sub(columns(&told));
@@ -82,17 +83,17 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// This has no room in the line.
+    /// Keeps a message that does not fit into the line.
     pub(super) fn leave_untold(&mut self, message: &str) {
         self.untold = Some(message.to_owned());
     }
 
-    /// What has no room in the line.
+    /// Returns the message that does not fit into the line.
     pub(super) fn untold(self) -> Option<String> {
         self.untold
     }
 
-    /// The end of what is typed that has room, with the caret behind it.
+    /// Writes the end of typed text that fits, with the caret behind it.
     pub(super) fn typed(&mut self, text: &str) {
         let room = usize::from(self.room().saturating_sub(1));
         let skipped = text.chars().count().saturating_sub(room);
@@ -101,7 +102,7 @@ impl<'a> Writer<'a> {
         self.say(" ", ScreenPart::Caret);
     }
 
-    /// A key and what it does; nothing where there is no room for both.
+    /// Writes a key and its effect, or nothing if they do not fit.
     pub(super) fn hint(&mut self, key: &str, name: &str) {
         let needed = columns(key) + 1 + columns(name);
         if needed > self.room() {

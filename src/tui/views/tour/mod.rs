@@ -1,5 +1,5 @@
-//! A screen of the tour: a panel at the right, so that the linkage is seen beside it; over all where there is
-//! no room beside.
+//! Renders a screen of the tour: a panel at the right, so that the linkage stays visible, or over
+//! the full width of a narrow screen.
 //!
 //! ```text
 //!  drawing      +- Tour 2/5: Moving the crank -+
@@ -18,9 +18,9 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of text; more where that covers everything anyway.
+/// Width of the text; it is wider if the panel covers the full width.
 const TEXT: u16 = 32;
-/// A narrower screen has no room for a drawing beside the text.
+/// Minimum width for a drawing next to the text.
 const ROOM_BESIDE: u16 = 70;
 
 pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) {
@@ -48,19 +48,19 @@ pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) 
     print_right(buffer, place.right() - 1, place.bottom() - 1, &keys, style);
 }
 
-/// Where a screen of the tour stands.
+/// Returns the area of a screen of the tour.
 pub(super) fn placed(app: &App, number: usize, area: Rect) -> Rect {
     laid_out(&screen(number, app.keymap()), area).0
 }
 
-/// The place of a screen, and its lines.
+/// Returns the area of a screen of the tour and its lines.
 fn laid_out(screen: &TourScreen, area: Rect) -> (Rect, Vec<String>) {
     let beside = area.width >= ROOM_BESIDE;
     let width = if beside { TEXT + BORDER.0 } else { area.width };
     let text = wrapped(&screen.text, (width - BORDER.0).into(), beside);
     let rows = u16::try_from(text.len()).unwrap_or(u16::MAX);
     let height = rows.saturating_add(BORDER.1).min(area.height);
-    // Without room beside, the drawing is above.
+    // On a narrow screen the panel is at the bottom, below the drawing.
     let y = if beside {
         area.y
     } else {

@@ -1,5 +1,5 @@
-//! The tour: five screens that tell what krank shows and how one finds one's way, beside the workbench, whose
-//! keys for the motion work meanwhile.
+//! The texts of the tour: five screens that explain krank's display and its keys. They are shown
+//! next to the workbench, whose keys for the motion keep working.
 
 use crate::files::places;
 use crate::page;
@@ -10,21 +10,21 @@ use crate::wording::words;
 use std::fs::{self, File};
 use std::path::PathBuf;
 
-/// How many screens it has.
+/// Number of screens.
 pub(crate) const SCREENS: usize = 5;
 
-/// The file that tells that the tour was shown.
+/// Name of the file that records that the tour was shown.
 const MARK: &str = "tour-shown";
 
 /// A screen of the tour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct TourScreen {
     pub(crate) title: &'static str,
-    /// Text to be broken into lines; a line feed begins a paragraph.
+    /// Text to be wrapped; a line feed begins a paragraph.
     pub(crate) text: String,
 }
 
-/// A screen, from 0, with the keys that a person has.
+/// Returns a screen by its index, with the user's keys.
 pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
     use Action as A;
     let look = |view| keymap.told(A::Look(view));
@@ -90,7 +90,7 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
     TourScreen { title, text }
 }
 
-/// Whether a key for this works while the tour is shown.
+/// Returns `true` if an action works during the tour.
 pub(crate) fn allows(action: Action) -> bool {
     use Action as A;
     matches!(
@@ -109,8 +109,7 @@ pub(crate) fn allows(action: Action) -> bool {
     )
 }
 
-/// The text in lines of at most so many characters, broken between words; with a blank line between
-/// paragraphs where there is room.
+/// Wraps text at words, with blank lines between paragraphs if `roomy`.
 pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
     let mut lines = Vec::new();
     for (n, paragraph) in text.split('\n').enumerate() {
@@ -122,8 +121,8 @@ pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
     lines
 }
 
-/// Whether this is the first start, as far as can be told; from now on it is not. Where that cannot
-/// be kept it is none: a tour that comes back every time is no help.
+/// Returns `true` at the first start and records it. Returns `false` if it cannot be recorded,
+/// because a tour at every start would be a nuisance.
 pub(crate) fn is_first_start(env: impl Fn(&str) -> Option<PathBuf>) -> bool {
     let Some(folder) = places::folder_of("XDG_STATE_HOME", ".local/state", env) else {
         return false;
