@@ -76,7 +76,6 @@
 #[cfg(all(feature = "tui", not(unix)))]
 compile_error!("the workbench needs the terminal of a Unix: build with --no-default-features");
 
-pub mod assembly;
 #[cfg_attr(
     not(feature = "tui"),
     allow(
@@ -87,34 +86,26 @@ pub mod assembly;
 )]
 mod capability;
 pub mod cli;
-mod document;
 pub mod drawing;
-mod explain;
-mod expression;
 mod files;
 pub mod handover;
 mod manual;
-mod nearest;
 pub mod page;
 mod pixels;
-pub mod quantity;
 pub mod report;
 pub mod scene;
-pub mod study;
 pub mod synthesis;
 pub mod task_file;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "tui")]
 pub mod tui;
-#[cfg_attr(
-    not(feature = "tui"),
-    allow(dead_code, unreachable_pub, reason = "most is said in the workbench")
-)]
-mod wording;
 
-use kinematics::{arithmetic, mechanism, numeric, parallel};
 pub use kinematics::{guide, solver};
+use kinematics::{mechanism, numeric, parallel};
+#[doc(inline)]
+pub use model::{assembly, quantity, study};
+use model::{document, expression, nearest, wording};
 
 pub use kinematics::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use kinematics::{

@@ -52,11 +52,11 @@ impl ManualPart {
 /// The chapter of this name in the folders of the languages; the English of some stands elsewhere too.
 macro_rules! chapter {
     ($name:literal) => {
-        chapter!($name, concat!("english/", $name))
+        chapter!($name, include_str!(concat!("english/", $name)))
     };
     ($name:literal, $english:expr) => {
         ManualPart {
-            english: include_str!($english),
+            english: $english,
             turkish: include_str!(concat!("turkish/", $name)),
         }
     };
@@ -131,7 +131,7 @@ pub(crate) const TOPICS: &[Topic] = &[
         about: <dyn Words>::about_scene,
         parts: &[
             chapter!("scene.md"),
-            chapter!("rules.md", "../scene/rules.md"),
+            chapter!("rules.md", crate::scene::RULES),
             chapter!("faults.md"),
         ],
     },
@@ -155,10 +155,7 @@ pub(crate) const TOPICS: &[Topic] = &[
         about: <dyn Words>::about_columns,
         parts: &[
             chapter!("columns.md"),
-            ManualPart {
-                english: kinematics::NOTATION,
-                turkish: include_str!("turkish/notation.md"),
-            },
+            chapter!("notation.md", kinematics::NOTATION),
         ],
     },
     Topic {

@@ -129,7 +129,7 @@ fn every_topic_has_a_page_with_all_its_text() {
         if language == "en" {
             // These stand in other folders.
             for other in [
-                include_str!("../../src/scene/rules.md"),
+                include_str!("../../crates/model/src/scene/rules.md"),
                 include_str!("../../crates/kinematics/src/notation.md"),
             ] {
                 chapters.push(("other".into(), other.into()));

@@ -219,7 +219,7 @@ fn goals_of_help() -> Vec<String> {
         include_str!("../../src/manual/english/designs.md"),
         include_str!("../../src/manual/english/tutorial.md"),
         include_str!("../../src/manual/english/synthesis.md"),
-        include_str!("../../src/wording/english/designs.rs"),
+        include_str!("../../crates/model/src/wording/english/designs.rs"),
     ];
     let text = text.join("\n").replace('\n', " ");
     let of_commands = text

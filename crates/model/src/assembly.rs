@@ -1,0 +1,255 @@
+//! Assemblies by name: finds the groups of named choices, and writes the start of an assembly.
+
+use crate::nearest::did_you_mean;
+use crate::scene::{Precision, Scene};
+use crate::solver::{Condition, Group, GroupKind, Order, Pick, Plan, Solver, State};
+use crate::wording::words;
+use crate::{ElementId, PointId, Slider, Vec2};
+use std::fmt;
+use std::str::FromStr;
+
+/// A named choice of an assembly, such as `C=-`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wish {
+    /// The group's name.
+    pub group: String,
+    /// The choice.
+    pub pick: Pick,
+}
+
+/// The error for an invalid choice of an assembly.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Misread {
+    /// The text does not have the right form.
+    #[error("{}", words().how_wishes_are_written())]
+    Form,
+    /// There is no group of this name.
+    #[error("{}", words().no_group_with_choice(name, mend))]
+    Unknown {
+        /// The name in the text.
+        name: String,
+        /// The probable name, or all names.
+        mend: String,
+    },
+    /// The choice is a number for a dyad, or a sign for a coupled group.
+    #[error("{}", words().chosen_by(name, options))]
+    Kind {
+        /// The group.
+        name: String,
+        /// The valid choices.
+        options: String,
+    },
+    /// The group occurs twice.
+    #[error("{}", words().group_given_twice(name))]
+    Twice {
+        /// The group.
+        name: String,
+    },
+}
+
+impl FromStr for Wish {
+    type Err = Misread;
+
+    fn from_str(text: &str) -> Result<Wish, Misread> {
+        let (group, pick) = text.split_once('=').ok_or(Misread::Form)?;
+        let pick = match pick.trim() {
+            "+" => Pick::Plus,
+            "-" => Pick::Minus,
+            number => match number.parse() {
+                Ok(n) if n > 0 => Pick::Number(n),
+                _ => return Err(Misread::Form),
+            },
+        };
+        let group = group.trim().to_owned();
+        if group.is_empty() {
+            return Err(Misread::Form);
+        }
+        Ok(Wish { group, pick })
+    }
+}
+
+impl fmt::Display for Wish {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.group, pick_text(self.pick))
+    }
+}
+
+/// Formats a choice: `+`, `-` or a number.
+#[must_use]
+pub fn pick_text(pick: Pick) -> String {
+    match pick {
+        Pick::Plus => "+".to_owned(),
+        Pick::Minus => "-".to_owned(),
+        Pick::Number(n) => n.to_string(),
+    }
+}
+
+/// Maximum number of group names in a message.
+const LISTED: usize = 12;
+
+impl Scene {
+    /// Returns the name of a group of the plan: that of its point, or that of a link if the point
+    /// has none.
+    #[must_use]
+    pub fn group_name(&self, group: &Group) -> &str {
+        let link = || group.links.first().map_or("", |&l| self.link_name(l));
+        match group.name() {
+            Some(ElementId::Point(point)) => self.name_or_slider(point).unwrap_or_else(link),
+            Some(ElementId::Link(link)) => self.link_name(link),
+            Some(ElementId::Slide(_) | ElementId::Driver) | None => link(),
+        }
+    }
+
+    /// Returns a point's name, or that of the sliding link whose hidden origin it is.
+    fn name_or_slider(&self, point: PointId) -> Option<&str> {
+        let slides = self.mechanism.slides().iter();
+        let mut slid = slides.filter_map(|slide| match slide.slider {
+            Slider::Link { link, origin, .. } if origin == point => Some(self.link_name(link)),
+            Slider::Link { .. } | Slider::Pin(_) => None,
+        });
+        self.point_name(point).or_else(|| slid.next())
+    }
+
+    /// Resolves named choices to elements of the plan.
+    ///
+    /// # Errors
+    /// Returns an error for the first choice that does not fit any group, independent of the
+    /// lengths.
+    pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(ElementId, Pick)>, Misread> {
+        let groups = || plan.groups.iter().filter(|g| g.has_choices());
+        let mut picks: Vec<(ElementId, Pick)> = Vec::new();
+        for wish in wishes {
+            let name = wish.group.clone();
+            let Some(group) = groups().find(|g| self.group_name(g) == wish.group) else {
+                let names: Vec<&str> = groups().map(|g| self.group_name(g)).collect();
+                let mend = did_you_mean(&name, names.iter().copied());
+                let mend = mend.unwrap_or_else(|| listed(&names));
+                return Err(Misread::Unknown { name, mend });
+            };
+            if !suits(wish.pick, group) {
+                let options = options(&name, group);
+                return Err(Misread::Kind { name, options });
+            }
+            let Some(element) = group.name() else {
+                continue;
+            };
+            if picks.iter().any(|(other, _)| *other == element) {
+                return Err(Misread::Twice { name });
+            }
+            picks.push((element, wish.pick));
+        }
+        Ok(picks)
+    }
+
+    /// Returns the scene's text with the `[start]` of the assembly that this solver follows. The
+    /// driver's start is kept, or becomes `at` if the motion does not reach it or if it does not
+    /// determine the assembly.
+    ///
+    /// The result has been parsed, opened and compared with that assembly; `None` if every attempt
+    /// failed.
+    #[must_use]
+    pub fn with_start_of(&self, solver: &Solver, at: f64) -> Option<String> {
+        let opening = self.mechanism.driver().start;
+        [
+            (opening, Precision::Rough),
+            (opening, Precision::Exact),
+            (at, Precision::Rough),
+            (at, Precision::Exact),
+        ]
+        .into_iter()
+        .find_map(|(at, precision)| self.started(solver, at, precision))
+    }
+
+    /// Returns the text with the `[start]` at one coordinate, checked likewise.
+    fn started(&self, solver: &Solver, at: f64, precision: Precision) -> Option<String> {
+        let mut state = solver.state();
+        if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
+            return None;
+        }
+        let opening = (at != self.mechanism.driver().start).then_some(at);
+        let start = self.telling(solver.plan(), &state);
+        let text = self.rewritten(&start, opening, precision)?;
+        let scene = Scene::parse(&text, self.origin()).ok()?;
+        let again = Solver::new(&scene.mechanism).ok()?;
+        let mut found = again.state();
+        let same = again.solve(at, Order::Position, &mut found) == Condition::Ok
+            && self.agree(&state, &found);
+        same.then_some(text)
+    }
+
+    /// Returns the points that distinguish assemblies, and those that `[start]` names already.
+    fn telling(&self, plan: &Plan, state: &State) -> Vec<(PointId, Vec2)> {
+        let mut points: Vec<PointId> = self.mechanism.start().iter().map(|s| s.0).collect();
+        for group in plan.groups.iter().filter(|g| g.has_choices()) {
+            let named = |p: &PointId| self.point_name(*p).is_some();
+            let placed = group.points.iter().copied().filter(named);
+            // A centre of mass is used only if the group has no other named point.
+            let (centres, joints): (Vec<_>, Vec<_>) = placed.partition(|&p| self.is_com(p));
+            let told = match group.kind {
+                GroupKind::Coupled { .. } => usize::MAX,
+                _ => 1,
+            };
+            let placed = if joints.is_empty() { centres } else { joints };
+            for point in placed.into_iter().take(told) {
+                if !points.contains(&point) {
+                    points.push(point);
+                }
+            }
+        }
+        points
+            .into_iter()
+            .filter_map(|p| Some((p, state.position(p)?)))
+            .collect()
+    }
+
+    fn is_com(&self, point: PointId) -> bool {
+        let mut links = self.mechanism.links().iter();
+        links.any(|link| link.com == Some(point))
+    }
+
+    /// Returns `true` if two states are equal up to rounding errors.
+    pub fn agree(&self, one: &State, other: &State) -> bool {
+        let (one, other) = (one.known(), other.known());
+        let points = || self.mechanism.point_ids();
+        let largest = points().map(|p| one.position(p).norm()).fold(0.0, f64::max);
+        points().all(|p| (one.position(p) - other.position(p)).norm() <= SAME * largest)
+    }
+}
+
+/// The distance of points below which two states are equal, relative to the largest coordinate. It
+/// is far above a coupled group's rounding errors, and far below the difference of two visibly
+/// different assemblies.
+const SAME: f64 = 1e-9;
+
+fn suits(pick: Pick, group: &Group) -> bool {
+    match (pick, group.kind) {
+        (Pick::Number(_), GroupKind::Coupled { .. }) => true,
+        (Pick::Plus | Pick::Minus, kind) => !matches!(kind, GroupKind::Coupled { .. }),
+        (Pick::Number(_), _) => false,
+    }
+}
+
+fn options(name: &str, group: &Group) -> String {
+    match group.kind {
+        GroupKind::Coupled { .. } => words().chosen_by_number(name),
+        _ => words().chosen_by_sign(name),
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    let shown: Vec<String> = names
+        .iter()
+        .take(LISTED)
+        .map(|n| format!("`{n}`"))
+        .collect();
+    let more = names.len() - shown.len();
+    match (&shown[..], more) {
+        ([], _) => words().no_group_in_scene().to_owned(),
+        ([one], 0) => words().the_only_group(one),
+        (_, 0) => words().there_are(&shown.join(", ")),
+        _ => words().there_are_and_more(&shown.join(", "), more),
+    }
+}
+
+#[cfg(test)]
+mod tests;

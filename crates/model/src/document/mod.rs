@@ -1,0 +1,20 @@
+//! A document that a person wrote in TOML: typed access to its values, what is wrong with them and where, and
+//! its text made harmless for a terminal.
+//!
+//! Scenes and the configuration are such documents: they differ in what their values mean, and in
+//! nothing that is done here.
+
+mod diagnostic;
+mod lenient;
+mod reader;
+mod sanitize;
+mod syntax;
+
+pub use diagnostic::not_utf8;
+pub use diagnostic::{Diagnostic, Diagnostics, Label};
+pub use lenient::{Entries, Lenient, Misplaced, WrittenKey};
+pub use reader::{ByteSpan, Name, NamedNumbers, Reader, meant, quoted};
+pub use sanitize::ascii_letter;
+pub use sanitize::with_ascii_letters;
+pub use sanitize::{is_harmful, sanitized};
+pub use syntax::{foreign, has_decimal_comma, has_key, parse};

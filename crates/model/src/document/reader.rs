@@ -1,0 +1,251 @@
+//! Values of a document; everything that does not fit becomes a diagnostic.
+
+use super::diagnostic::{Diagnostic, Diagnostics};
+use super::lenient::{Lenient, Misplaced, WrittenKey};
+use super::sanitize::escaped;
+use crate::expression::MeasuredNumber;
+use crate::nearest::{did_you_mean, nearest};
+use crate::wording::words;
+use std::collections::HashMap;
+use std::fmt;
+use std::ops::Range;
+
+pub type ByteSpan = Range<usize>;
+
+/// Characters of a foreign text that a message quotes.
+const QUOTED: usize = 48;
+/// Faults that are shown at most: a person mends a few at a time.
+const SHOWN: usize = 20;
+/// Faults after which no more effort is spent on one.
+const FULL: usize = 50;
+
+/// A text of the file with its place: mostly a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name<'t> {
+    pub text: &'t str,
+    pub span: ByteSpan,
+}
+
+impl<'t> Name<'t> {
+    /// The name that a key is.
+    pub(crate) fn of_key(key: &'t WrittenKey) -> Self {
+        Name {
+            text: key.get_ref(),
+            span: key.span(),
+        }
+    }
+}
+
+impl fmt::Display for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&quoted(self.text))
+    }
+}
+
+/// A foreign text in backticks: harmless, and cut where it is long.
+pub fn quoted(text: &str) -> String {
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
+        None => format!("`{}`", escaped(text, false)),
+    }
+}
+
+/// What formulas may name that stand for numbers of a document; a configuration has none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NamedNumbers {
+    /// What each name is worth; nothing where that was reported as a fault.
+    pub worth: HashMap<String, Option<MeasuredNumber>>,
+    /// The unit of lengths: as it is written, and its size in tenths of a millimetre.
+    pub length: (&'static str, f64),
+}
+
+/// Collects diagnostics while values are read.
+pub struct Reader<'t> {
+    text: &'t str,
+    pub found: Vec<Diagnostic>,
+    pub named: NamedNumbers,
+    /// What formulas came to, by where they begin.
+    pub(crate) worked: HashMap<usize, f64>,
+    /// Whether a number was rounded to a double that reads as a decimal of up to 14 digits.
+    pub(crate) has_rounded: bool,
+}
+
+impl<'t> Reader<'t> {
+    pub fn new(text: &'t str) -> Self {
+        Reader {
+            text,
+            found: Vec::new(),
+            named: NamedNumbers::default(),
+            worked: HashMap::new(),
+            has_rounded: false,
+        }
+    }
+
+    /// The text that is read.
+    pub(crate) fn text(&self) -> &'t str {
+        self.text
+    }
+
+    /// All that was reported, in the order of the text.
+    pub fn into_diagnostics(self, origin: &str) -> Diagnostics {
+        let mut items = self.found;
+        items.sort_by_key(|item| item.primary.as_ref().map(|label| label.span.start));
+        if items.len() > SHOWN {
+            let rest = items.len() - SHOWN;
+            items.truncate(SHOWN);
+            items.push(Diagnostic::new(words().more_faults(rest)));
+        }
+        Diagnostics {
+            origin: origin.to_owned(),
+            text: self.text.into(),
+            items,
+        }
+    }
+
+    /// Whether so much was reported that help and further reading are not worth their time.
+    pub(crate) fn is_full(&self) -> bool {
+        self.found.len() >= FULL
+    }
+
+    pub fn report(&mut self, diagnostic: Diagnostic) {
+        self.found.push(diagnostic);
+    }
+
+    /// Returns `true` if something was reported that makes the document unusable.
+    pub fn has_errors(&self) -> bool {
+        self.found.iter().any(|found| !found.is_warning)
+    }
+
+    /// Adds a mend to the last report.
+    pub(crate) fn help(&mut self, help: &str) {
+        if let Some(last) = self.found.last_mut() {
+            last.helps.push(help.to_owned());
+        }
+    }
+
+    /// A value as the file writes it; of a formula also what it comes to.
+    pub fn literal(&self, span: &ByteSpan) -> String {
+        let written = quoted(self.text.get(span.clone()).unwrap_or(""));
+        match self.worked.get(&span.start) {
+            Some(number) => format!("{written} = {number}"),
+            None => written,
+        }
+    }
+
+    /// The fault of a value of another kind than is wanted.
+    pub fn wrong_type(
+        &self,
+        what: &str,
+        wanted: &str,
+        found: &Misplaced,
+        span: &ByteSpan,
+    ) -> Diagnostic {
+        Diagnostic::new(words().must_be(what, wanted, found.said()))
+            .at(span.clone(), words().expected(wanted))
+    }
+
+    /// A text.
+    pub fn string<'v>(&mut self, what: &str, value: &'v Lenient<String>) -> Option<Name<'v>> {
+        let span = value.span.clone();
+        let found = match &value.read {
+            Ok(text) => return Some(Name { text, span }),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, words().a_quoted_text(), found, &span);
+        let literal = self.text.get(span).unwrap_or("");
+        let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
+        let short = literal.len() <= QUOTED && literal.chars().all(word);
+        self.report(if short {
+            fault.help(words().write_in_quotes(literal))
+        } else {
+            fault
+        });
+        None
+    }
+
+    /// True or false; so far only the configuration asks.
+    pub fn boolean(&mut self, what: &str, value: &Lenient<bool>) -> Option<bool> {
+        let found = match &value.read {
+            Ok(read) => return Some(*read),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, words().a_truth(), found, &value.span);
+        let help = found.text().and_then(bare_boolean);
+        self.report(fault.maybe_help(help));
+        None
+    }
+
+    /// A table; `example` shows how one is written.
+    pub fn table<'v, T>(
+        &mut self,
+        what: &str,
+        example: &str,
+        value: &'v Lenient<T>,
+    ) -> Option<&'v T> {
+        let found = match &value.read {
+            Ok(table) => return Some(table),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, words().a_table(), found, &value.span);
+        self.report(fault.help(words().for_example(example)));
+        None
+    }
+
+    /// Reports every unknown key of a table.
+    pub fn only<T>(&mut self, of: &str, table: &Lenient<T>) {
+        self.only_these(of, &table.keys, table.known);
+    }
+
+    /// Reports every key that is not among `known`.
+    pub(crate) fn only_these(&mut self, of: &str, keys: &[WrittenKey], known: &[&str]) {
+        for key in keys {
+            let text = key.get_ref().as_str();
+            if known.contains(&text) {
+                continue;
+            }
+            let fault = Diagnostic::new(words().unknown_key_in(of, &quoted(text)))
+                .at(key.span(), words().unknown_key_here());
+            let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
+            if let Some(what) = not_modelled(text) {
+                self.report(fault.help(what));
+                continue;
+            }
+            let listed = || words().known_keys(&format!("`{}`", known.join("`, `")));
+            self.report(fault.help(near.flatten().unwrap_or_else(listed)));
+        }
+    }
+}
+
+/// What a key asks for that krank has no model of.
+fn not_modelled(key: &str) -> Option<&'static str> {
+    match key.to_ascii_lowercase().as_str() {
+        "gear" | "gears" | "geartrain" | "rack" | "racks" | "teeth" => Some(words().no_gears_yet()),
+        "cam" | "cams" | "follower" | "followers" => Some(words().no_cams_yet()),
+        "belt" | "belts" | "pulley" | "pulleys" | "chain" | "chains" => {
+            Some(words().no_belts_yet())
+        }
+        "friction" | "mu" => Some(words().no_friction_yet()),
+        "torque" | "force" => Some(words().motion_is_given()),
+        "contact" | "contacts" => Some(words().no_contacts_yet()),
+        _ => None,
+    }
+}
+
+/// Whether an unknown key of a table was probably meant to be this one.
+pub fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
+    // Who misspelt more keys than these has other worries.
+    keys.iter().take(FULL).any(|k| {
+        let text = k.get_ref().as_str();
+        !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
+    })
+}
+
+/// The mend for a yes or no that was written as a text.
+fn bare_boolean(text: &str) -> Option<String> {
+    let meant = match text {
+        "true" | "yes" | "on" => true,
+        "false" | "no" | "off" => false,
+        _ => return None,
+    };
+    Some(words().write_without_quotes(&meant.to_string()))
+}

@@ -1,0 +1,139 @@
+//! Text of a file made harmless for a terminal, and our own such as it can show.
+
+use crate::wording::Language;
+
+/// Whether a character could act on a terminal or hide: controls, bidirectional marks, and
+/// characters of no width that are not combining accents. Tab and line feed count as harmful here.
+#[must_use]
+pub fn is_harmful(c: char) -> bool {
+    c.is_control()
+        || matches!(c,
+            '\u{00AD}'
+            | '\u{034F}'
+            | '\u{061C}'
+            | '\u{115F}'..='\u{1160}'
+            | '\u{17B4}'..='\u{17B5}'
+            | '\u{180B}'..='\u{180F}'
+            | '\u{200B}'..='\u{200F}'
+            | '\u{2028}'..='\u{202E}'
+            | '\u{2060}'..='\u{206F}'
+            | '\u{3164}'
+            | '\u{FE00}'..='\u{FE0F}'
+            | '\u{FEFF}'
+            | '\u{FFA0}'
+            | '\u{FFF0}'..='\u{FFFB}'
+            | '\u{1D173}'..='\u{1D17A}'
+            | '\u{E0000}'..='\u{E0FFF}')
+}
+
+/// The letter of ASCII for one of Turkish, where a terminal has no others.
+pub fn ascii_letter(c: char) -> Option<char> {
+    Some(match c {
+        'â' => 'a',
+        'ç' => 'c',
+        'ğ' => 'g',
+        'ı' | 'î' => 'i',
+        'ö' => 'o',
+        'ş' => 's',
+        'ü' | 'û' => 'u',
+        'Â' => 'A',
+        'Ç' => 'C',
+        'Ğ' => 'G',
+        'İ' | 'Î' => 'I',
+        'Ö' => 'O',
+        'Ş' => 'S',
+        'Ü' | 'Û' => 'U',
+        _ => return None,
+    })
+}
+
+/// Our own text with the letters of ASCII for those of Turkish, one for one; what else it holds stays.
+pub fn with_ascii_letters(text: &str) -> String {
+    text.chars().map(|c| ascii_letter(c).unwrap_or(c)).collect()
+}
+
+/// The same number of characters, none of them harmful; with `ascii`, none beyond ASCII either: letters of
+/// Turkish become those that they look like, and what looks like none `?`.
+///
+/// Line feeds and tabs become spaces: this is for text of one line.
+#[must_use]
+pub fn sanitized(text: &str, ascii: bool) -> String {
+    text.chars().map(|c| replacement(c, ascii)).collect()
+}
+
+/// The text with harmful characters written as escapes (`\u{1b}`), and with `ascii` all others beyond
+/// ASCII too: for messages, where the reader wants to know which character it was.
+///
+/// Line feeds and tabs become spaces. While Turkish is spoken its letters are those of our own words, and become
+/// what they look like; but not between backticks, where the file is quoted.
+pub(crate) fn escaped(text: &str, ascii: bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    let is_turkish = Language::spoken() == Language::Turkish;
+    let mut is_quoted = false;
+    for c in text.chars() {
+        is_quoted ^= c == '`';
+        let plain = replacement(c, ascii);
+        let is_own_letter = is_turkish && !is_quoted && ascii_letter(c).is_some();
+        if plain == c || c == '\t' || c == '\n' || is_own_letter {
+            out.push(plain);
+        } else {
+            out.extend(c.escape_unicode());
+        }
+    }
+    out
+}
+
+/// What is shown in place of a character; itself if it is harmless.
+pub(crate) fn replacement(c: char, ascii: bool) -> char {
+    match c {
+        '\t' | '\n' => ' ',
+        _ if c.is_ascii() && !c.is_ascii_control() => c,
+        _ if ascii => ascii_letter(c).unwrap_or('?'),
+        _ if is_harmful(c) => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escape_sequences_and_marks_of_direction_are_replaced_one_by_one() {
+        let hostile = "a\u{1b}[2J\u{202e}b\u{200b}\r\u{9b}\u{e0041}c";
+        let shown = sanitized(hostile, false);
+        assert_eq!(shown.chars().count(), hostile.chars().count());
+        assert!(!shown.chars().any(is_harmful), "{shown:?}");
+        assert_eq!(sanitized(hostile, true), "a?[2J?b????c");
+    }
+
+    #[test]
+    fn a_message_names_the_character() {
+        assert_eq!(escaped("a\u{1b}[2J\n\u{d6}", false), "a\\u{1b}[2J \u{d6}");
+        assert_eq!(escaped("\u{d6}", true), "\\u{d6}");
+        Language::Turkish.speak();
+        assert_eq!(escaped("`\u{d6}` ad\u{131}", true), "`\\u{d6}` adi");
+        assert_eq!(
+            escaped("\u{d6}l\u{e7}\u{fc} \u{3b8}", true),
+            "Olcu \\u{3b8}"
+        );
+    }
+
+    #[test]
+    fn letters_of_turkish_become_those_that_they_look_like() {
+        let all = "ç ğ ı i ö ş ü Ç Ğ I İ Ö Ş Ü â î û";
+        assert_eq!(sanitized(all, true), "c g i i o s u C G I I O S U a i u");
+        assert_eq!(with_ascii_letters(all), sanitized(all, true));
+        assert_eq!(with_ascii_letters("θ → ─"), "θ → ─");
+    }
+
+    #[test]
+    fn ordinary_text_of_any_script_stays() {
+        let turkish = "Krank-biyel mekanizması, θ3 = 29°";
+        assert_eq!(sanitized(turkish, false), turkish);
+        assert_eq!(
+            sanitized(turkish, true),
+            "Krank-biyel mekanizmasi, ?3 = 29?"
+        );
+    }
+}

@@ -1,0 +1,165 @@
+//! The TOML of a document, and TOML's own faults in a person's words.
+
+use super::diagnostic::Diagnostic;
+use super::lenient::Lenient;
+use super::reader::{ByteSpan, Reader, quoted};
+use crate::wording::words;
+use serde::Deserialize;
+use toml::de::{DeTable, DeValue, Deserializer, Error};
+
+/// What a person mostly meant, by the text, the parser's message and the place that it points at.
+pub(crate) type Mend = fn(&str, &str, &ByteSpan) -> Option<String>;
+
+/// Reads the text into a derived type, lenient in each of its values; `None` if the text cannot be gone on with.
+pub fn parse<'t, T: Deserialize<'t>>(reader: &mut Reader<'t>, mend: Mend) -> Option<Lenient<T>> {
+    if let Some(message) = foreign(reader.text()) {
+        reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
+        return None;
+    }
+    let (root, errors) = DeTable::parse_recoverable(reader.text());
+    if !is_whole(reader, mend, root.get_ref(), &errors) {
+        return None;
+    }
+    Lenient::deserialize(Deserializer::from(root)).ok()
+}
+
+/// Whether a key stands at the root of a text, as far as that is TOML.
+pub fn has_key(text: &str, key: &str) -> bool {
+    let (root, _) = DeTable::parse_recoverable(text);
+    root.get_ref().keys().any(|own| own.get_ref() == key)
+}
+
+/// Reports what is not TOML; false if too little is left to go on with.
+fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[Error]) -> bool {
+    let text = reader.text();
+    let mut last_line = None;
+    let mut whole = true;
+    for error in errors {
+        let span = error.span().unwrap_or(text.len()..text.len());
+        let line = text.as_bytes()[..span.start.min(text.len())]
+            .iter()
+            .rposition(|&b| b == b'\n');
+        // What follows in the same line is mostly an echo.
+        if last_line == Some(line) {
+            continue;
+        }
+        last_line = Some(line);
+        if reader.is_full() {
+            return false;
+        }
+        let twice = error.message().starts_with("duplicate key");
+        // A section that stands twice has lost what its second half names.
+        whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
+        let too_deep = error.message().starts_with("cannot recurse");
+        reader.report(if twice {
+            duplicate(text, root, span)
+        } else {
+            fault(text, error, span, mend)
+        });
+        // Every bracket left open would be another fault.
+        if too_deep {
+            return false;
+        }
+    }
+    whole
+}
+
+fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
+    if let Some(fault) = decimal_comma(text, span.start) {
+        return fault;
+    }
+    let message = error.message();
+    let help = mend(text, message, &span);
+    Diagnostic::new(words().not_valid_toml(message))
+        .at(span, "")
+        .maybe_help(help)
+}
+
+/// Names a text that is not TOML but an address or JSON, such as people paste.
+pub fn foreign(text: &str) -> Option<&'static str> {
+    let text = text.trim_start();
+    let is_of_pmks = || text.to_ascii_lowercase().contains("pmks");
+    if text.starts_with("http://") || text.starts_with("https://") {
+        return Some(match is_of_pmks() {
+            true => words().is_a_pmks_address(),
+            false => words().is_an_address(),
+        });
+    }
+    let is_json = text.starts_with('{') || text.starts_with("[{");
+    is_json.then(|| match is_of_pmks() {
+        true => words().is_json_of_pmks(),
+        false => words().is_json(),
+    })
+}
+
+/// The fault of a line that is not TOML because of a decimal comma: `length = 86,6`.
+fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text.get(begin..)?.lines().next()?;
+    let mut marks = line.match_indices('=').map(|(mark, _)| mark + 1);
+    let typed = marks.find_map(|behind| {
+        let rest = line[behind..].trim_start();
+        let from = line.len() - rest.len();
+        let is_quoted = line[..behind].matches('"').count() % 2 == 1;
+        let typed = number_with_comma(rest).filter(|_| !is_quoted)?;
+        Some(from..from + typed.len())
+    })?;
+    let (whole, fraction) = line[typed.clone()].rsplit_once(',')?;
+    let point = format!("{}.{fraction}", whole.replace(['.', ','], ""));
+    let message = words().has_decimal_comma(&line[typed.clone()]);
+    let fault = Diagnostic::new(message).at(begin + typed.start..begin + typed.end, "");
+    Some(fault.help(words().decimals_have_a_point(&point)))
+}
+
+/// The number with a comma between digits that a text begins with.
+fn number_with_comma(text: &str) -> Option<&str> {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',');
+    let end = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
+    let typed = text[..end].trim_end_matches([',', '.']);
+    has_decimal_comma(typed).then_some(typed)
+}
+
+/// Returns `true` if a comma stands between two digits, without a blank.
+pub fn has_decimal_comma(text: &str) -> bool {
+    text.as_bytes()
+        .windows(3)
+        .any(|bytes| matches!(bytes, [a, b',', c] if a.is_ascii_digit() && c.is_ascii_digit()))
+}
+
+/// A key that stands twice in its table.
+fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
+    let key = text.get(span.clone()).unwrap_or("");
+    let key = key.trim_matches(['"', '\'']);
+    let mut first: Option<ByteSpan> = None;
+    // The recovered table keeps the first one; the nearest before is in the same table.
+    each_key(root, &mut |other: &str, place| {
+        let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
+        if other == key && place.start < span.start && nearer {
+            first = Some(place);
+        }
+    });
+    let fault = Diagnostic::new(words().given_twice(&quoted(key)))
+        .at(span, words().the_second_time())
+        .help(words().take_one_out());
+    match first {
+        Some(place) => fault.and(place, words().the_first_time()),
+        None => fault,
+    }
+}
+
+/// Visits every key of a table and of the tables in it. As deep as TOML's own limit of nesting.
+fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, ByteSpan)) {
+    for (key, value) in table {
+        visit(key.get_ref(), key.span());
+        each_key_of(value.get_ref(), visit);
+    }
+}
+
+fn each_key_of(value: &DeValue<'_>, visit: &mut dyn FnMut(&str, ByteSpan)) {
+    if let Some(table) = value.as_table() {
+        each_key(table, visit);
+    }
+    for item in value.as_array().into_iter().flatten() {
+        each_key_of(item.get_ref(), visit);
+    }
+}

@@ -1,0 +1,696 @@
+//! What a formula of plain numbers is worth.
+
+use super::dimension::METRE;
+use super::elementary::{self, DEGREES, PI};
+use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
+use super::wide::Wide;
+use super::{Dimension, LengthScale, Malformed};
+use crate::wording::words;
+use std::ops::Range;
+
+/// A number, and what it measures, if a unit tells: plain numbers may stand for anything.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredNumber {
+    /// Lengths in the formula's unit, angles in degrees, all else in that of metres.
+    pub(crate) value: Wide,
+    pub dimension: Option<Dimension>,
+}
+
+impl MeasuredNumber {
+    /// A number without a unit.
+    pub fn plain(value: Wide) -> MeasuredNumber {
+        MeasuredNumber {
+            value,
+            dimension: None,
+        }
+    }
+
+    /// The nearest double.
+    pub fn nearest(&self) -> f64 {
+        self.value.nearest()
+    }
+
+    fn measuring(self, dimension: Option<Dimension>) -> MeasuredNumber {
+        MeasuredNumber { dimension, ..self }
+    }
+}
+
+/// What a name is worth; else what would mend it.
+pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
+
+/// Evaluates a formula. Units are converted: lengths to `length`, angles to degrees, all else to that of metres.
+///
+/// # Errors
+/// What is wrong first; also a value that no double holds, and one that is known to too few digits.
+pub(crate) fn evaluate(
+    text: &str,
+    tree: &ExpressionTree,
+    length: LengthScale,
+    names: NamedWorth<'_>,
+) -> Result<MeasuredNumber, Malformed> {
+    let evaluator = Evaluator {
+        text,
+        length,
+        names,
+    };
+    let found = evaluator.worth(tree)?;
+    let message = match found.nearest() {
+        _ if !found.value.is_known() => words().has_no_worth(evaluator.quoted(tree)),
+        nearest if nearest.is_infinite() => {
+            words().number_too_large(&format!("`{}`", evaluator.quoted(tree)))
+        }
+        nearest if nearest == 0.0 && !found.value.is_zero() => {
+            words().number_too_small(&format!("`{}`", evaluator.quoted(tree)))
+        }
+        _ => return Ok(found),
+    };
+    Err(Malformed::new(tree.span.clone(), message))
+}
+
+/// What a tree needs beside itself.
+struct Evaluator<'e> {
+    text: &'e str,
+    length: LengthScale,
+    names: NamedWorth<'e>,
+}
+
+impl Evaluator<'_> {
+    /// What a part is worth.
+    fn worth(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
+        let MeasuredNumber { value, dimension } = match &tree.node {
+            Node::Number(number, unit) => self.number(number, unit.as_ref(), tree)?,
+            Node::Name(name) if name == "pi" => MeasuredNumber::plain(PI.clone()),
+            Node::Name(name) => self.named(name, tree)?,
+            Node::Negative(of) => {
+                let MeasuredNumber { value, dimension } = self.worth(of)?;
+                MeasuredNumber::plain(value.negative()).measuring(dimension)
+            }
+            Node::Pair(operation, sides) => self.pair(*operation, sides)?,
+            Node::Power(of, exponent) => self.power(of, *exponent, tree)?,
+            Node::Call(function, given) => self.call(*function, given, tree)?,
+        };
+        let value = value.settled();
+        match value.is_in_range() {
+            true => Ok(MeasuredNumber { value, dimension }),
+            false => Err(self.nothing(tree)),
+        }
+    }
+
+    fn quoted(&self, tree: &ExpressionTree) -> &str {
+        self.text.get(tree.span.clone()).unwrap_or("")
+    }
+
+    /// The fault of a part that no number is.
+    fn nothing(&self, tree: &ExpressionTree) -> Malformed {
+        let message = words().has_no_worth(self.quoted(tree));
+        Malformed::new(tree.span.clone(), message)
+    }
+
+    fn number(
+        &self,
+        number: &WrittenNumber,
+        unit: Option<&WrittenUnit>,
+        tree: &ExpressionTree,
+    ) -> Result<MeasuredNumber, Malformed> {
+        let mut found = Wide::decimal(&number.digits).ok_or_else(|| self.nothing(tree))?;
+        let Some(unit) = unit else {
+            return Ok(MeasuredNumber::plain(found));
+        };
+        let of_scene = match unit.dimension == Dimension::LENGTH {
+            true => self.length.tenths_of_mm,
+            false => METRE,
+        };
+        for &(tenths, power) in &unit.lengths {
+            let (times, over) = match power > 0 {
+                true => (tenths, of_scene),
+                false => (of_scene, tenths),
+            };
+            for _ in 0..power.unsigned_abs() {
+                found = found
+                    .times(&Wide::exactly(times))
+                    .over(&Wide::exactly(over));
+            }
+        }
+        let is_angle = unit.dimension == Dimension::RADIANS;
+        let turned = unit.degrees - i8::from(is_angle);
+        for _ in 0..turned.unsigned_abs() {
+            found = match turned > 0 {
+                true => found.over(&DEGREES),
+                false => found.times(&DEGREES),
+            };
+        }
+        let dimension = match unit.dimension {
+            Dimension::NUMBER => None,
+            Dimension::RADIANS => Some(Dimension::DEGREES),
+            Dimension::LENGTH => Some(Dimension::LENGTH),
+            other => Some(other.in_metres()),
+        };
+        Ok(MeasuredNumber::plain(found).measuring(dimension))
+    }
+
+    fn named(&self, name: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
+        (self.names)(name).map_err(|help| Malformed {
+            help,
+            ..Malformed::new(tree.span.clone(), words().no_parameter(name))
+        })
+    }
+
+    fn pair(
+        &self,
+        operation: Operation,
+        sides: &[ExpressionTree; 2],
+    ) -> Result<MeasuredNumber, Malformed> {
+        let [left, right] = sides;
+        let (a, b) = (self.worth(left)?, self.worth(right)?);
+        let (value, dimension) = match operation {
+            Operation::Add => {
+                let dimension = self.alike((&a, left), (&b, right))?;
+                (a.value.plus(&b.value), dimension)
+            }
+            Operation::Subtract => {
+                let dimension = self.alike((&a, left), (&b, right))?;
+                (a.value.minus(&b.value), dimension)
+            }
+            Operation::Multiply => match (a.dimension, b.dimension) {
+                (Some(_), Some(_)) => {
+                    return Err(
+                        self.of_units(&of_both(sides), |product| words().units_multiplied(product))
+                    );
+                }
+                (one, other) => (a.value.times(&b.value), one.or(other)),
+            },
+            Operation::Divide => {
+                if b.value.is_zero() {
+                    return Err(self.by_nothing(right));
+                }
+                let dimension = match (a.dimension, b.dimension) {
+                    (_, None) => a.dimension,
+                    (Some(one), Some(other)) if are_alike(one, other) => None,
+                    _ => {
+                        return Err(self.of_units(&of_both(sides), |quotient| {
+                            words().units_divided(quotient)
+                        }));
+                    }
+                };
+                (a.value.over(&b.value), dimension)
+            }
+        };
+        Ok(MeasuredNumber { value, dimension })
+    }
+
+    /// The fault of what is divided by.
+    fn by_nothing(&self, tree: &ExpressionTree) -> Malformed {
+        let message = words().divided_by_nothing(self.quoted(tree));
+        Malformed::new(tree.span.clone(), message)
+    }
+
+    /// What two figures measure that are added or compared.
+    fn alike(
+        &self,
+        one: (&MeasuredNumber, &ExpressionTree),
+        other: (&MeasuredNumber, &ExpressionTree),
+    ) -> Result<Option<Dimension>, Malformed> {
+        match (one.0.dimension, other.0.dimension) {
+            (Some(a), Some(b)) if !are_alike(a, b) => Err(self.apart(one, other)),
+            (a, b) => Ok(a.or(b)),
+        }
+    }
+
+    /// The fault of figures that do not go together.
+    fn apart(
+        &self,
+        one: (&MeasuredNumber, &ExpressionTree),
+        other: (&MeasuredNumber, &ExpressionTree),
+    ) -> Malformed {
+        let span = one.1.span.start..other.1.span.end;
+        let told = |(found, tree): (&MeasuredNumber, &ExpressionTree)| {
+            let dimension = found.dimension.unwrap_or(Dimension::NUMBER);
+            words().measured_in(self.quoted(tree), &dimension.symbol(self.length.symbol))
+        };
+        let message = words().do_not_go_together(&told(one), &told(other));
+        Malformed::new(span, message).help(words().units_stand_alone())
+    }
+
+    /// The fault of units that are multiplied or divided.
+    fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> Malformed {
+        let message = told(self.text.get(span.clone()).unwrap_or(""));
+        Malformed::new(span.clone(), message).help(words().units_divide_their_like())
+    }
+
+    /// A plain number: what it measures is lost on what follows.
+    fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
+        let found = self.worth(tree)?;
+        match found.dimension {
+            None => Ok(found.value),
+            Some(dimension) => {
+                let unit = dimension.symbol(self.length.symbol);
+                let message = words().takes_a_number(function, &unit);
+                Err(Malformed::new(tree.span.clone(), message))
+            }
+        }
+    }
+
+    fn power(
+        &self,
+        of: &ExpressionTree,
+        exponent: i8,
+        tree: &ExpressionTree,
+    ) -> Result<MeasuredNumber, Malformed> {
+        let base = self.worth(of)?;
+        if base.dimension.is_some() {
+            return Err(self.of_units(&tree.span, |power| words().units_multiplied(power)));
+        }
+        let one = Wide::whole(1);
+        let power = (0..exponent.unsigned_abs()).fold(one, |power, _| power.times(&base.value));
+        let value = match exponent < 0 {
+            false => power,
+            true if base.value.is_zero() => return Err(self.by_nothing(of)),
+            true => Wide::whole(1).over(&power),
+        };
+        Ok(MeasuredNumber::plain(value))
+    }
+
+    fn call(
+        &self,
+        function: MathFunction,
+        given: &[ExpressionTree],
+        tree: &ExpressionTree,
+    ) -> Result<MeasuredNumber, Malformed> {
+        let name = function.name();
+        let Some(first) = given.first() else {
+            return Err(self.nothing(tree));
+        };
+        let value = match function {
+            MathFunction::Sqrt => match self.plain(first, name)? {
+                found if found.is_negative() => None,
+                found => Some(found.root()),
+            },
+            MathFunction::Abs => {
+                let found = self.worth(first)?;
+                let value = found.value.size();
+                return Ok(MeasuredNumber { value, ..found });
+            }
+            MathFunction::Min => return self.fold(given, least),
+            MathFunction::Max => {
+                return self.fold(given, |a, b| least(a.negative(), b.negative()).negative());
+            }
+            MathFunction::Hypot => {
+                return self.fold(given, |a, b| a.times(&a).plus(&b.times(&b)).root());
+            }
+            MathFunction::Sin => elementary::unit(&self.angle(first, name)?).map(|[_, sine]| sine),
+            MathFunction::Cos => {
+                elementary::unit(&self.angle(first, name)?).map(|[cosine, _]| cosine)
+            }
+            MathFunction::Tan => tangent(&self.angle(first, name)?),
+            MathFunction::Asin | MathFunction::Acos => {
+                let part = self.plain(first, name)?;
+                let square = Wide::whole(1).minus(&part.times(&part)).settled();
+                if square.is_negative() {
+                    return Err(self.nothing(tree));
+                }
+                let other = square.root();
+                match function {
+                    MathFunction::Asin => elementary::direction(&other, &part),
+                    _ => elementary::direction(&part, &other),
+                }
+            }
+            MathFunction::Exp => elementary::exponential(&self.plain(first, name)?),
+            MathFunction::Ln => match self.plain(first, name)? {
+                found if found.is_zero() || found.is_negative() => None,
+                found => elementary::logarithm(&found),
+            },
+            MathFunction::Log10 => match self.plain(first, name)? {
+                found if found.is_zero() || found.is_negative() => None,
+                found => elementary::decimal_logarithm(&found),
+            },
+            MathFunction::Atan2 => {
+                let [y, x] = given else {
+                    return Err(self.nothing(tree));
+                };
+                let (across, along) = (self.worth(y)?, self.worth(x)?);
+                self.alike((&across, y), (&along, x))?;
+                let is_zero = across.value.is_zero() && along.value.is_zero();
+                match is_zero {
+                    true => None,
+                    false => elementary::direction(&along.value, &across.value),
+                }
+            }
+        };
+        let value = value.ok_or_else(|| self.nothing(tree))?;
+        Ok(MeasuredNumber::plain(value))
+    }
+
+    /// An angle in degrees, with its unit or without.
+    fn angle(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
+        let found = self.worth(tree)?;
+        match found.dimension {
+            Some(dimension) if !dimension.is_angle() => {
+                let unit = dimension.symbol(self.length.symbol);
+                let message = words().takes_an_angle(function, &unit);
+                Err(Malformed::new(tree.span.clone(), message))
+            }
+            _ => Ok(found.value),
+        }
+    }
+
+    /// One of several figures that measure the same, or what is made of them.
+    fn fold(
+        &self,
+        given: &[ExpressionTree],
+        join: impl Fn(Wide, Wide) -> Wide,
+    ) -> Result<MeasuredNumber, Malformed> {
+        let mut all: Option<(MeasuredNumber, &ExpressionTree)> = None;
+        for tree in given {
+            let found = self.worth(tree)?;
+            all = Some(match all {
+                None => (found, tree),
+                Some((before, of)) => {
+                    let dimension = self.alike((&before, of), (&found, tree))?;
+                    let value = join(before.value, found.value).settled();
+                    (MeasuredNumber { value, dimension }, of)
+                }
+            });
+        }
+        Ok(all.map_or(MeasuredNumber::plain(Wide::ZERO), |(found, _)| found))
+    }
+}
+
+fn least(a: Wide, b: Wide) -> Wide {
+    match b.minus(&a).settled().is_negative() {
+        true => b,
+        false => a,
+    }
+}
+
+/// The tangent of an angle in degrees, unless its cosine is zero.
+fn tangent(degrees: &Wide) -> Option<Wide> {
+    let [cosine, sine] = elementary::unit(degrees)?.map(Wide::settled);
+    (!cosine.is_zero()).then(|| sine.over(&cosine))
+}
+
+/// Where both sides of an operation stand.
+fn of_both(sides: &[ExpressionTree; 2]) -> Range<usize> {
+    sides[0].span.start..sides[1].span.end
+}
+
+/// Whether two units measure the same: degrees and radians do, plain numbers and angles do not.
+fn are_alike(one: Dimension, other: Dimension) -> bool {
+    one.adds_to(other)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::parse;
+    use num_bigint::{BigInt, BigUint, Sign};
+    use proptest::prelude::*;
+
+    const INCH: LengthScale = LengthScale {
+        symbol: "in",
+        tenths_of_mm: 254.0,
+    };
+
+    fn names(name: &str) -> Result<MeasuredNumber, Option<String>> {
+        let (value, dimension) = match name {
+            "a" => (Wide::whole(100), None),
+            "third" => (Wide::whole(1).over(&Wide::whole(3)), None),
+            "rod" => (Wide::whole(10), Some(Dimension::LENGTH)),
+            "lean" => (Wide::whole(30), Some(Dimension::DEGREES)),
+            _ => return Err(None),
+        };
+        Ok(MeasuredNumber { value, dimension })
+    }
+
+    fn worth(text: &str) -> Result<f64, String> {
+        let tree = parse(text).unwrap();
+        let found = evaluate(text, &tree, INCH, &names);
+        found
+            .map(|found| found.nearest())
+            .map_err(|fault| fault.message)
+    }
+
+    /// Each of these decimals has one double; sums of doubles miss most of them.
+    #[test]
+    fn decimals_come_out_as_decimals() {
+        for (text, decimal) in [
+            ("0.1 + 0.2", 0.3),
+            ("0.1 + 0.2 - 0.3", 0.0),
+            ("2 * a + 5", 205.0),
+            ("1.1 * 1.1", 1.21),
+            ("4.35 * 100", 435.0),
+            ("0.3 / 3", 0.1),
+            ("3 * third", 1.0),
+            ("third * 3 - 1", 0.0),
+            ("1e15 + 0.1 - 1e15", 0.1),
+            ("-0.7 ^ 2", -0.49),
+            ("0.2 ^ -2", 25.0),
+            ("0.09 ^ 1.5", 0.027),
+            ("0 ^ 2.5", 0.0),
+            ("4 ^ -0.5", 0.5),
+            ("1024 ^ 0.3", 8.0),
+            ("254 mm", 10.0),
+            ("1 cm * 2.54", 1.0),
+            ("sin(30)", 0.5),
+            ("sin(30 deg) + cos(60)", 1.0),
+            ("tan(45)", 1.0),
+            ("cos(90)", 0.0),
+            ("asin(0.5)", 30.0),
+            ("acos(-0.5)", 120.0),
+            ("acos(1)", 0.0),
+            ("atan2(-1, -1)", -135.0),
+            ("atan2(5 mm, 5 mm)", 45.0),
+            ("sqrt(0.09)", 0.3),
+            ("hypot(0.3, 0.4)", 0.5),
+            ("hypot(3e200, 4e200)", 5e200),
+            ("hypot(-3, 0)", 3.0),
+            ("min(3, -2, 7) + max(3, 8) + abs(-4)", 10.0),
+            // Nothing overflows, underflows or cancels on the way.
+            ("3e-308 / 3e-310", 100.0),
+            ("1e-300 * 1e302", 100.0),
+            ("1e305 / 1e303", 100.0),
+            ("(1 + 1.5e-32 - 1) * 1e34", 150.0),
+            ("1.1e-160 * 1.1e-160 * 1e300 * 1e22 / 1.21", 100.0),
+            ("1e-320 * 1e300 * 1e22", 100.0),
+            ("(1e308 + 1e-308 - 1e308) * 1e300 * 1e10", 100.0),
+            ("(1e-300)^8 * 1e300^8", 1.0),
+            ("(1e300)^-8 / 1e-300^8 * 2", 2.0),
+            ("(1 / 3 - 0.3333333333333333) * 3e18", 100.0),
+            ("0.3333333333333333 - 0.333333333333333", 3e-16),
+            ("sqrt(1e-320) * 1e162", 100.0),
+            ("hypot(3e-320, 4e-320) * 2e300 * 1e21", 100.0),
+            ("hypot(3e300, 4e300) / 5e298", 100.0),
+            ("(1 + exp(0 - 700) - 1) * exp(702)", 7.389_056_098_930_65),
+            ("ln(1e-300) + ln(1e300)", 0.0),
+            ("log10(1e-320) + log10(1e300 * 1e300)", 280.0),
+            ("exp(ln(1e300 * 1e300) - ln(1e300 * 1e299))", 10.0),
+            ("sin(1e-300) * 180e300 / pi", 1.0),
+            ("atan2(1e-320, 1e-320)", 45.0),
+            ("atan2(1e300 * 1e300, 1e300 * 1e300)", 45.0),
+            ("atan2(1e-160, 1e160) * 1e300 * 1e20 * pi / 180", 1.0),
+            ("asin(1e-300) * pi * 1e300 / 180", 1.0),
+            ("90 - acos(1e-20) - asin(1e-20)", 0.0),
+            ("tan(90 - 1e-20) * pi / 180 * 1e-20", 1.0),
+            ("sin(360e15 + 30)", 0.5),
+            ("max(1e-320, 2e-320) * 1e300 * 1e20 / 2", 1.0),
+            ("min(1e300 * 1e300, 1e300 * 1e299) / 1e300 / 1e299", 1.0),
+            ("abs(0 - 1e-320) * 1e300 * 1e20", 1.0),
+            ("pi - 2 * pi / 2", 0.0),
+            ("1 rad - 180 / pi", 0.0),
+            ("rod + 2.54 cm", 11.0),
+            ("rod / 5 in + sin(lean)", 2.5),
+            // All but lengths in metres, and of degrees only those that stand alone.
+            ("5 N/mm + 1 N/m", 5001.0),
+            ("1 N m/deg * pi - 180 N m", 0.0),
+        ] {
+            assert_eq!(worth(text), Ok(decimal), "{text}");
+        }
+    }
+
+    /// The doubles next to what mpmath gives with 50 digits.
+    #[test]
+    fn what_is_no_decimal_is_the_nearest_double() {
+        for (text, nearest) in [
+            ("sqrt(2)", std::f64::consts::SQRT_2),
+            ("2 ^ 1.5", 2.828_427_124_746_190_3),
+            ("3 ^ -1.2", 0.267_580_520_586_743_6),
+            ("sin(10)", 0.173_648_177_666_930_36),
+            ("tan(89.9)", 572.957_213_354_287_8),
+            ("acos(0.3)", 72.542_396_876_277_9),
+            ("atan2(1, 3)", 18.434_948_822_922_01),
+            ("hypot(1, 2, 3)", 3.741_657_386_773_941_3),
+            ("1 cm + 2.54", 2.933_700_787_401_574_6),
+            ("pi * a", 314.159_265_358_979_3),
+        ] {
+            assert_eq!(worth(text), Ok(nearest), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_worth_says_why() {
+        for (text, message) in [
+            (
+                "a / (0.1 + 0.2 - 0.3)",
+                "`(0.1 + 0.2 - 0.3)` is 0: division by zero",
+            ),
+            ("2 / 0", "`0` is 0: division by zero"),
+            ("0 ^ -1", "`0` is 0: division by zero"),
+            ("1 + sqrt(-1)", "`sqrt(-1)` has no value"),
+            ("(0 - 2) ^ 1.2", "`(0 - 2)` has no value"),
+            ("asin(1.01)", "`asin(1.01)` has no value"),
+            ("atan2(0, 0)", "`atan2(0, 0)` has no value"),
+            ("tan(90)", "`tan(90)` has no value"),
+            ("1e200 * 1e200", "the number `1e200 * 1e200` is too large"),
+            (
+                "1e-200 * 1e-200",
+                "the number `1e-200 * 1e-200` is too small",
+            ),
+            ("b + 1", "unknown parameter `b`"),
+            (
+                "5 mm + 3 deg",
+                "`5 mm` is in inch and `3 deg` is in deg: the units do not match",
+            ),
+            (
+                "5 mm * 2 mm",
+                "`5 mm * 2 mm` multiplies one unit by another",
+            ),
+            ("(5 mm)^2", "`(5 mm)^2` multiplies one unit by another"),
+            (
+                "sqrt(4 mm)",
+                "sqrt() takes a plain number, but this is in inch: divide it by a value of that unit",
+            ),
+            ("sin(4 mm)", "sin() takes an angle, but this is in inch"),
+        ] {
+            assert_eq!(worth(text), Err(message.to_owned()), "{text}");
+        }
+    }
+
+    /// A fraction of whole numbers: what a formula of decimals is worth, exactly.
+    #[derive(Clone, Debug)]
+    struct Fraction {
+        above: BigInt,
+        below: BigInt,
+    }
+
+    impl Fraction {
+        fn new(above: BigInt, below: BigInt) -> Fraction {
+            Fraction { above, below }
+        }
+
+        fn power_of_two(power: i32) -> Fraction {
+            let size = BigInt::from(1) << power.unsigned_abs();
+            match power < 0 {
+                true => Fraction::new(1.into(), size),
+                false => Fraction::new(size, 1.into()),
+            }
+        }
+
+        /// A double, exactly.
+        fn of(value: f64) -> Fraction {
+            let (bits, size) = (value.to_bits(), value.abs().to_bits());
+            let power = i32::try_from(size >> 52).unwrap().max(1) - 1075;
+            let digits = size & ((1 << 52) - 1) | if size >> 52 == 0 { 0 } else { 1 << 52 };
+            let sign = if bits >> 63 == 1 { -1 } else { 1 };
+            let scale = Fraction::power_of_two(power);
+            Fraction::new(BigInt::from(digits) * sign * scale.above, scale.below)
+        }
+
+        fn apart(&self, other: &Fraction) -> Fraction {
+            let above = &self.above * &other.below - &other.above * &self.below;
+            Fraction::new(above, &self.below * &other.below)
+        }
+
+        fn size(&self) -> (BigUint, BigUint) {
+            (
+                self.above.magnitude().clone(),
+                self.below.magnitude().clone(),
+            )
+        }
+
+        fn exceeds(&self, other: &Fraction) -> bool {
+            let ((a, b), (c, d)) = (self.size(), other.size());
+            a * d > c * b
+        }
+
+        fn is_zero(&self) -> bool {
+            self.above.sign() == Sign::NoSign
+        }
+    }
+
+    /// Formulas with what they are worth: decimals over the whole range of doubles, sums, differences, products,
+    /// quotients and powers of them.
+    fn formulas() -> impl Strategy<Value = (String, Fraction)> {
+        let decimal =
+            (0_u64..=99_999_999_999_999_999, -323_i32..=290).prop_map(|(digits, power)| {
+                let ten = BigInt::from(10).pow(power.unsigned_abs());
+                let digits_of = BigInt::from(digits);
+                let worth = match power < 0 {
+                    true => Fraction::new(digits_of, ten),
+                    false => Fraction::new(digits_of * ten, 1.into()),
+                };
+                (format!("{digits}e{power}"), worth)
+            });
+        let short = (1_u64..=999, -3_i32..=3).prop_map(|(digits, power)| {
+            let ten = BigInt::from(10).pow(power.unsigned_abs());
+            let worth = match power < 0 {
+                true => Fraction::new(digits.into(), ten),
+                false => Fraction::new(BigInt::from(digits) * ten, 1.into()),
+            };
+            (format!("{digits}e{power}"), worth)
+        });
+        prop_oneof![decimal, short].prop_recursive(4, 12, 2, |inner| {
+            (inner.clone(), inner, 0_u8..5).prop_filter_map("divides by 0", |(a, b, kind)| {
+                let ((a, x), (b, y)) = (a, b);
+                Some(match kind {
+                    0 => {
+                        let above = &x.above * &y.below + &y.above * &x.below;
+                        (
+                            format!("({a} + {b})"),
+                            Fraction::new(above, x.below * y.below),
+                        )
+                    }
+                    1 => (format!("({a} - {b})"), x.apart(&y)),
+                    2 => {
+                        let worth = Fraction::new(x.above * y.above, x.below * y.below);
+                        (format!("({a} * {b})"), worth)
+                    }
+                    3 if y.is_zero() => return None,
+                    3 => {
+                        let worth = Fraction::new(x.above * &y.below, x.below * &y.above);
+                        (format!("({a} / {b})"), worth)
+                    }
+                    _ => {
+                        let worth = Fraction::new(x.above.pow(3), x.below.pow(3));
+                        (format!("({a})^3"), worth)
+                    }
+                })
+            })
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        /// A result is within half an ulp of the exact one, or refused because no double holds it.
+        #[test]
+        fn results_are_the_doubles_nearest_to_exact_fractions((text, exact) in formulas()) {
+            let largest = Fraction::of(f64::MAX);
+            let least = Fraction::power_of_two(-1074);
+            match worth(&text) {
+                Ok(found) => {
+                    let off = Fraction::of(found).apart(&exact);
+                    let ulp = (found.abs().next_up() - found.abs()).max(f64::from_bits(1));
+                    let ulp = Fraction::of(ulp);
+                    let two_off = Fraction::new(off.above * 2, off.below);
+                    prop_assert!(!two_off.exceeds(&ulp), "{text} = {found:e}");
+                }
+                Err(message) => {
+                    let is_beyond = exact.exceeds(&largest);
+                    let is_lost = !exact.is_zero() && least.exceeds(&exact);
+                    // A literal may be too small itself.
+                    let is_refused = message.contains("too small") || message.contains("too large");
+                    prop_assert!(is_beyond || is_lost || is_refused, "{text}: {message}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,282 @@
+//! How figures answer to the given lengths: the derivative of each by every length, at one coordinate of
+//! the driver and on the same assembly.
+//!
+//! This says what an input that is good to 0.1 mm does to a figure, which mostly is far more than any
+//! rounding; the two are never mixed. The derivatives are those of the solver's own formulas, see
+//! [`ByLength`](crate::solver::ByLength): nothing is changed by a finite amount.
+
+use super::Quantity;
+use crate::scene::Scene;
+use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace};
+use crate::{Ball, CoordinateAxis, Dual, Length};
+use std::collections::HashMap;
+
+/// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
+const ROUNDING: f64 = 128.0 * f64::EPSILON;
+/// Derivatives are kept ready from one coordinate to the next as long as their mechanisms are no more than
+/// this many points and links; others are made again each time.
+const MOST_KEPT: usize = 1 << 16;
+
+/// Finds the derivatives of figures by the given lengths, at one coordinate after the other.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    solver: Solver,
+    figures: Vec<Quantity>,
+    /// For each figure the first one of its unit.
+    alike: Vec<usize>,
+    lengths: Vec<Length>,
+    names: Vec<String>,
+    demand: Demand,
+    order: Order,
+    base: Workspace,
+    /// Where a figure can turn over: it may do so anywhere within the bounds of what it is made of.
+    enclosure: Option<Workspace<Ball>>,
+    /// For every length, once it was asked about and where all of them have room.
+    ready: Vec<Option<Ready>>,
+}
+
+type Ready = (ByLength, Workspace<Dual>);
+
+/// More derivatives than this, of all figures by all lengths, are more than anybody reads.
+pub const MOST_DERIVATIVES: usize = 1 << 22;
+
+/// The derivatives of all figures at one coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derivatives {
+    lengths: usize,
+    /// Figure by figure, for each all lengths.
+    numbers: Vec<f64>,
+    /// Figure by figure: a reaction that the equilibrium leaves open has none.
+    exists: Vec<bool>,
+    /// Figure by figure, whether it has a value.
+    valued: Vec<bool>,
+}
+
+impl Derivatives {
+    /// The derivatives of a figure by every length: its unit per unit of length. `None` where the figure has no
+    /// value, as a reaction that the equilibrium leaves open.
+    #[must_use]
+    pub fn of(&self, figure: usize) -> Option<&[f64]> {
+        let exists = *self.exists.get(figure)?;
+        exists.then(|| &self.numbers[figure * self.lengths..(figure + 1) * self.lengths])
+    }
+
+    /// Whether a figure has a value, but no derivatives: a formula that turns over just here.
+    #[must_use]
+    pub fn lacks(&self, figure: usize) -> bool {
+        let [exists, valued] =
+            [&self.exists, &self.valued].map(|all| all.get(figure).copied().unwrap_or_default());
+        valued && !exists
+    }
+
+    /// By how much a figure is off at the worst, where every length is off by one unit: the sum of the
+    /// derivatives' sizes.
+    #[must_use]
+    pub fn worst(&self, figure: usize) -> Option<f64> {
+        let all = self.of(figure)?.iter();
+        Some(all.map(|d| d.abs()).sum())
+    }
+
+    /// The length that matters most to a figure, by its place in the list, and the derivative by it;
+    /// `None` where no length matters.
+    #[must_use]
+    pub fn most(&self, figure: usize) -> Option<(usize, f64)> {
+        let all = self.of(figure)?.iter().copied().enumerate();
+        let matters = all.filter(|(_, d)| *d != 0.0);
+        // The first of equals.
+        matters.reduce(|most, other| {
+            if other.1.abs() > most.1.abs() {
+                other
+            } else {
+                most
+            }
+        })
+    }
+}
+
+impl Sensitivity {
+    /// Of these figures, in a solver for the scene's mechanism with nothing left out.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver, figures: &[Quantity]) -> Self {
+        Sensitivity::by(scene, solver, figures, scene.mechanism.lengths())
+    }
+
+    /// The same, by these lengths.
+    pub(crate) fn by(
+        scene: &Scene,
+        solver: &Solver,
+        figures: &[Quantity],
+        lengths: Vec<Length>,
+    ) -> Self {
+        let names = lengths.iter().map(|&l| length_name(scene, l)).collect();
+        let (demand, order) = super::demand(figures);
+        Sensitivity {
+            solver: solver.clone(),
+            figures: figures.to_vec(),
+            alike: of_one_unit(figures),
+            ready: vec![None; lengths.len()],
+            lengths,
+            names,
+            demand,
+            order,
+            base: solver.state(),
+            enclosure: figures
+                .iter()
+                .any(Quantity::has_sides)
+                .then(|| solver.enclosure()),
+        }
+    }
+
+    /// The figures that are asked about.
+    #[must_use]
+    pub fn figures(&self) -> &[Quantity] {
+        &self.figures
+    }
+
+    /// The names of the given lengths: `r3.length`, `r3.P.x`, `A.y`, `r4.through.x`.
+    #[must_use]
+    pub fn lengths(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The derivatives at a coordinate of the driver. `None` where they do not exist, or would not be right to
+    /// four digits: outside the motion, at a dead point or a change point and too close to one, and where a
+    /// length that is off would jam a redundant linkage.
+    pub fn at(&mut self, at: f64) -> Option<Derivatives> {
+        if self.solver.solve(at, self.order, &mut self.base) != Condition::Ok {
+            return None;
+        }
+        let count = self.lengths.len();
+        let kinks = self.kinks();
+        let mut bends = vec![0.0_f64; self.figures.len()];
+        let mut numbers = vec![0.0; self.figures.len() * count];
+        let mut exists = vec![true; self.figures.len()];
+        for number in 0..count {
+            let (by_length, mut work) = match self.ready[number].take() {
+                Some(ready) => ready,
+                None => self.made(number)?,
+            };
+            let solved = by_length.solve(&self.base, self.order, &mut work);
+            for (i, figure) in self.figures.iter().enumerate().filter(|_| solved) {
+                let slope = slope(figure, &work);
+                exists[i] &= slope.is_some();
+                numbers[i * count + number] = slope.unwrap_or_default();
+                if let Some(slope) = slope {
+                    bends[i] = bends[i].max(bend(figure, slope, &kinks[i], &work));
+                }
+            }
+            self.keep(number, (by_length, work));
+            if !solved {
+                return None;
+            }
+        }
+        let nothing = self.round(&mut numbers);
+        for ((exists, bend), nothing) in exists.iter_mut().zip(bends).zip(nothing) {
+            *exists &= bend <= nothing;
+        }
+        let state = self.base.state();
+        let valued = self.figures.iter().map(|f| f.value(state).is_some());
+        Some(Derivatives {
+            lengths: count,
+            numbers,
+            exists,
+            valued: valued.collect(),
+        })
+    }
+
+    fn made(&self, number: usize) -> Option<Ready> {
+        let made = self.solver.by_length(self.lengths[number], &self.demand)?;
+        let work = made.state();
+        Some((made, work))
+    }
+
+    fn keep(&mut self, number: usize, ready: Ready) {
+        let mechanism = self.solver.mechanism();
+        let size = mechanism.points().len() + mechanism.links().len();
+        if size * self.lengths.len() <= MOST_KEPT {
+            self.ready[number] = Some(ready);
+        }
+    }
+
+    /// For each figure the steps of its formula that may turn over here.
+    fn kinks(&mut self) -> Vec<Vec<usize>> {
+        let Some(enclosure) = &mut self.enclosure else {
+            return vec![Vec::new(); self.figures.len()];
+        };
+        self.solver.enclose(&mut self.base, self.order, enclosure);
+        let figures = self.figures.iter();
+        figures.map(|figure| figure.kinks(enclosure)).collect()
+    }
+
+    /// What rounding has left of derivatives that are nothing is nothing; for each figure, how much that is.
+    fn round(&self, numbers: &mut [f64]) -> Vec<f64> {
+        let count = self.lengths.len().max(1);
+        let mut sizes = vec![0.0_f64; self.figures.len()];
+        for (i, all) in numbers.chunks(count).enumerate().take(self.figures.len()) {
+            let value = self.figures[i]
+                .value(self.base.state())
+                .map_or(0.0, f64::abs);
+            let size = &mut sizes[self.alike[i]];
+            *size = size.max(value / self.solver.scale());
+            *size = all.iter().fold(*size, |size, d| size.max(d.abs()));
+        }
+        for (&alike, all) in self.alike.iter().zip(numbers.chunks_mut(count)) {
+            let nothing = ROUNDING * sizes[alike];
+            let small = all.iter_mut().filter(|d| d.abs() <= nothing);
+            small.for_each(|d| *d = 0.0);
+        }
+        let alike = self.alike.iter();
+        alike.map(|&alike| ROUNDING * sizes[alike]).collect()
+    }
+}
+
+/// For each figure the first one of its unit: their derivatives are measured by the largest. What a formula makes is
+/// as large as it likes, and measured by itself.
+fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
+    let mut first: HashMap<&str, usize> = HashMap::new();
+    let numbers = figures.iter().enumerate();
+    let alike = numbers.map(|(i, figure)| match figure.aspect() {
+        Some(_) => *first.entry(&figure.unit).or_insert(i),
+        None => i,
+    });
+    alike.collect()
+}
+
+/// The derivative of a figure.
+fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
+    figure.value(state).map(|dual| dual.slope)
+}
+
+/// By how much the derivatives on the sides of kinks are off their middle at the worst: each step is turned over by
+/// itself, and all of them at once.
+fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> f64 {
+    let apart = |kinks: &[usize]| match figure.slope_beyond(kinks, state) {
+        Some(beyond) if beyond.is_finite() => (beyond - slope).abs() / 2.0,
+        _ => f64::INFINITY,
+    };
+    let each = kinks.chunks(1).chain((kinks.len() > 1).then_some(kinks));
+    each.map(apart).fold(0.0, f64::max)
+}
+
+/// A length as the scene names it: `r3.length`, `A.x`.
+pub fn length_name(scene: &Scene, length: Length) -> String {
+    let axis = |axis: CoordinateAxis| match axis {
+        CoordinateAxis::X => "x",
+        CoordinateAxis::Y => "y",
+    };
+    let point = |point| scene.point_name(point).unwrap_or("?");
+    let seen = |link, of| match scene.mechanism.link(link).com == Some(of) {
+        true => format!("{}.com", scene.link_name(link)),
+        false => format!("{}.{}", scene.link_name(link), point(of)),
+    };
+    match length {
+        Length::Link(link) => format!("{}.length", scene.link_name(link)),
+        Length::Local(link, of, along) => format!("{}.{}", seen(link, of), axis(along)),
+        Length::Arm(link, of) => format!("{}.length", seen(link, of)),
+        Length::Across(link, of) => format!("{}.across", seen(link, of)),
+        Length::Ground(of, along) => format!("{}.{}", point(of), axis(along)),
+        Length::Through(slide, along) => {
+            format!("{}.through.{}", scene.slide_name(slide), axis(along))
+        }
+    }
+}

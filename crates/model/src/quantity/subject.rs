@@ -1,0 +1,231 @@
+//! What a figure is about, and which figure it is.
+
+use crate::expression::{Dimension, Kind, Revolution};
+use crate::scene::VectorKind;
+use crate::solver::Order;
+use crate::{LinkId, PointId, SlideId};
+
+/// What a quantity is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The driver.
+    Driver,
+    /// A point.
+    Point(PointId),
+    /// A link: its direction and turning.
+    Link(LinkId),
+    /// A slide, read as a vector from the sliding point back to `through`.
+    Slide(SlideId),
+    /// The vector from one point to another.
+    Between(PointId, PointId),
+    /// What the driver must do, or a share of it.
+    Drive(Share),
+    /// The force on a link at a joint.
+    Joint(LinkId, PointId),
+    /// What the whole does to the frame.
+    Frame,
+    /// How far that misses the equilibrium of the whole.
+    FrameResidual,
+}
+
+/// A share of what the driver must do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// All of it.
+    Total,
+    /// Against loads and springs.
+    Load,
+    /// Against weights.
+    Gravity,
+    /// Against inertia.
+    Inertia,
+    /// How far it misses the virtual work of all that acts.
+    Residual,
+}
+
+impl Share {
+    /// What stands behind the total in the order of columns.
+    pub(super) const PARTS: [Share; 4] =
+        [Share::Load, Share::Gravity, Share::Inertia, Share::Residual];
+
+    /// As in a column's name, behind the figure's.
+    pub(super) fn name(self) -> Option<&'static str> {
+        match self {
+            Share::Total => None,
+            Share::Load => Some("load"),
+            Share::Gravity => Some("gravity"),
+            Share::Inertia => Some("inertia"),
+            Share::Residual => Some("residual"),
+        }
+    }
+}
+
+impl From<VectorKind> for Subject {
+    fn from(kind: VectorKind) -> Self {
+        match kind {
+            VectorKind::Link(link) => Subject::Link(link),
+            VectorKind::Slide(slide) => Subject::Slide(slide),
+            VectorKind::Between(tail, head) => Subject::Between(tail, head),
+        }
+    }
+}
+
+/// Which of its figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aspect {
+    /// Position along x.
+    X,
+    /// Position along y.
+    Y,
+    /// Velocity along x.
+    Vx,
+    /// Velocity along y.
+    Vy,
+    /// Acceleration along x.
+    Ax,
+    /// Acceleration along y.
+    Ay,
+    /// Direction in degrees, from 0 to below 360; the driver's is not wrapped.
+    Angle,
+    /// Angular velocity in rad/s.
+    Omega,
+    /// Angular acceleration in rad/s^2.
+    Alpha,
+    /// Length; for a slide the signed position along the guide.
+    Length,
+    /// The rate of the length.
+    Rate,
+    /// The rate of the rate.
+    Accel,
+    /// Torque of a driver that turns, in N m, counter-clockwise.
+    Torque,
+    /// Force of a driver that pushes, in N, along its guide.
+    Force,
+    /// Power in W.
+    Power,
+    /// Force along x in N.
+    Fx,
+    /// Force along y in N.
+    Fy,
+    /// Force of a guide on what slides, in N, along the guide's direction turned by +90 degrees.
+    Normal,
+    /// Moment in N m, counter-clockwise: of a guide on a link that does not turn, about the link's
+    /// origin; of the whole on the frame, about the scene's origin.
+    Moment,
+}
+
+impl Aspect {
+    pub(super) const POINT: [Aspect; 6] = [
+        Aspect::X,
+        Aspect::Y,
+        Aspect::Vx,
+        Aspect::Vy,
+        Aspect::Ax,
+        Aspect::Ay,
+    ];
+    /// Of what turns, by [`Order`].
+    pub const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
+    /// On a joint.
+    pub(super) const JOINT: [Aspect; 2] = [Aspect::Fx, Aspect::Fy];
+    /// On the frame.
+    pub(super) const FRAME: [Aspect; 3] = [Aspect::Fx, Aspect::Fy, Aspect::Moment];
+    /// Of what changes its length, by [`Order`].
+    pub const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
+
+    /// As in a column's name, behind the dot.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Aspect::X => "x",
+            Aspect::Y => "y",
+            Aspect::Vx => "vx",
+            Aspect::Vy => "vy",
+            Aspect::Ax => "ax",
+            Aspect::Ay => "ay",
+            Aspect::Angle => "angle",
+            Aspect::Omega => "omega",
+            Aspect::Alpha => "alpha",
+            Aspect::Length => "length",
+            Aspect::Rate => "rate",
+            Aspect::Accel => "accel",
+            Aspect::Torque => "torque",
+            Aspect::Force => "force",
+            Aspect::Power => "power",
+            Aspect::Fx => "fx",
+            Aspect::Fy => "fy",
+            Aspect::Normal => "normal",
+            Aspect::Moment => "moment",
+        }
+    }
+
+    /// How far a state must be solved for it.
+    #[must_use]
+    pub fn order(self) -> Order {
+        match self {
+            Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => Order::Position,
+            Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => Order::Velocity,
+            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => Order::Acceleration,
+            Aspect::Torque
+            | Aspect::Force
+            | Aspect::Power
+            | Aspect::Fx
+            | Aspect::Fy
+            | Aspect::Normal
+            | Aspect::Moment => Order::Force,
+        }
+    }
+
+    /// What its slope over time is, if a state has that.
+    pub(super) fn rate(self) -> Option<Aspect> {
+        match self {
+            Aspect::X => Some(Aspect::Vx),
+            Aspect::Y => Some(Aspect::Vy),
+            Aspect::Vx => Some(Aspect::Ax),
+            Aspect::Vy => Some(Aspect::Ay),
+            Aspect::Angle => Some(Aspect::Omega),
+            Aspect::Omega => Some(Aspect::Alpha),
+            Aspect::Length => Some(Aspect::Rate),
+            Aspect::Rate => Some(Aspect::Accel),
+            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => None,
+            Aspect::Torque
+            | Aspect::Force
+            | Aspect::Power
+            | Aspect::Fx
+            | Aspect::Fy
+            | Aspect::Normal
+            | Aspect::Moment => None,
+        }
+    }
+
+    /// What it measures.
+    pub(super) fn dimension(self) -> Dimension {
+        let rate = |times: usize, of: Dimension| (0..times).fold(of, |of, _| of.rate());
+        match self {
+            Aspect::Angle => Dimension::DEGREES,
+            Aspect::Omega => rate(1, Dimension::DEGREES),
+            Aspect::Alpha => rate(2, Dimension::DEGREES),
+            Aspect::X | Aspect::Y | Aspect::Length => Dimension::LENGTH,
+            Aspect::Vx | Aspect::Vy | Aspect::Rate => rate(1, Dimension::LENGTH),
+            Aspect::Ax | Aspect::Ay | Aspect::Accel => rate(2, Dimension::LENGTH),
+            Aspect::Torque | Aspect::Moment => Dimension::MOMENT,
+            Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => Dimension::FORCE,
+            Aspect::Power => rate(1, Dimension::MOMENT),
+        }
+    }
+
+    /// What it is in a formula.
+    pub(super) fn kind(self, subject: Subject) -> Kind {
+        match (self, subject) {
+            // The driver's angle counts its turns.
+            (Aspect::Angle, Subject::Driver) => Kind::direction(Revolution::Counted),
+            (Aspect::Angle, _) => Kind::direction(Revolution::Wrapped),
+            _ => Kind::plain(self.dimension()),
+        }
+    }
+
+    /// Its unit, in a scene whose lengths are in `length`.
+    #[must_use]
+    pub fn unit(self, length: &str) -> String {
+        self.dimension().symbol(length)
+    }
+}

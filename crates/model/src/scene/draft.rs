@@ -1,0 +1,262 @@
+//! What the file says, element by element, before names are joined.
+
+use super::Unit;
+use super::deviations::{self, Deviations, DraftTolerances};
+use super::figures::{self, DraftFigure, FigureEntries};
+use super::frame;
+use super::input::{self, DraftDriver};
+use super::limits::{self, DraftLimit, LimitEntries};
+use super::link::{self, DraftLink, Links};
+use super::loads::{self, DraftLoad, Loads};
+use super::motor::{self, Motor};
+use super::parameters::{self, DraftParameter, ParameterEntries};
+use super::points::{self, DraftVector, PlacedPoint, Vectors, places};
+use super::reader::{ByteSpan, CoordinatePair, Points, Reader};
+use super::redundant::{self, Redundant};
+use super::slide::{self, DraftSlide, Slides};
+use super::spring::{self, DraftSpring, Springs};
+use super::timed_inputs::{self, DraftTimed, TimedInputs};
+use crate::Vec2;
+use crate::document::{Diagnostic, Lenient, Misplaced};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+use serde::Deserialize;
+use std::collections::HashSet;
+
+/// A scene as its file writes it.
+#[derive(Debug, Deserialize)]
+pub(super) struct SceneFile {
+    name: Option<Lenient<String>>,
+    source: Option<Lenient<String>>,
+    note: Option<Lenient<String>>,
+    unit: Option<Lenient<String>>,
+    parameters: Option<ParameterEntries>,
+    tolerance: Option<Lenient<f64>>,
+    clearance: Option<Lenient<f64>>,
+    ground: Option<Points>,
+    marks: Option<Points>,
+    driver: Option<Lenient<input::DriverTable>>,
+    inputs: Option<TimedInputs>,
+    links: Option<Links>,
+    slides: Option<Slides>,
+    start: Option<Points>,
+    vectors: Option<Vectors>,
+    limits: Option<LimitEntries>,
+    loads: Option<Loads>,
+    springs: Option<Springs>,
+    gravity: Option<CoordinatePair>,
+    figures: Option<FigureEntries>,
+    motor: Option<Lenient<motor::MotorTable>>,
+    tolerances: Option<Deviations>,
+    clearances: Option<Deviations>,
+    redundant: Option<Lenient<redundant::RedundantTable>>,
+}
+
+/// What a scene says. Values that could not be read have a placeholder, so that what they do not
+/// touch can still be checked; a diagnostic was reported for each.
+#[derive(Debug, Default)]
+pub(super) struct SceneDraft<'t> {
+    pub(super) name: Option<String>,
+    pub(super) source: Option<String>,
+    pub(super) note: Option<String>,
+    pub(super) unit: Unit,
+    pub(super) parameters: Vec<DraftParameter<'t>>,
+    /// The points of the ground, the marks among them.
+    pub(super) ground: Vec<PlacedPoint<'t>>,
+    /// Those that nothing need refer to, by their names.
+    pub(super) marks: HashSet<&'t str>,
+    pub(super) links: Vec<DraftLink<'t>>,
+    pub(super) links_key: Option<ByteSpan>,
+    pub(super) slides: Vec<DraftSlide<'t>>,
+    pub(super) driver: Option<DraftDriver<'t>>,
+    /// The key `driver`, whether or not what follows could be read.
+    pub(super) driver_key: Option<ByteSpan>,
+    /// The inputs that follow the driver.
+    pub(super) timed: Vec<DraftTimed<'t>>,
+    pub(super) start: Vec<PlacedPoint<'t>>,
+    pub(super) vectors: Vec<DraftVector<'t>>,
+    pub(super) limits: Vec<DraftLimit<'t>>,
+    pub(super) loads: Vec<DraftLoad<'t>>,
+    pub(super) springs: Vec<DraftSpring<'t>>,
+    pub(super) motor: Option<Motor>,
+    pub(super) gravity: Vec2,
+    pub(super) figures: Vec<DraftFigure<'t>>,
+    pub(super) redundant: Redundant,
+    pub(super) tolerances: DraftTolerances<'t>,
+    /// Whether a section could not be read at all: its names are missing everywhere.
+    pub(super) unreadable: bool,
+    /// Whether a link or a slide names a point that could not be read.
+    pub(super) lost_points: bool,
+    /// Whether a vector, a load or a spring could not be read, which may have named a point.
+    pub(super) lost_references: bool,
+}
+
+/// Reads the whole document.
+pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) -> SceneDraft<'v> {
+    let mut draft = SceneDraft::default();
+    // The root of a document is always a table.
+    let Some(file) = root.get() else { return draft };
+    // Links make it a scene, whatever stands beside them.
+    if let (Some(kind), None) = (root.key("kind"), root.key("links")) {
+        let fault = Diagnostic::new(words().task_for_a_scene());
+        reader.report(
+            fault
+                .at(kind.span(), "")
+                .help(words().synthesize_does_tasks()),
+        );
+        draft.unreadable = true;
+        return draft;
+    }
+    reader.only(words().the_scene_itself(), root);
+    draft.unreadable = root.known.iter().any(|key| root.meant(key));
+    draft.name = line(reader, "name", file.name.as_ref());
+    draft.source = line(reader, "source", file.source.as_ref());
+    draft.note = line(reader, "note", file.note.as_ref());
+    draft.unit = unit(reader, file.unit.as_ref());
+    reader.named.length = (draft.unit.symbol(), draft.unit.tenths_of_mm());
+    // All numbers may be made of them.
+    if let Some(value) = &file.parameters {
+        draft.parameters = parameters::read(reader, value);
+    }
+    draft.moving(reader, root, file);
+    draft.references(reader, file);
+    draft.deviations(reader, file);
+    if let Some(value) = &file.gravity {
+        let gravity = reader.pair("`gravity` (m/s^2)", value);
+        draft.unreadable |=
+            gravity.is_none() && value.read.as_ref().err() != Some(&Misplaced::Table);
+        draft.gravity = gravity.unwrap_or_default();
+    }
+    if let Some(value) = &file.redundant {
+        draft.redundant = redundant::read(reader, draft.unit, value);
+        draft.unreadable |= value.get().is_none();
+    }
+    if let Some(value) = &file.figures {
+        draft.figures = figures::figures(reader, value);
+    }
+    if let Some(value) = &file.motor {
+        let driven = draft.driver.as_ref().map(|driver| &driver.input);
+        draft.motor = motor::read(reader, draft.unit, driven, value);
+    }
+    if !draft.unreadable && draft.links.is_empty() && draft.slides.is_empty() {
+        reader.report(link::nothing_moves());
+        draft.unreadable = true;
+    }
+    frame::as_vectors(&mut draft);
+    draft
+}
+
+impl<'v> SceneDraft<'v> {
+    /// What moves, and where it is. A section that is no table has lost all its names.
+    fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<SceneFile>, file: &'v SceneFile) {
+        let place = |name| root.key(name).map(|key| key.span());
+        if let Some(value) = &file.ground {
+            self.ground = places(reader, "[ground]", words().ground_point(), value);
+            self.unreadable |= value.get().is_none();
+        }
+        if let Some(value) = &file.marks {
+            let marks = places(reader, "[marks]", words().mark(), value);
+            self.unreadable |= value.get().is_none();
+            for mark in &marks {
+                let fixed = |place: &&PlacedPoint<'_>| place.name.text == mark.name.text;
+                if let Some(before) = self.ground.iter().find(fixed) {
+                    let fault = Diagnostic::new(words().given_twice(&mark.name.to_string()));
+                    let before = before.name.span.clone();
+                    reader.report(
+                        fault
+                            .at(mark.name.span.clone(), "")
+                            .and(before, words().fixed_here()),
+                    );
+                }
+            }
+            self.marks = marks.iter().map(|mark| mark.name.text).collect();
+            self.ground.extend(marks);
+        }
+        if let Some(value) = &file.start {
+            self.start = places(reader, "[start]", words().start_of(), value);
+            self.unreadable |= value.get().is_none();
+        }
+        if let Some(value) = &file.links {
+            let read = link::links(reader, value);
+            self.unreadable |= value.get().is_none() || read.too_many;
+            self.lost_points |= read.lost_points;
+            self.links = read.links;
+            self.links_key = place("links");
+        }
+        if let Some(value) = &file.slides {
+            self.slides = slide::slides(reader, value);
+            self.unreadable |= value.get().is_none();
+            self.lost_points |= self.slides.iter().any(|slide| slide.slider.is_none());
+        }
+        if let (Some(value), Some(key)) = (&file.driver, place("driver")) {
+            self.driver = input::driver(reader, self.unit, &key, value);
+            self.unreadable |= value.get().is_none();
+            self.driver_key = Some(key);
+        }
+        if let Some(value) = &file.inputs {
+            self.timed = timed_inputs::read(reader, value);
+            self.unreadable |= value.get().is_none();
+        }
+    }
+
+    /// How far lengths may be off, and how loose pins are.
+    fn deviations(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
+        let general = file.tolerance.as_ref();
+        let all = &mut self.tolerances;
+        all.general = general.and_then(|v| deviations::tolerance(reader, "`tolerance`", v));
+        if let Some(value) = &file.clearance {
+            all.clearance = deviations::clearance(reader, value);
+        }
+        if let Some(value) = &file.tolerances {
+            all.points = deviations::points(reader, value);
+        }
+        if let Some(value) = &file.clearances {
+            all.pins = deviations::pins(reader, value);
+        }
+    }
+
+    /// What names points without defining them.
+    fn references(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
+        let before = reader.found.len();
+        if let Some(value) = &file.vectors {
+            self.vectors = points::vectors(reader, value);
+        }
+        if let Some(value) = &file.limits {
+            self.limits = limits::limits(reader, value);
+        }
+        if let Some(value) = &file.loads {
+            self.loads = loads::loads(reader, value);
+        }
+        if let Some(value) = &file.springs {
+            self.springs = spring::springs(reader, value);
+        }
+        self.lost_references = reader.found.len() > before;
+    }
+}
+
+/// A text of one line: white space runs become one space.
+pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
+    let text = reader.string(&format!("`{key}`"), value?)?.text;
+    let parts: Vec<&str> = text.split_whitespace().collect();
+    let shown = super::sanitized(&parts.join(" "), false);
+    (!shown.is_empty()).then_some(shown)
+}
+
+/// Reads the unit of lengths; an unknown one is reported and replaced.
+pub fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
+    let name = value.and_then(|value| reader.string("`unit`", value));
+    let Some(name) = name else {
+        return Unit::default();
+    };
+    let found = Unit::ALL.into_iter().find(|u| u.symbol() == name.text);
+    if found.is_none() {
+        let symbols = Unit::ALL.map(Unit::symbol);
+        reader.report(
+            Diagnostic::new(words().no_unit_of_length(&name.to_string()))
+                .at(name.span.clone(), words().unknown_unit())
+                .maybe_help(did_you_mean(name.text, symbols))
+                .help(words().known_units(&format!("`{}`", symbols.join("`, `")))),
+        );
+    }
+    found.unwrap_or_default()
+}

@@ -1,0 +1,355 @@
+//! Reads the driver.
+
+use super::limits::{self, DraftEnds};
+use super::rate::{self, Degree, Misfit, Rate, RateKind};
+use super::reader::{ByteSpan, CoordinatePair, Name, Reader};
+use super::timed_motion::{self, MotionFrame, MotionList};
+use super::{Unit, keys};
+use crate::document::{Diagnostic, Lenient, Misplaced, meant};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+use crate::{Double, Mechanism, MotionLaw};
+use serde::Deserialize;
+
+/// The section `[driver]` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct DriverTable {
+    link: Option<Lenient<String>>,
+    slide: Option<Lenient<String>>,
+    from: Option<Lenient<String>>,
+    angle: Option<Lenient<f64>>,
+    position: Option<Lenient<f64>>,
+    range: Option<CoordinatePair>,
+    speed: Option<Lenient<String>>,
+    acceleration: Option<Lenient<String>>,
+    motion: Option<MotionList>,
+}
+
+#[derive(Debug)]
+pub(super) struct DraftDriver<'t> {
+    /// The key `link` or `slide`.
+    pub(super) input: DraftInput<'t>,
+    /// The link that the motor of a driven link sits on; none on the ground.
+    pub(super) from: Option<Name<'t>>,
+    pub(super) start: f64,
+    /// Between which stops it moves.
+    pub(super) range: Option<DraftEnds>,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
+    /// Whether one of these was typed in another unit.
+    pub(super) is_converted: bool,
+    /// Speed and acceleration as they were typed, to twice the digits, where both are known.
+    pub(super) typed_rates: Option<[Double; 2]>,
+    /// How it moves over time.
+    pub(super) motion: Option<MotionLaw>,
+}
+
+#[derive(Debug)]
+pub(super) enum DraftInput<'t> {
+    Link(Name<'t>),
+    Slide(Name<'t>),
+}
+
+/// The rate where the file gives none: per unit of the coordinate, so that velocities are the
+/// kinematic coefficients.
+const UNIT_SPEED: f64 = 1.0;
+
+/// How a kind of driver is written.
+pub(super) struct DriverForm {
+    /// The key that names what is driven.
+    pub(super) driven: &'static str,
+    /// The key of its coordinate.
+    coordinate: &'static str,
+    /// The coordinate of the other kind.
+    other: &'static str,
+    /// What a motor drives it by, and the key for it.
+    pub(super) effort: &'static str,
+    example: &'static str,
+}
+
+pub(super) const TURNED: DriverForm = DriverForm {
+    driven: "link",
+    coordinate: "angle",
+    other: "position",
+    effort: "torque",
+    example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
+};
+
+pub(super) const PUSHED: DriverForm = DriverForm {
+    driven: "slide",
+    coordinate: "position",
+    other: "angle",
+    effort: "force",
+    example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
+};
+
+/// The key of the driver's coordinate.
+pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
+    let form = match mechanism.driver().input {
+        crate::Input::Turn(_) => TURNED,
+        crate::Input::Push(_) => PUSHED,
+    };
+    form.coordinate
+}
+
+/// Reads the section; `key` is the place of its name.
+pub(super) fn driver<'v>(
+    reader: &mut Reader<'_>,
+    unit: Unit,
+    key: &ByteSpan,
+    value: &'v Lenient<DriverTable>,
+) -> Option<DraftDriver<'v>> {
+    let example = format!("{{ {} }}", TURNED.example);
+    let table = reader.table("[driver]", &example, value)?;
+    let (form, driven, kind) = match (&table.link, &table.slide) {
+        (Some(link), None) => (TURNED, link, RateKind::Turn),
+        (None, Some(slide)) => (PUSHED, slide, RateKind::Push(unit)),
+        (None, None) => {
+            neither(reader, value, key);
+            return None;
+        }
+        (Some(_), Some(_)) => {
+            let fault = Diagnostic::new(words().driver_has_both());
+            reader.report(both_forms(fault.at(key.clone(), words().one_is_driven())));
+            return None;
+        }
+    };
+    let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
+    // That a slide has none is told with its keys.
+    let given_seat = table.from.as_ref().filter(|_| kind == RateKind::Turn);
+    let from = seat(reader, words().the_driver(), kind, given_seat);
+    let (given, other) = match kind {
+        RateKind::Turn => (&table.angle, &table.position),
+        RateKind::Push(_) => (&table.position, &table.angle),
+    };
+    let start = if given.is_none() && other.is_some() {
+        other_coordinate(reader, value, &form);
+        None
+    } else {
+        start(reader, value, given.as_ref(), &form, key)
+    };
+    let mut rate = |key, degree, value: &Option<Lenient<String>>| {
+        rate(
+            reader,
+            words().the_driver(),
+            key,
+            kind,
+            degree,
+            value.as_ref()?,
+        )
+    };
+    let speed = rate("speed", Degree::Speed, &table.speed);
+    let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
+    let range = range(reader, kind, table.range.as_ref());
+    let motion = motion(reader, (value, table), start, kind, range.as_ref());
+    let name = name?;
+    if given_seat.is_some() && from.is_none() {
+        return None;
+    }
+    let rates = [speed, acceleration];
+    let typed = |rate: Option<Rate>, default: f64| match rate {
+        Some(rate) => rate.typed,
+        None => Some(Double::exactly(default)),
+    };
+    let typed_rates = typed(speed, UNIT_SPEED).zip(typed(acceleration, 0.0));
+    let typed_rates = typed_rates.filter(|_| motion.is_none());
+    let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
+    Some(DraftDriver {
+        input: match kind {
+            RateKind::Turn => DraftInput::Link(name),
+            RateKind::Push(_) => DraftInput::Slide(name),
+        },
+        from,
+        start: start.unwrap_or(0.0),
+        range,
+        speed: speed.unwrap_or(UNIT_SPEED),
+        acceleration: acceleration.unwrap_or(0.0),
+        is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted)
+            // Its speeds are per degree.
+            || motion.is_some(),
+        typed_rates: typed_rates.map(<[Double; 2]>::from),
+        motion,
+    })
+}
+
+/// The link that the motor of an input sits on: a slide has its own guide for that.
+pub(super) fn seat<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    kind: RateKind,
+    given: Option<&'v Lenient<String>>,
+) -> Option<Name<'v>> {
+    let given = given?;
+    let from = reader.string(&words().key_of("from", of), given)?;
+    match kind {
+        RateKind::Turn => Some(from),
+        RateKind::Push(_) => {
+            reader.report(
+                Diagnostic::new(words().slide_has_its_guide(of))
+                    .at(from.span.clone(), words().not_of_a_slide())
+                    .help(words().seat_is_for_links()),
+            );
+            None
+        }
+    }
+}
+
+/// How it moves over time, which no speed may stand beside.
+fn motion(
+    reader: &mut Reader<'_>,
+    (value, table): (&Lenient<DriverTable>, &DriverTable),
+    start: Option<f64>,
+    kind: RateKind,
+    range: Option<&DraftEnds>,
+) -> Option<MotionLaw> {
+    let given = table.motion.as_ref()?;
+    for key in ["speed", "acceleration"] {
+        if let Some(beside) = value.key(key) {
+            timed_motion::alone(reader, key, &beside.span());
+        }
+    }
+    let frame = MotionFrame {
+        start: start?,
+        turns: kind == RateKind::Turn,
+        range,
+    };
+    timed_motion::read(reader, &frame, given)
+}
+
+fn range(
+    reader: &mut Reader<'_>,
+    kind: RateKind,
+    value: Option<&CoordinatePair>,
+) -> Option<DraftEnds> {
+    let what = words().key_of("range", words().the_driver());
+    let range = limits::range(reader, &what, value?);
+    if let (Some(range), RateKind::Turn) = (&range, kind) {
+        limits::check_turns(reader, &what, range);
+    }
+    range
+}
+
+/// Nothing is driven: a misspelt key, or none at all.
+fn neither(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, key: &ByteSpan) {
+    reader.only(words().the_driver(), value);
+    if !value.meant("link") && !value.meant("slide") {
+        let fault = Diagnostic::new(words().driver_has_neither());
+        reader.report(both_forms(
+            fault.at(key.clone(), words().nothing_is_driven()),
+        ));
+    }
+}
+
+fn both_forms(fault: Diagnostic) -> Diagnostic {
+    fault
+        .help(words().how_a_link_is_driven(TURNED.example))
+        .help(words().how_a_slide_is_driven(PUSHED.example))
+}
+
+/// The coordinate of the other kind of driver.
+fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form: &DriverForm) {
+    let DriverForm {
+        driven,
+        coordinate,
+        other,
+        ..
+    } = form;
+    let place = value.key(other).map(|key| key.span());
+    reader.report(
+        Diagnostic::new(words().driver_has_other(driven, other, coordinate))
+            .at(
+                place.unwrap_or_default(),
+                words().coordinate_is_meant(coordinate),
+            )
+            .help(words().for_example(&format!("{coordinate} = 60"))),
+    );
+}
+
+/// The coordinate at which the scene opens.
+fn start(
+    reader: &mut Reader<'_>,
+    value: &Lenient<DriverTable>,
+    given: Option<&Lenient<f64>>,
+    form: &DriverForm,
+    key: &ByteSpan,
+) -> Option<f64> {
+    let coordinate = form.coordinate;
+    let known = keys::of(keys::DRIVER, form.driven);
+    reader.only_these(words().the_driver(), &value.keys, &known);
+    // A misspelt key was reported already; what it leaves missing is no second fault.
+    if given.is_none() && !meant(&value.keys, &known, coordinate) {
+        let label = words().coordinate_is_missing(coordinate);
+        reader.report(
+            Diagnostic::new(words().driver_lacks(coordinate))
+                .at(key.clone(), label)
+                .help(words().for_example(&format!("{coordinate} = 60"))),
+        );
+    }
+    reader.number(&words().key_of(coordinate, words().the_driver()), given?)
+}
+
+/// A speed or an acceleration, `None` if it is wrong.
+pub(super) fn rate(
+    reader: &mut Reader<'_>,
+    of: &str,
+    key: &str,
+    kind: RateKind,
+    degree: Degree,
+    value: &Lenient<String>,
+) -> Option<Rate> {
+    let literal = reader.literal(&value.span);
+    let bare = literal.trim_matches(['`', '"', '\'', ' ']);
+    let misfit = match &value.read {
+        Ok(text) => match rate::parse(text, kind, degree) {
+            Ok(rate) => return Some(rate),
+            Err(misfit) => match rate::formula(text, kind, degree) {
+                Some((formula, unit)) => {
+                    let what = words().key_of(key, of);
+                    let worth = reader.worked_out(&what, formula, &value.span)?;
+                    if let Some(dimension) = worth.dimension {
+                        let found = dimension.symbol(reader.named.length.0);
+                        let message = words().rate_of_units(key, of, formula, &found);
+                        let fault = Diagnostic::new(message).at(value.span.clone(), "");
+                        reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
+                        return None;
+                    }
+                    let rate = rate::of(worth.value.twice(), unit, kind);
+                    if rate.value.is_finite() {
+                        return Some(rate);
+                    }
+                    Misfit::NotFinite
+                }
+                None => misfit,
+            },
+        },
+        Err(Misplaced::Number | Misplaced::Unheld) => Misfit::NoUnit,
+        Err(_) => Misfit::NoNumber,
+    };
+    let units = rate::units(kind, degree);
+    let (message, help) = match misfit {
+        Misfit::NoNumber => (
+            words().rate_is_no_number(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"15 {}\"", units[0]))),
+        ),
+        Misfit::NoUnit => (
+            words().rate_has_no_unit(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"{bare} {}\"", units[0]))),
+        ),
+        Misfit::Unit(unit) => (
+            words().rate_has_other_unit(key, of, bare),
+            did_you_mean(unit, units.iter().copied()),
+        ),
+        Misfit::TwoMarks => (
+            words().rate_has_two_marks(key, of, bare),
+            Some(words().digits_without_groups().to_owned()),
+        ),
+        Misfit::NotFinite => (words().rate_is_too_large(key, of, bare), None),
+    };
+    reader.report(
+        Diagnostic::new(message)
+            .at(value.span.clone(), words().expected_a_rate())
+            .maybe_help(help)
+            .help(words().possible_units(&format!("`{}`", units.join("`, `")))),
+    );
+    None
+}

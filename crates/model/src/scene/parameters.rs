@@ -1,0 +1,213 @@
+//! Reads `[parameters]`: numbers with names, in any order, some of them made of others.
+
+use super::figures::FormulaPlace;
+use super::reader::{Name, Reader, number_of};
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
+use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
+use crate::wording::words;
+use std::collections::HashMap;
+
+/// A number of the scene that has a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// As the scene names it.
+    pub name: String,
+    /// What it is worth.
+    pub number: f64,
+    /// The formula that it follows from, where it is no plain number.
+    pub formula: Option<String>,
+    /// What it measures, if a unit tells: a plain number may stand for anything.
+    pub dimension: Option<Dimension>,
+}
+
+/// The section as it is written.
+pub(super) type ParameterEntries = Lenient<Entries<Lenient<f64>>>;
+
+/// A name, and the formula that stands behind it.
+#[derive(Debug)]
+pub(super) struct DraftParameter<'t> {
+    pub(super) name: Name<'t>,
+    formula: Option<&'t str>,
+}
+
+const EXAMPLE: &str = "{ a = 100 }";
+
+/// A formula that waits for what it is made of.
+struct WaitingParameter<'v> {
+    name: Name<'v>,
+    formula: Name<'v>,
+    tree: ExpressionTree,
+    /// The formulas that wait for it, and for how many it waits itself.
+    followers: Vec<usize>,
+    waits: usize,
+}
+
+/// Reads the section: from then on all formulas know its names.
+pub(super) fn read<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v ParameterEntries,
+) -> Vec<DraftParameter<'v>> {
+    reader.table("[parameters]", EXAMPLE, value);
+    let mut draft = Vec::new();
+    let mut waiting = Vec::new();
+    for (name, value) in value.entries() {
+        let formula = match number_of(reader.text(), value) {
+            Err(Misplaced::Text(text)) => Some(text.as_str()),
+            _ => None,
+        };
+        let worth = match formula {
+            None => number(reader, &name, value),
+            Some(text) => {
+                let span = value.span.clone();
+                waiting.extend(parsed(reader, &name, Name { text, span }));
+                None
+            }
+        };
+        reader.named.worth.insert(name.text.to_owned(), worth);
+        draft.push(DraftParameter { name, formula });
+    }
+    in_order(reader, waiting);
+    draft
+}
+
+/// The parameters with what they are worth.
+pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
+    let told = draft.into_iter().filter_map(|parameter| {
+        let worth = named.worth.get(parameter.name.text)?.as_ref()?;
+        Some(Parameter {
+            name: parameter.name.text.to_owned(),
+            number: worth.nearest(),
+            formula: parameter.formula.map(str::to_owned),
+            dimension: worth.dimension,
+        })
+    });
+    told.collect()
+}
+
+fn what(name: &Name<'_>) -> String {
+    words().parameter_called(&name.to_string())
+}
+
+fn number(
+    reader: &mut Reader<'_>,
+    name: &Name<'_>,
+    value: &Lenient<f64>,
+) -> Option<MeasuredNumber> {
+    let number = reader.number(&what(name), value)?;
+    let digits = reader.text().get(value.span.clone()).unwrap_or("");
+    // Whole numbers to another base are doubles.
+    let typed = Wide::decimal(&digits.replace('_', ""));
+    let typed = typed.filter(|typed| typed.nearest() == number);
+    Some(MeasuredNumber::plain(
+        typed.unwrap_or_else(|| Wide::exactly(number)),
+    ))
+}
+
+fn parsed<'v>(
+    reader: &mut Reader<'_>,
+    name: &Name<'v>,
+    formula: Name<'v>,
+) -> Option<WaitingParameter<'v>> {
+    match expression::parse(formula.text) {
+        Ok(tree) => Some(WaitingParameter {
+            name: name.clone(),
+            formula,
+            tree,
+            followers: Vec::new(),
+            waits: 0,
+        }),
+        Err(fault) => {
+            let place = FormulaPlace::of(reader, &formula);
+            reader.report(place.fault(&what(name), &fault));
+            None
+        }
+    }
+}
+
+/// Works each out as soon as everything is known that it is made of; what waits for itself is reported.
+fn in_order(reader: &mut Reader<'_>, mut waiting: Vec<WaitingParameter<'_>>) {
+    let numbers = waiting.iter().enumerate();
+    let numbers: HashMap<String, usize> = numbers
+        .map(|(i, one)| (one.name.text.to_owned(), i))
+        .collect();
+    let parts: Vec<Vec<usize>> = waiting.iter().map(|one| uses(one, &numbers)).collect();
+    for (i, parts) in parts.iter().enumerate() {
+        waiting[i].waits = parts.len();
+        for &part in parts {
+            waiting[part].followers.push(i);
+        }
+    }
+    let mut ready: Vec<usize> = (0..waiting.len())
+        .filter(|&i| waiting[i].waits == 0)
+        .collect();
+    let mut next = 0;
+    while let Some(&i) = ready.get(next) {
+        next += 1;
+        let WaitingParameter {
+            name,
+            formula,
+            tree,
+            ..
+        } = &waiting[i];
+        let worth = reader.worth(&what(name), formula, tree);
+        reader.named.worth.insert(name.text.to_owned(), worth);
+        for follower in std::mem::take(&mut waiting[i].followers) {
+            waiting[follower].waits -= 1;
+            if waiting[follower].waits == 0 {
+                ready.push(follower);
+            }
+        }
+    }
+    circles(reader, &waiting, &parts);
+}
+
+/// The formulas that are named in one, each once.
+fn uses(one: &WaitingParameter<'_>, numbers: &HashMap<String, usize>) -> Vec<usize> {
+    let mut parts = Vec::new();
+    one.tree
+        .each_name(&mut |name| parts.extend(numbers.get(name).copied()));
+    parts.sort_unstable();
+    parts.dedup();
+    parts
+}
+
+/// Reports every circle of what still waits.
+fn circles(reader: &mut Reader<'_>, waiting: &[WaitingParameter<'_>], parts: &[Vec<usize>]) {
+    // In which walk each was met first.
+    let mut met = vec![usize::MAX; waiting.len()];
+    for first in 0..waiting.len() {
+        let mut walk = Vec::new();
+        let mut at = first;
+        while waiting[at].waits > 0 && met[at] == usize::MAX {
+            met[at] = first;
+            walk.push(at);
+            // Who waits waits for one that does.
+            let Some(&next) = parts[at].iter().find(|&&part| waiting[part].waits > 0) else {
+                break;
+            };
+            at = next;
+        }
+        let is_circle = met[at] == first && !walk.is_empty();
+        if let Some(begin) = walk.iter().position(|&one| one == at && is_circle) {
+            reader.report(circle(waiting, &walk[begin..]));
+        }
+    }
+}
+
+/// Names that a message lists at most.
+const LISTED: usize = 8;
+
+fn circle(waiting: &[WaitingParameter<'_>], round: &[usize]) -> Diagnostic {
+    let first = &waiting[round[0]];
+    let mut names: Vec<&str> = round.iter().map(|&one| waiting[one].name.text).collect();
+    if names.len() > LISTED {
+        names.truncate(LISTED);
+        names.push("...");
+    }
+    names.push(first.name.text);
+    let name = first.name.to_string();
+    let message = words().parameters_in_a_circle(&name, &names.join(" <- "));
+    Diagnostic::new(message)
+        .at(first.formula.span.clone(), words().follows_from_itself())
+        .help(words().give_one_a_number())
+}

@@ -1,0 +1,84 @@
+//! The text of a scene told anew: with another title, and without remarks that told of its old numbers.
+
+use super::Scene;
+use super::rewrite::Edits;
+use toml::de::DeTable;
+
+impl Scene {
+    /// The text with these in the place of `name`, `source` and `note`, each put in front where the file has
+    /// none, and without lines that are comments alone: they tell of numbers that are to be changed.
+    ///
+    /// What stands in the file beside that stays as it is. Whether it is a scene is for [`Scene::parse`] to say.
+    #[must_use]
+    pub fn retold(&self, name: &str, source: &str, note: &str) -> String {
+        let texts = [("name", name), ("source", source), ("note", note)];
+        let mut edits = Edits::default();
+        let mut front = String::new();
+        // It was read once before.
+        let root = DeTable::parse(self.text()).ok();
+        for (key, text) in texts {
+            let value = root.as_ref().and_then(|root| root.get_ref().get(key));
+            match value {
+                Some(value) => edits.replace(value.span(), toml_string(text)),
+                None => front += &format!("{key} = {}\n", toml_string(text)),
+            }
+        }
+        let told = front + &edits.made_in(self.text());
+        let lines = told.split_inclusive('\n');
+        lines
+            .filter(|line| !line.trim_start().starts_with('#'))
+            .collect()
+    }
+}
+
+/// A text as a basic string of TOML.
+pub fn toml_string(text: &str) -> String {
+    let mut string = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => string.extend(['\\', c]),
+            c if c.is_control() => string += &format!("\\u{:04x}", u32::from(c)),
+            c => string.push(c),
+        }
+    }
+    string + "\""
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::presets;
+    use super::*;
+
+    #[test]
+    fn titles_are_new_and_numbers_old() {
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let text = scene.retold("a \"b\" \\", "here", "so");
+            let again = Scene::parse(&text, preset.name).unwrap();
+            assert_eq!(again.name, "a \"b\" \\");
+            assert_eq!(again.source.as_deref(), Some("here"));
+            assert_eq!(again.note.as_deref(), Some("so"));
+            let numbers = |scene: &Scene| -> Vec<String> {
+                let values = scene.values().into_iter();
+                values.map(|v| v.name.clone() + " " + &v.text()).collect()
+            };
+            assert_eq!(numbers(&again), numbers(&scene), "{}", preset.name);
+            assert!(!text.lines().any(|line| line.starts_with('#')), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_toml_forbids_is_escaped() {
+        assert_eq!(toml_string("a\n\"\u{7}\\"), r#""a\u000a\"\u0007\\""#);
+    }
+
+    #[test]
+    fn a_scene_without_titles_gets_them_in_front() {
+        let body = "# mine\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
+            [links]\nr = { from = \"A\", to = \"B\", length = 1 } # mm\n";
+        let scene = Scene::parse(body, "test").unwrap();
+        let text = scene.retold("n", "s", "t");
+        let front = "name = \"n\"\nsource = \"s\"\nnote = \"t\"\n";
+        assert_eq!(text, front.to_owned() + body.trim_start_matches("# mine\n"));
+    }
+}

@@ -1,0 +1,313 @@
+//! The text of a scene with other start positions: every other character stays as it stands,
+//! comments, order and blanks included.
+
+use super::Scene;
+use crate::{PointId, Vec2};
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// How exactly numbers are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Six digits: a start is rough.
+    Rough,
+    /// So that the same double is read back.
+    Exact,
+}
+
+/// A coordinate this small a part of the largest one is rounding.
+const NOISE: f64 = 1e-9;
+/// Significant digits of a rough figure.
+const DIGITS: usize = 6;
+
+impl Scene {
+    /// The scene's text with these start positions (in the scene's unit and frame), and where `opening`
+    /// is given also with another coordinate at which the driver opens.
+    ///
+    /// Points that `[start]` names already are replaced where they stand, others stand behind them; what
+    /// `start` does not name stays as it is. Points without a name are left out. `None` where the
+    /// text has no place for them, which no scene that was read is known to do.
+    #[must_use]
+    pub fn rewritten(
+        &self,
+        start: &[(PointId, Vec2)],
+        opening: Option<f64>,
+        precision: Precision,
+    ) -> Option<String> {
+        let root = DeTable::parse(self.text()).ok()?;
+        let root = root.get_ref();
+        let largest = start
+            .iter()
+            .fold(0.0, |m: f64, (_, p)| m.max(p.x.abs()).max(p.y.abs()));
+        let number = |v: f64| match precision {
+            Precision::Rough if v.abs() <= NOISE * largest => "0".to_owned(),
+            Precision::Rough => figure(v),
+            Precision::Exact => format!("{:?}", v + 0.0),
+        };
+        let named = start.iter().filter_map(|&(point, at)| {
+            let value = format!("[{}, {}]", number(at.x), number(at.y));
+            Some((self.point_name(point)?, value))
+        });
+        let mut edits = Edits::default();
+        if let Some(at) = opening {
+            let key = super::coordinate_key(&self.mechanism);
+            let driver = root.get("driver")?.get_ref().as_table()?;
+            edits.replace(driver.get(key)?.span(), format!("{at:?}"));
+        }
+        self.put_start(root, &named.collect::<Vec<_>>(), &mut edits);
+        Some(edits.made_in(self.text()))
+    }
+
+    /// Notes what changes in `[start]`.
+    fn put_start(&self, root: &DeTable<'_>, named: &[(&str, String)], edits: &mut Edits) {
+        let text = self.text();
+        let section = root.get("start");
+        let table = section.and_then(|s| s.get_ref().as_table());
+        let given = |name: &str| table.and_then(|t| t.get(name));
+        for (name, value) in named {
+            if let Some(place) = given(name) {
+                edits.replace(place.span(), value.clone());
+            }
+        }
+        let missing: Vec<_> = named.iter().filter(|(n, _)| given(n).is_none()).collect();
+        if missing.is_empty() {
+            return;
+        }
+        let newline = if text.contains("\r\n") { "\r\n" } else { "\n" };
+        let lines = |before: &str, between: &str| -> String {
+            let entries = missing.iter().map(|(n, v)| format!("{} = {v}", key(n)));
+            entries.fold(String::new(), |all, e| all + between + before + &e)
+        };
+        let last = table.and_then(|t| t.iter().max_by_key(|(_, value)| value.span().end));
+        match (section, last) {
+            (None, _) => {
+                let gap = if text.is_empty() || text.ends_with('\n') {
+                    ""
+                } else {
+                    newline
+                };
+                let section = format!("{gap}{newline}[start]{}", lines("", newline));
+                edits.insert(text.len(), section + newline);
+            }
+            (Some(section), None) => match section.get_ref() {
+                // `start = {}`, and `[start]` with nothing below it.
+                DeValue::Table(_) if text[section.span()].starts_with('{') => {
+                    let entries = lines("", ", ");
+                    let entries = entries.trim_start_matches(", ");
+                    edits.replace(section.span(), format!("{{ {entries} }}"));
+                }
+                _ => edits.insert(line_end(text, section.span().end), lines("", newline)),
+            },
+            (Some(_), Some((last_key, last_value))) => {
+                let begin = text[..last_key.span().start]
+                    .rfind('\n')
+                    .map_or(0, |newline| newline + 1);
+                // Blanks, or the `start.` of a dotted key.
+                let before = &text[begin..last_key.span().start];
+                if is_beginning(before) {
+                    let end = line_end(text, last_value.span().end);
+                    edits.insert(end, lines(before, newline));
+                } else {
+                    // Inside braces.
+                    edits.insert(last_value.span().end, lines("", ", "));
+                }
+            }
+        }
+    }
+}
+
+/// Whether a line that begins so goes on with a key of `[start]`.
+fn is_beginning(before: &str) -> bool {
+    let compact: String = before.split_whitespace().collect();
+    compact.is_empty() || compact == "start."
+}
+
+/// The end of the line, without its line break.
+fn line_end(text: &str, from: usize) -> usize {
+    let line = text[from..].lines().next().unwrap_or_default();
+    from + line.len()
+}
+
+/// Changes of a text by place, made all at once.
+#[derive(Default)]
+pub(super) struct Edits {
+    list: Vec<(Range<usize>, String)>,
+}
+
+impl Edits {
+    pub(super) fn replace(&mut self, place: Range<usize>, by: String) {
+        self.list.push((place, by));
+    }
+
+    fn insert(&mut self, at: usize, new: String) {
+        self.list.push((at..at, new));
+    }
+
+    pub(super) fn made_in(mut self, text: &str) -> String {
+        self.list.sort_by_key(|(place, _)| (place.start, place.end));
+        let mut made = String::with_capacity(text.len() + 64 * self.list.len());
+        let mut from = 0;
+        for (place, new) in &self.list {
+            made.push_str(&text[from..place.start]);
+            made.push_str(new);
+            from = place.end;
+        }
+        made.push_str(&text[from..]);
+        made
+    }
+}
+
+/// A name as a key of TOML: what a bare key may not hold, or would divide (`r3.com`), stands in quotes.
+pub fn key(name: &str) -> String {
+    if name.contains(['\'', '.']) {
+        format!("\"{name}\"")
+    } else {
+        name.to_owned()
+    }
+}
+
+/// A number with a few significant digits, as TOML may read it back.
+pub fn figure(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-4..1e9).contains(&size) {
+        let text = format!("{value:.*e}", DIGITS - 1);
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and 10"
+    )]
+    let decimals = (DIGITS as f64 - 1.0 - size.log10().floor()).max(0.0) as usize;
+    trimmed(&format!("{value:.decimals$}")).to_owned()
+}
+
+/// Without the zeros at the end of a decimal fraction.
+fn trimmed(decimal: &str) -> &str {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        decimal
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BODY: &str = "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60 # deg\n\
+        [links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\n\
+        r3 = { from = \"B\", to = \"C\", length = 300 }\nr4 = { from = \"C\", to = \"D\", length = 250 }\n";
+
+    /// The text with B and C started elsewhere; what is not asked for must stay to the letter.
+    fn rewritten(text: &str) -> String {
+        let scene = Scene::parse(text, "test").unwrap();
+        let point = |name: &str| {
+            let mut ids = scene.mechanism.point_ids();
+            ids.find(|&p| scene.point_name(p) == Some(name)).unwrap()
+        };
+        let start = [
+            (point("C"), Vec2::new(58.25, -123.456789)),
+            (point("B"), Vec2::new(50.0, 1e-13)),
+        ];
+        let new = scene.rewritten(&start, None, Precision::Rough).unwrap();
+        let again = Scene::parse(&new, "test").unwrap();
+        let place = |name: &str| {
+            let mut start = again.mechanism.start().iter();
+            start
+                .find(|(p, _)| again.point_name(*p) == Some(name))
+                .unwrap()
+                .1
+        };
+        assert_eq!(place("C"), Vec2::new(58.25, -123.457));
+        assert_eq!(place("B"), Vec2::new(50.0, 0.0));
+        new
+    }
+
+    #[test]
+    fn a_section_keeps_its_comments_and_its_order() {
+        let text = format!(
+            "# mine\n[start]   # where it is\n  C = [310, 230] # up\n\n# the rest\n{BODY}[vectors]\nr1 = [\"D\", \"A\"]\n"
+        );
+        let expected = text.replace(
+            "[310, 230] # up\n",
+            "[58.25, -123.457] # up\n  B = [50, 0]\n",
+        );
+        assert_eq!(rewritten(&text), expected);
+    }
+
+    #[test]
+    fn a_scene_without_a_start_gets_one() {
+        let lines = "\n[start]\nC = [58.25, -123.457]\nB = [50, 0]\n";
+        assert_eq!(rewritten(BODY), format!("{BODY}{lines}"));
+        assert_eq!(rewritten(BODY.trim_end()), format!("{BODY}{lines}"));
+        let empty = format!("[start] # none\n{BODY}");
+        let filled = empty.replace("# none\n", "# none\nC = [58.25, -123.457]\nB = [50, 0]\n");
+        assert_eq!(rewritten(&empty), filled);
+    }
+
+    #[test]
+    fn other_ways_to_write_a_section_stay_what_they_are() {
+        for (given, expected) in [
+            (
+                "start = { C = [1, 2] }\n",
+                "start = { C = [58.25, -123.457], B = [50, 0] }\n",
+            ),
+            (
+                "start = {}\n",
+                "start = { C = [58.25, -123.457], B = [50, 0] }\n",
+            ),
+            (
+                "start.C = [1, 2] # so\n",
+                "start.C = [58.25, -123.457] # so\nstart.B = [50, 0]\n",
+            ),
+        ] {
+            assert_eq!(
+                rewritten(&format!("{given}{BODY}")),
+                format!("{expected}{BODY}")
+            );
+        }
+        let text = format!("{BODY}[start]\nC = [1, 2]\n").replace('\n', "\r\n");
+        let end = "C = [58.25, -123.457]\r\nB = [50, 0]\r\n";
+        assert!(rewritten(&text).ends_with(end));
+    }
+
+    #[test]
+    fn figures_stay_and_are_read_again() {
+        let figures = "[figures]\nswing = 'r4.angle - r3.angle' # deg\nfast = \"swing.rate\"\n";
+        let new = rewritten(&format!("{figures}{BODY}"));
+        assert!(new.starts_with(figures), "{new}");
+        let scene = Scene::parse(&new, "test").unwrap();
+        let read = scene.figures.iter().map(|f| [&*f.name, &*f.text]);
+        let read: Vec<_> = read.collect();
+        assert_eq!(
+            read,
+            [["swing", "r4.angle - r3.angle"], ["fast", "swing.rate"]]
+        );
+    }
+
+    #[test]
+    fn the_opening_moves_where_it_is_asked_to() {
+        let scene = Scene::parse(BODY, "test").unwrap();
+        let moved = scene.rewritten(&[], Some(0.1 + 0.2), Precision::Rough);
+        let expected = BODY.replace("angle = 60 #", "angle = 0.30000000000000004 #");
+        assert_eq!(moved, Some(expected));
+    }
+
+    #[test]
+    fn figures_are_rough_and_toml() {
+        for (value, text) in [
+            (0.0, "0"),
+            (311.416_953, "311.417"),
+            (-1e-7, "-1e-7"),
+            (1.5e300, "1.5e300"),
+            (100.0, "100"),
+        ] {
+            assert_eq!(figure(value), text);
+        }
+    }
+}

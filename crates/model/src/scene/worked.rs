@@ -1,0 +1,160 @@
+//! Numbers of a scene that are worked out from formulas of its parameters.
+
+use super::figures::FormulaPlace;
+use super::reader::{ByteSpan, Name, Reader, bare_number};
+use super::{Scene, Value};
+use crate::document::{Diagnostic, NamedNumbers};
+use crate::expression::{
+    self, Dimension, ExpressionTree, LengthScale, Malformed, MeasuredNumber, evaluate,
+};
+use crate::nearest::did_you_mean;
+use crate::wording::words;
+
+/// Names that a help lists at most.
+const LISTED: usize = 12;
+
+impl Reader<'_> {
+    /// What a formula that stands for a number is worth.
+    pub fn worked_out(
+        &mut self,
+        what: &str,
+        text: &str,
+        span: &ByteSpan,
+    ) -> Option<MeasuredNumber> {
+        let formula = Name {
+            text,
+            span: span.clone(),
+        };
+        let tree = match expression::parse(text) {
+            Ok(tree) => tree,
+            Err(fault) => {
+                let help = fault.help.clone().or_else(|| self.named.product(text));
+                let help = help.or_else(|| bare_number(text));
+                let place = FormulaPlace::of(self, &formula);
+                self.report(place.fault(what, &Malformed { help, ..fault }));
+                return None;
+            }
+        };
+        self.worth(what, &formula, &tree)
+    }
+
+    /// The same of a formula that was parsed.
+    pub(super) fn worth(
+        &mut self,
+        what: &str,
+        formula: &Name<'_>,
+        tree: &ExpressionTree,
+    ) -> Option<MeasuredNumber> {
+        // What is wrong with a parameter is told there.
+        if self.named.lacks(tree) {
+            return None;
+        }
+        match self.named.worth_of(formula.text, tree) {
+            Ok(found) => {
+                self.worked.insert(formula.span.start, found.nearest());
+                Some(found)
+            }
+            Err(fault) => {
+                let place = FormulaPlace::of(self, formula);
+                self.report(place.fault(what, &fault));
+                None
+            }
+        }
+    }
+}
+
+impl NamedNumbers {
+    /// Whether a formula names a number whose worth is not known.
+    fn lacks(&self, tree: &ExpressionTree) -> bool {
+        let mut lacks = false;
+        tree.each_name(&mut |name| lacks |= matches!(self.worth.get(name), Some(None)));
+        lacks
+    }
+
+    /// What a formula is worth.
+    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
+        let (symbol, tenths_of_mm) = self.length;
+        let length = LengthScale {
+            symbol,
+            tenths_of_mm,
+        };
+        evaluate(text, tree, length, &|name| {
+            let found = self.worth.get(name).cloned().flatten();
+            found.ok_or_else(|| self.meant(name))
+        })
+    }
+
+    /// The same of a text.
+    pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, Malformed> {
+        self.worth_of(text, &expression::parse(text)?)
+    }
+
+    /// The parameters with units that a value follows from, each with its own.
+    fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
+        let told = value.follows_from().into_iter().filter_map(|name| {
+            let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
+            Some((name, dimension.symbol(self.length.0)))
+        });
+        let told: Vec<_> = told.take(LISTED).collect();
+        (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
+    }
+
+    /// The mend for a number and a name that stand side by side.
+    pub(super) fn product(&self, text: &str) -> Option<String> {
+        let (number, name) = text.trim().split_once(' ')?;
+        let name = name.trim();
+        let is_number = number.parse::<f64>().is_ok();
+        (is_number && self.worth.contains_key(name))
+            .then(|| words().product_has_a_sign(number, name))
+    }
+
+    /// What was probably meant by a name that is unknown.
+    fn meant(&self, name: &str) -> Option<String> {
+        if let Some((number, unit)) = expression::glued(name) {
+            return Some(words().blank_before_unit(number, unit));
+        }
+        if expression::is_difference(name, |part| self.worth.contains_key(part)) {
+            return Some(words().minus_between_blanks().to_owned());
+        }
+        let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        if let Some(meant) = did_you_mean(name, names.iter().copied()) {
+            return Some(meant);
+        }
+        let help = match names.len() {
+            _ if name.contains('-') => words().minus_between_blanks().to_owned(),
+            0 => words().scene_has_no_parameters().to_owned(),
+            1..=LISTED => words().parameters_are(&format!("`{}`", names.join("`, `"))),
+            _ => return None,
+        };
+        Some(help)
+    }
+}
+
+/// Whether all formulas with units measure what stands there; reports those that do not.
+pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+    if reader.worked.is_empty() {
+        return true;
+    }
+    let before = reader.found.len();
+    for value in scene.values() {
+        let (Some(found), Some(wanted)) = (value.dimension, value.measure.dimension()) else {
+            continue;
+        };
+        if !fits(found, wanted) {
+            let found = found.symbol(scene.unit.symbol());
+            let wanted = match value.unit {
+                "" => "1",
+                unit => unit,
+            };
+            let message = words().value_measures_other(&value.name, &found, wanted);
+            let fault = Diagnostic::new(message).at(value.place.clone(), "");
+            reader.report(fault.maybe_help(value.named.units_in(&value, wanted)));
+        }
+    }
+    reader.found.len() == before
+}
+
+fn fits(found: Dimension, wanted: Dimension) -> bool {
+    found.adds_to(wanted)
+}

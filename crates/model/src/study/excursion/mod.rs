@@ -1,0 +1,303 @@
+//! Analyses a quantity over the whole motion: stroke or swing, extrema, time ratio, dwells and
+//! largest rates.
+//!
+//! ```text
+//! sampler       figures and their slopes by the driver's coordinate, anywhere and along the motion
+//! breaks        where a figure jumps as a direction in it passes a full turn, or grows beyond all bounds
+//! turning       where a figure turns: roots of its slope, and none of them between two samples is lost
+//! plateau       from where to where it stays at the value at which it turns
+//! quickest      where a rate is largest
+//! strokes       from the turning places: which way takes how long, and where the figure stays
+//! cycle_figure  the names of all that, as goals and columns have them: `C.x.stroke`, `swing.ratio`
+//! evaluated     the figures of those names, of many mechanisms of one kind
+//! seam          from where directions of these are counted, so that none of them jumps at a full turn
+//! ```
+//!
+//! A slope by the coordinate is the rate at a driver speed of 1, so extrema are as accurate as the
+//! coordinate itself. The motion is sampled degree by degree, or at 360 places of a range. Between
+//! two samples a quantity counts as monotonic if the cubic through both values and slopes is
+//! monotonic with a margin. If it is not, the stretch is bisected, down to a thousandth.
+
+#[cfg(test)]
+mod break_tests;
+mod breaks;
+mod cycle_figure;
+mod evaluated;
+mod plateau;
+mod quickest;
+mod sampler;
+mod seam;
+mod strokes;
+#[cfg(test)]
+mod tests;
+mod turning;
+
+pub use cycle_figure::{CycleFigure, UnknownCycleFigure};
+pub use evaluated::CycleFigures;
+pub(crate) use seam::FigureSeams;
+pub use strokes::{DwellStretch, TimeRatio};
+
+use crate::angle::TURN;
+use crate::expression::DirectionCut;
+use crate::quantity::Quantity;
+use crate::solver::{Range, Solver};
+use sampler::{MotionSampler, SampledFigure, SlopeSource};
+use turning::Turnings;
+
+/// A place and the value of a quantity there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FigurePlace {
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub at: f64,
+    /// The quantity's value.
+    pub value: f64,
+}
+
+/// An extremum of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurningPlace {
+    /// `true` for a maximum.
+    pub is_peak: bool,
+    /// The place and the value.
+    pub place: FigurePlace,
+    /// The coordinate at the end of a plateau, if the quantity stays at that value; it reverses
+    /// after that.
+    pub until: Option<f64>,
+    /// `true` if the quantity reverses because the driver does, at an end of the range.
+    pub is_limit: bool,
+}
+
+/// The reason why a cycle figure does not exist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoFigure {
+    /// The quantity has no value at this coordinate.
+    Gap(f64),
+    /// The direction makes full turns with the driver and has no stroke.
+    TurnsRound,
+    /// The quantity never reverses.
+    NeverTurns,
+    /// The quantity is constant.
+    Stands,
+    /// The quantity jumps from one extreme to the other.
+    Leaps,
+    /// The quantity stays at an extreme for a while, so the instant of its reversal is undefined.
+    Rests,
+    /// The driver moves to and fro along the same path, so both directions take equal times.
+    ThereAndBack,
+    /// The driver's speed is zero, so rates do not exist.
+    DriverStands,
+    /// The driver turns back before a full cycle.
+    DriverTurnsBack,
+    /// The rate is not a quantity of a state.
+    NoRate,
+    /// The quantity grows without bound towards this coordinate: a quotient with a zero divisor, or
+    /// a rate at a dead point.
+    Unbounded(f64),
+    /// The quantity jumps at this coordinate, where a direction in its formula passes a full turn.
+    Jumps(f64),
+    /// The driver turns fully, so there is no limit.
+    NoLimit,
+    /// There is no dyad with a transmission angle, or none of this name.
+    NoDyad,
+    /// There is no group solved by iteration, or none of this name.
+    NoCoupledGroup,
+    /// The motion does not reach the coordinate.
+    OutOfReach(f64),
+}
+
+/// The optional parts of an analysis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ExcursionWish {
+    /// `true` to find the largest rate and the largest rate of the rate.
+    pub rates: bool,
+    /// `true` to find dwells.
+    pub dwells: bool,
+    /// The tolerance of dwells, in the quantity's own unit; the default is [`USUAL_DWELL`] of the
+    /// stroke.
+    pub tolerance: Option<f64>,
+}
+
+/// The relative change below which a quantity counts as constant: rounding error.
+const LEVEL: f64 = 1e-11;
+/// The default tolerance of dwells, as a fraction of the stroke.
+pub const USUAL_DWELL: f64 = 0.01;
+
+/// The properties of a quantity over the whole motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Excursion {
+    /// The minimum. An oscillating direction, or a sum of directions, is counted without jumps by
+    /// full turns, from its maximum as it is in a state. Its minimum may therefore be negative.
+    pub least: FigurePlace,
+    /// The maximum.
+    pub greatest: FigurePlace,
+    /// The signed number of full turns of a direction, or of a sum of directions, in one period of
+    /// the motion; 0 for an oscillation.
+    pub revolutions: f64,
+    /// All extrema, by the driver's coordinate; for a limited range including both ends.
+    pub turnings: Vec<TurningPlace>,
+    /// The ratio of the slow to the quick way between the extremes.
+    pub ratio: Result<TimeRatio, NoFigure>,
+    /// The tolerance of dwells, and the dwells.
+    pub dwells: Option<(f64, Vec<DwellStretch>)>,
+    /// The largest absolute rate, at the driver's speed.
+    pub fastest: Result<FigurePlace, NoFigure>,
+    /// The largest absolute rate of the rate.
+    pub hardest: Result<FigurePlace, NoFigure>,
+}
+
+impl Excursion {
+    /// Returns the stroke; for a direction the swing.
+    ///
+    /// # Errors
+    /// Returns an error if a direction makes full turns.
+    pub fn stroke(&self) -> Result<f64, NoFigure> {
+        match self.revolutions == 0.0 {
+            true => Ok(self.greatest.value - self.least.value),
+            false => Err(NoFigure::TurnsRound),
+        }
+    }
+
+    /// Returns `true` if the quantity is constant.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        self.ratio == Err(NoFigure::Stands)
+    }
+
+    /// Analyses quantities over the motion; those with equal solver settings share the samples.
+    #[must_use]
+    pub fn of_all(
+        solver: &Solver,
+        figures: &[Quantity],
+        wish: ExcursionWish,
+    ) -> Vec<Result<Excursion, NoFigure>> {
+        let mut found = vec![Err(NoFigure::NoRate); figures.len()];
+        for source in SlopeSource::ALL {
+            let is_of = |figure: &Quantity| SlopeSource::of(solver, figure) == source;
+            let own = (0..figures.len()).filter(|&i| is_of(&figures[i]));
+            let own: Vec<usize> = own.collect();
+            if own.is_empty() {
+                continue;
+            }
+            let of = own.iter().map(|&i| &figures[i]);
+            let degree = if wish.rates { 2 } else { 1 };
+            let mut sampler = MotionSampler::new(solver, source, of, degree);
+            let sampled = sampler.along_motion();
+            for (column, (&i, sampled)) in own.iter().zip(&sampled).enumerate() {
+                found[i] = Excursion::follow(&mut sampler, column, sampled, wish);
+            }
+        }
+        found
+    }
+
+    fn follow(
+        sampler: &mut MotionSampler,
+        column: usize,
+        sampled: &SampledFigure,
+        wish: ExcursionWish,
+    ) -> Result<Excursion, NoFigure> {
+        let Turnings {
+            places,
+            least,
+            greatest,
+        } = Turnings::find(sampler, column, sampled)?;
+        let range = sampler.range();
+        let revolutions = sampled.revolutions(range, sampler.cut(column));
+        let size = sampler
+            .size(column)
+            .max(greatest.value.abs().max(least.value.abs()));
+        let is_level = greatest.value - least.value <= LEVEL * size;
+        let mut excursion = Excursion {
+            least: reduced(least, range),
+            greatest: reduced(greatest, range),
+            revolutions,
+            turnings: if is_level { Vec::new() } else { places },
+            ratio: Err(NoFigure::Stands),
+            dwells: None,
+            fastest: Err(NoFigure::NoRate),
+            hardest: Err(NoFigure::NoRate),
+        };
+        if !is_level {
+            excursion.ratio = excursion.time_ratio(sampler);
+        }
+        if wish.dwells && !is_level && revolutions == 0.0 {
+            let stroke = greatest.value - least.value;
+            let tolerance = wish.tolerance.unwrap_or(USUAL_DWELL * stroke);
+            excursion.dwells = Some((tolerance, excursion.dwelling(sampler, column, tolerance)));
+        }
+        if wish.rates {
+            let within = |place| reduced(place, range);
+            let fastest = sampler.fastest(column, sampled, is_level);
+            excursion.fastest = fastest.map(within);
+            let hardest = sampler.hardest(column, sampled, is_level);
+            excursion.hardest = hardest.map(within);
+        }
+        if sampler.cut(column) == DirectionCut::ByTurns && revolutions == 0.0 {
+            excursion.count_from_state(sampler.value(column, greatest.at));
+        }
+        for turning in &mut excursion.turnings {
+            turning.place = reduced(turning.place, range);
+            turning.until = turning.until.map(|at| first_period(at, range));
+        }
+        excursion
+            .turnings
+            .sort_by(|a, b| a.place.at.total_cmp(&b.place.at));
+        Ok(excursion)
+    }
+
+    /// Shifts values by full turns so that the maximum equals the direction in a state.
+    fn count_from_state(&mut self, greatest: Option<f64>) {
+        let turns = (self.greatest.value - greatest.unwrap_or(0.0)) / TURN;
+        let off = TURN * turns.round();
+        let turnings = self.turnings.iter_mut().map(|turning| &mut turning.place);
+        let dwells = self.dwells.iter_mut().flat_map(|(_, dwells)| dwells);
+        let dwells = dwells.map(|dwell| &mut dwell.about.place);
+        let ends = [&mut self.least, &mut self.greatest];
+        for place in turnings.chain(dwells).chain(ends) {
+            place.value -= off;
+        }
+    }
+}
+
+/// Returns, for each quantity, `true` if it changes over the motion or has no value anywhere.
+#[must_use]
+pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
+    let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
+    let sampled = sampler.along_motion();
+    let changes = |(column, sampled): (usize, &SampledFigure)| {
+        let values = sampled.by_degree[0]
+            .iter()
+            .filter(|value| value.is_finite());
+        let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
+            [low.min(value), high.max(value)]
+        });
+        let size = ends
+            .iter()
+            .fold(sampler.size(column), |most, end| most.max(end.abs()));
+        !(ends[1] - ends[0]).is_finite() || ends[1] - ends[0] > LEVEL * size
+    };
+    sampled.iter().enumerate().map(changes).collect()
+}
+
+/// Returns a place reduced to the first period.
+fn reduced(place: FigurePlace, range: Range) -> FigurePlace {
+    FigurePlace {
+        at: first_period(place.at, range),
+        ..place
+    }
+}
+
+/// Returns a coordinate reduced to the first period.
+fn first_period(at: f64, range: Range) -> f64 {
+    match range {
+        Range::Full { period } => {
+            let at = at.rem_euclid(period);
+            // Coordinates up to a rounding error before the seam are at the seam.
+            if period - at <= 1e-12 * period {
+                0.0
+            } else {
+                at
+            }
+        }
+        Range::Limited { .. } => at,
+    }
+}

@@ -1,0 +1,158 @@
+//! Which language is spoken: English, until the program is told otherwise.
+
+use super::Words;
+use super::english::English;
+use super::turkish::Turkish;
+
+/// A language in which krank speaks to people.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// That in which krank was written.
+    #[default]
+    English,
+    /// That of the lectures.
+    Turkish,
+}
+
+/// The variables that name the language of messages, in the order in which POSIX has them override each other.
+const LOCALE: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
+
+impl Language {
+    /// All of them, in the order in which the workbench goes through them.
+    pub const ALL: [Language; 2] = [Language::English, Language::Turkish];
+
+    /// As the options and the configuration name it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::English => "en",
+            Language::Turkish => "tr",
+        }
+    }
+
+    /// The one of this name.
+    pub fn named(name: &str) -> Option<Language> {
+        Language::ALL.into_iter().find(|it| it.name() == name)
+    }
+
+    /// The one that the locale means, which `env` tells; a variable that is empty is not set.
+    pub fn of_locale(env: impl Fn(&str) -> Option<String>) -> Language {
+        let set = |name| env(name).filter(|value| !value.is_empty());
+        let locale = LOCALE.into_iter().find_map(set).unwrap_or_default();
+        let spoken = locale.split(['_', '.', '@', '-']).next();
+        Language::named(&spoken.unwrap_or_default().to_ascii_lowercase()).unwrap_or_default()
+    }
+
+    /// The next one.
+    #[must_use]
+    pub fn next(self) -> Language {
+        match self {
+            Language::English => Language::Turkish,
+            Language::Turkish => Language::English,
+        }
+    }
+
+    /// The one that is spoken.
+    #[must_use]
+    pub fn spoken() -> Language {
+        spoken::get()
+    }
+
+    /// Speaks it from now on.
+    pub fn speak(self) {
+        spoken::set(self);
+    }
+
+    /// The text with a capital for its first letter: of `i` that is `İ` in Turkish.
+    #[must_use]
+    pub fn capitalised(self, text: &str) -> String {
+        let mut letters = text.chars();
+        let first = match (self, letters.next()) {
+            (_, None) => return String::new(),
+            (Language::Turkish, Some('i')) => "İ".to_owned(),
+            (_, Some(first)) => first.to_uppercase().to_string(),
+        };
+        first + letters.as_str()
+    }
+
+    pub(super) fn words(self) -> &'static dyn Words {
+        match self {
+            Language::English => &English,
+            Language::Turkish => &Turkish,
+        }
+    }
+}
+
+/// One for the program: work that is done apart speaks it too.
+#[cfg(not(test))]
+mod spoken {
+    use super::Language;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    static IS_TURKISH: AtomicBool = AtomicBool::new(false);
+
+    pub(super) fn get() -> Language {
+        match IS_TURKISH.load(Ordering::Relaxed) {
+            false => Language::English,
+            true => Language::Turkish,
+        }
+    }
+
+    pub(super) fn set(language: Language) {
+        IS_TURKISH.store(language == Language::Turkish, Ordering::Relaxed);
+    }
+}
+
+/// One for each test: they run beside each other.
+#[cfg(test)]
+mod spoken {
+    use super::Language;
+    use std::cell::Cell;
+
+    thread_local!(static SPOKEN: Cell<Language> = const { Cell::new(Language::English) });
+
+    pub(super) fn get() -> Language {
+        SPOKEN.get()
+    }
+
+    pub(super) fn set(language: Language) {
+        SPOKEN.set(language);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_locale_tells_the_language_as_posix_has_it() {
+        let of = |set: &[(&str, &str)]| {
+            Language::of_locale(|name| {
+                let found = set.iter().find(|(n, _)| *n == name);
+                found.map(|(_, value)| (*value).to_owned())
+            })
+        };
+        let turkish = ("LANG", "tr_TR.UTF-8");
+        assert_eq!(of(&[]), Language::English);
+        assert_eq!(of(&[turkish]), Language::Turkish);
+        assert_eq!(of(&[("LANG", "tr")]), Language::Turkish);
+        assert_eq!(of(&[("LC_MESSAGES", "tr_CY")]), Language::Turkish);
+        assert_eq!(of(&[turkish, ("LC_ALL", "C")]), Language::English);
+        assert_eq!(of(&[turkish, ("LC_ALL", "")]), Language::Turkish);
+        assert_eq!(of(&[turkish, ("LC_MESSAGES", "POSIX")]), Language::English);
+        let both = [("LC_ALL", "tr_TR@euro"), ("LANG", "de_DE.UTF-8")];
+        assert_eq!(of(&both), Language::Turkish);
+        // Characters are another affair than sentences, and `trv` is spoken in Taiwan.
+        assert_eq!(of(&[("LC_CTYPE", "tr_TR.UTF-8")]), Language::English);
+        assert_eq!(of(&[("LANG", "trv_TW.UTF-8")]), Language::English);
+    }
+
+    #[test]
+    fn capitals_are_those_of_the_language() {
+        let turkish = |text| Language::Turkish.capitalised(text);
+        assert_eq!(turkish("ivme"), "İvme");
+        assert_eq!(turkish("ısı") + &turkish("şase"), "IsıŞase");
+        assert_eq!(Language::English.capitalised("in all"), "In all");
+        assert_eq!(turkish(""), "");
+    }
+}
