@@ -273,8 +273,7 @@ impl<'r> Settling<'r, '_, '_> {
         self.points.get(name.text).copied()
     }
 
-    /// Returns the most specific tolerance given for a length: of its point, its element or the
-    /// scene.
+    /// Returns the most specific tolerance of a length: of its point, its element or the scene.
     fn of(
         &self,
         length: Length,

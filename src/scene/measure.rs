@@ -48,7 +48,7 @@ pub enum Measure {
     Time,
     /// A plain number: the factor of a load, or the relative fluctuation of a speed.
     Factor,
-    /// A named number; its use determines what it measures.
+    /// A named number, whose use determines the measured quantity.
     Parameter,
 }
 

@@ -33,8 +33,8 @@
 //!
 //! # Rules
 //!
-//! [`reference()`] has every key, what it is and its default, as `krank help scene` tells them.
 //! [`reference()`] lists every key with its description and default; `krank help scene` shows them.
+//!
 #![doc = include_str!("rules.md")]
 //!
 //! # Faults

@@ -12,8 +12,7 @@ use std::collections::{HashMap, HashSet};
 
 /// Names with a special meaning in columns.
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
-/// Further names that are reserved for values and parameters: the time axis, and a mathematical
-/// constant.
+/// Further names reserved for values and parameters: the time axis, and a mathematical constant.
 const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
 /// Maximum length of a name in characters: names become column headers.
 const LONGEST: usize = 64;
@@ -138,8 +137,8 @@ impl<'t> Names<'t> {
         self.points.iter().map(|(name, span)| (*name, span))
     }
 
-    /// Returns the position of a named element of this kind; reports a name that is unknown or
-    /// belongs to another kind.
+    /// Returns the position of a named element of this kind; reports an unknown name, or one of
+    /// another kind.
     pub(super) fn find(
         &self,
         reader: &mut Reader<'_>,
