@@ -240,7 +240,8 @@ fn kind(
     Some(kind)
 }
 
-/// Reads the kinds of linkages to search: four-bars by default, then slider-cranks.
+/// Reads the linkages to search, as flags for four-bars and slider-cranks; the default is four-bars
+/// only.
 fn linkages(
     reader: &mut Reader<'_>,
     written: Option<&Lenient<Vec<Lenient<String>>>>,
