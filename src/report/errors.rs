@@ -26,7 +26,7 @@ pub(super) struct ErrorCells<'a> {
 }
 
 impl<'a> ErrorCells<'a> {
-    /// Creates the state of a sweep; `solver` computes only what the columns need.
+    /// Creates the state of a sweep; `solver` computes only the prerequisites of the columns.
     pub(super) fn new(
         columns: &'a Columns,
         scene: &Scene,

@@ -49,7 +49,7 @@ pub struct Sweep<'a> {
     pub scene: &'a Scene,
     /// The solver of the scene.
     pub solver: &'a Solver,
-    /// The values of each row; only what they need is solved.
+    /// The values of each row; the solver computes only their prerequisites.
     pub columns: &'a Columns,
     /// The driver's coordinate of each row, or its time.
     pub steps: &'a Steps,

@@ -25,7 +25,7 @@ pub struct ForeignFigures {
 /// The reason why a file has no usable values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoFigures {
-    /// No row has a name followed by a number.
+    /// Every row lacks a name or a number after it.
     Nothing,
     /// The table has too many rows or columns.
     TooLong,
@@ -74,7 +74,7 @@ pub(super) struct ForeignCourse {
 const LISTED: usize = 5;
 
 impl ForeignCourse {
-    /// Returns a sentence about the cells that were omitted, if any.
+    /// Returns a sentence about the omitted cells, if any.
     pub(super) fn left_out(&self) -> Option<String> {
         let listed: Vec<_> = (self.unread.iter().take(LISTED))
             .map(|(line, column, cell)| (*line, column.as_str(), quoted(cell)))
@@ -83,7 +83,7 @@ impl ForeignCourse {
         (!listed.is_empty()).then(|| words().cells_left_out(&listed, more))
     }
 
-    /// Removes the columns that are not wanted.
+    /// Removes the columns for which `wanted` returns `false`.
     pub(super) fn keep(&mut self, wanted: impl Fn(&Quantity) -> bool) {
         let kept: Vec<bool> = self.columns.iter().map(wanted).collect();
         let mut marks = kept.iter();

@@ -185,8 +185,8 @@ impl FigureScales<'_> {
         scales
     }
 
-    /// Raises the maxima of rates to what the speeds, angles and lengths imply. If all values of a
-    /// kind are 0, the maximum would be a rounding error.
+    /// Raises the maxima of rates to the sizes implied by speeds, angles and lengths. If all values
+    /// of a kind are 0, the maximum would be a rounding error.
     fn raise(&mut self, length: &str) {
         let of = |unit: &str| self.of_unit(unit);
         let size = of(length);

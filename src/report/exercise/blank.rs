@@ -190,8 +190,8 @@ impl AnswerFile {
         rows.map(|row| row.figure.clone()).collect()
     }
 
-    /// Returns the answers to the requested values, in their order; of repeated answers the last
-    /// one.
+    /// Returns the answers to the requested values, in their order; the last one of repeated
+    /// answers counts.
     #[must_use]
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
