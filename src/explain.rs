@@ -184,8 +184,8 @@ fn over_constrained(
         item = item.note(words().the_others_are(&element_list(scene, others)));
     }
     let item = item.help(words().correct_its_dimensions());
-    // The misfit grows during the motion, so the suggested value is the next power of ten above
-    // five times its size.
+    // The misfit grows during the motion, so the suggested value is the next power of ten at or
+    // above five times its size.
     let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());
     if accepted > FEW_DIGITS * longest(scene) {
         return item;

@@ -64,9 +64,9 @@ pub fn sanitized(text: &str, ascii: bool) -> String {
 /// Writes harmful characters as escapes (`\u{1b}`), for messages that should identify the
 /// character. With `ascii`, all other characters beyond ASCII are escaped too.
 ///
-/// Line feeds and tabs become spaces. If the current language is Turkish, its letters become
-/// similar ASCII letters, because messages contain them; but not between backticks, which quote the
-/// file.
+/// Line feeds and tabs become spaces. If the current language is Turkish, `ascii` reduces its
+/// letters to similar ASCII letters instead, because messages contain them; but not between
+/// backticks, which quote the file.
 pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
     let is_turkish = Language::spoken() == Language::Turkish;

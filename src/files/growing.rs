@@ -282,7 +282,7 @@ mod tests {
         fs::remove_file(&path).unwrap();
     }
 
-    /// A study of no designs has a head.
+    /// Writes a file without rows, as a study without designs does.
     fn begin_without_rows(path: &Path) {
         let file = GrowingFile::begin(path, "head\n", None).unwrap();
         file.finish().unwrap();

@@ -247,7 +247,8 @@ pub(crate) struct Saving<'a> {
     pub(crate) records: Option<&'a Path>,
     /// Whether writing a read-only file was confirmed.
     pub(crate) though_read_only: bool,
-    /// Maximum number of bytes of the existing file passed to the caller.
+    /// Maximum number of bytes read from an existing file; one more is read to detect a longer
+    /// file.
     pub(crate) most: usize,
 }
 

@@ -165,7 +165,7 @@ pub struct Check {
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverFacts,
-    /// The motion over time, unless the driver runs at constant speed or acceleration.
+    /// The motion over time, if the scene has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionFacts>,
     /// The inputs that follow the driver.

@@ -184,7 +184,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
-    /// The tables of a scene at a coordinate, with their bounds.
+    /// Returns the tables of a scene at a coordinate, with bounds.
     fn tables(text: &str, at: f64) -> Tables {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();

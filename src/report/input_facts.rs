@@ -42,7 +42,7 @@ pub enum InputLawFacts {
         over: Vec<[f64; 2]>,
         /// The period in degrees of the driver, if it repeats.
         repeats: Option<f64>,
-        /// The number of knots without influence on the motion.
+        /// The number of knots beyond the ends of the motion, except the nearest one on each side.
         unreached: usize,
     },
 }
@@ -154,8 +154,8 @@ impl InputFacts {
     }
 }
 
-/// Returns the number of knots of an open table without influence on the motion. The first knot
-/// beyond either end of the range still affects the curve inside.
+/// Returns the number of knots of an open table beyond the ends of the motion. The first one beyond
+/// each end is not counted, because it still determines the curve inside.
 fn unreached(table: &InputTable, range: Range) -> usize {
     let Range::Limited { low, high } = range else {
         return 0;

@@ -40,7 +40,7 @@ pub struct LeavingFacts {
     /// The driver's coordinate, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub at: f64,
-    /// The name of the stop there; `None` at a dead point.
+    /// The name of the stop there; `None` if the mechanism itself cannot move on.
     pub stop: Option<String>,
     #[serde(skip)]
     text: String,

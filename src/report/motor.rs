@@ -22,7 +22,7 @@ use std::io;
 pub struct MotorWishes {
     /// The motor, the flywheel and the required fluctuation; the scene's values by default.
     pub motor: Motor,
-    /// The ram; by default the slide with a press, or the only slide.
+    /// The ram; by default the slide with a press, or the only possible ram.
     pub ram: Option<SlideId>,
     /// A height above the bottom in the scene's unit of length.
     pub height: Option<f64>,

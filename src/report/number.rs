@@ -204,7 +204,8 @@ mod tests {
         assert_eq!(upwards(0.0, 2), "0");
     }
 
-    /// The same by the standard library, which of two equally near decimals takes the larger.
+    /// Formats the shortest decimal by the standard library, which takes the larger of two equally
+    /// near decimals.
     fn by_the_library(value: f64) -> String {
         let size = value.abs();
         if size == 0.0 || (1e-5..1e16).contains(&size) {
@@ -220,8 +221,8 @@ mod tests {
         digits.trim_matches('0').into()
     }
 
-    /// Whether a double lies half way between two of its shortest decimals: in full it has just one
-    /// more digit, a 5.
+    /// Returns `true` if a double is half way between two of its shortest decimals: its full
+    /// decimal has just one more digit, a 5.
     fn is_half_way(value: f64) -> bool {
         let all = digits(&format!("{value:.60e}"));
         all.len() == digits(&by_the_library(value)).len() + 1 && all.ends_with('5')

@@ -234,7 +234,7 @@ fn counted(
     let exponent = from.exact?.1.min(to.exact?.1).min(step.exact?.1);
     let in_units = |d: WrittenDecimal| d.counted_in(exponent);
     let (from, to, step) = (in_units(from)?, in_units(to)?, in_units(step)?);
-    // Digits of a step beyond the precision of a double still count here; a step of 0 does not.
+    // Guards the division by the step; a step of 0 was already rejected.
     (step != 0).then_some((from, to, step, exponent))
 }
 

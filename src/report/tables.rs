@@ -409,7 +409,7 @@ mod tests {
     use crate::scene::presets;
     use crate::solver::Solver;
 
-    /// The table of the lecture's four-bar with another speed, at a coordinate.
+    /// Returns the tables of the lecture's four-bar with another speed, at a coordinate.
     fn tables(speed: &str, at: f64) -> Tables {
         let text = presets::find("four-bar").unwrap().text;
         let text = text.replacen("15 rad/s", speed, 1);

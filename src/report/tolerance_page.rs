@@ -1,5 +1,5 @@
-//! Reports the effect of tolerances on values at one coordinate of the driver, as text and for
-//! other programs.
+//! Reports the effect of tolerances on values, at one coordinate of the driver or over the whole
+//! motion, as text and for other programs.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{concise, significant};
@@ -22,7 +22,7 @@ const FEW_DIGITS: usize = 4;
 /// Indent of the lines that belong to a value.
 const INDENT: usize = 2;
 
-/// The effect of tolerances on values at one coordinate of the driver.
+/// The effect of tolerances on values, at one coordinate of the driver or over the whole motion.
 #[derive(Clone, Debug)]
 pub struct ToleranceReport {
     scene: String,

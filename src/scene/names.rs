@@ -14,7 +14,8 @@ use std::collections::{HashMap, HashSet};
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
 /// Further names reserved for values and parameters: the time axis, and a mathematical constant.
 const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
-/// Maximum length of a name in characters: names become column headers.
+/// Maximum length of a name in bytes, which for valid names equals the number of characters. Names
+/// become column headers.
 const LONGEST: usize = 64;
 /// Maximum number of names in a hint.
 const LISTED: usize = 12;

@@ -205,7 +205,7 @@ mod tests {
         [links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\n\
         r3 = { from = \"B\", to = \"C\", length = 300 }\nr4 = { from = \"C\", to = \"D\", length = 250 }\n";
 
-    /// The text with B and C started elsewhere; what is not asked for must stay to the letter.
+    /// Returns the text with other start positions of B and C.
     fn rewritten(text: &str) -> String {
         let scene = Scene::parse(text, "test").unwrap();
         let point = |name: &str| {

@@ -30,7 +30,7 @@ pub(super) fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)
     indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
 }
 
-/// Formats a distance, with its duration if known.
+/// Formats a travel of the driver, with its duration if known.
 pub(super) fn timed(way: String, seconds: Option<f64>) -> String {
     match seconds {
         Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),

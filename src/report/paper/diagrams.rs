@@ -225,7 +225,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::Solver;
 
-    /// The vectors of a polygon as they are drawn, in their order.
+    /// Returns the vectors of a polygon in drawing order.
     fn drawn(diagram: &VectorDiagram) -> Vec<Vec2> {
         let art = diagram.artwork("loop");
         let of = |element: &ArtElement| match element {

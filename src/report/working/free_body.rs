@@ -153,8 +153,8 @@ impl FreeBody<'_> {
         );
     }
 
-    /// Returns the acceleration of the centre of mass in m/s^2; `None` if it has no effect or is
-    /// zero.
+    /// Returns the acceleration of the centre of mass in m/s^2; `None` for a link without mass, or
+    /// if the acceleration is zero.
     fn acceleration(&self) -> Option<Vec2> {
         let a = self.context.state.acceleration(self.about) * self.mechanism().metres();
         (self.mechanism().link(self.id).mass > 0.0 && a.norm() > 0.0).then_some(a)

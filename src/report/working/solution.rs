@@ -12,8 +12,8 @@ use crate::page::UNIT;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
-/// Letters for the vector between the pivots of two arms. The page layout must know their
-/// components.
+/// Letters for the vector between the pivots of two arms. The formula writers of pages recognize
+/// the symbols of its components.
 const DIAGONALS: [&str; 3] = ["m", "s", "f"];
 
 /// A loop prepared for solving, with its known sides summed.
