@@ -1,8 +1,8 @@
 //! Converts typed numbers, with or without a unit, to the text stored in a scene file.
 //!
 //! The conversion from another unit is exact in decimals (of radians, to 23 digits) and rounded
-//! once, to the nearest double. The result is written with the fewest digits that identify it: `12
-//! in` become `304.8` mm, `30cm` become `300`.
+//! once, to the nearest double. The result is written with the fewest digits that identify it:
+//! `12 in` become `304.8` mm, `30cm` become `300`.
 
 use super::Unit;
 use super::measure::{Measure, MeasureUnits};

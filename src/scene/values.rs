@@ -183,8 +183,8 @@ impl Scene {
         found
     }
 
-    /// Returns the value of a name with dots or blanks between its words: `a`, `r3.length`, `driver
-    /// speed`.
+    /// Returns the value of a name with dots or blanks between its words: `a`, `r3.length`,
+    /// `driver speed`.
     ///
     /// # Errors
     /// Returns a message for an unknown name, with a suggestion.

@@ -11,8 +11,8 @@ use crate::wording::words;
 const MOST_ROWS: usize = 100_000;
 
 /// Values from notes or from another program. The table is a list with a row for each value
-/// (`figure, unit, value`, the unit optional), or a table over the driver's coordinate as `krank
-/// sweep` writes.
+/// (`figure, unit, value`, the unit optional), or a table over the driver's coordinate as
+/// `krank sweep` writes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForeignFigures {
     name: String,

@@ -128,15 +128,15 @@ impl Scribe<'_> {
         words().at_degrees(&format!("{length} {UNIT}{unit}"), &direction)
     }
 
-    /// Writes a component by its magnitude: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at
-    /// 200.753 deg`.
+    /// Writes a component by its magnitude:
+    /// `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
     fn part(&self, draft: &mut Draft, symbol: String, size: &Expression, value: Vec2) {
         let worked = draft.worked(&symbol, size, |size| self.told(size, value));
         draft.agree(&symbol, worked, value.norm(), self.size);
     }
 
-    /// Writes x and y as sums of the components: `vCx = 587.462*cos(299.379) + 1500*cos(150) =
-    /// -1010.83`.
+    /// Writes x and y as sums of the components:
+    /// `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
     fn components(&self, draft: &mut Draft, name: &str, parts: &[Vec2]) {
         let f = self.context.figures;
         let unit = f.length_unit(self.order);
@@ -346,8 +346,8 @@ impl OnLink<'_> {
         self.direction(draft, (t / n).atan().to_degrees(), size);
     }
 
-    /// Writes the direction of an acceleration, relative to its normal component: `theta_aC =
-    /// theta4 - beta`.
+    /// Writes the direction of an acceleration, relative to its normal component:
+    /// `theta_aC = theta4 - beta`.
     fn direction(&self, draft: &mut Draft, beta: f64, size: f64) {
         let (f, state) = (self.context.figures, self.context.state);
         let own = state.angle(self.link);
