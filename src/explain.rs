@@ -119,7 +119,7 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
     item.help(words().are_dimensions_equal())
 }
 
-/// Returns the hint for guides that repeat each other's constraints.
+/// Returns the hint for guides that repeat each other's constraints; `None` for fewer than two.
 fn parallel_guides(scene: &Scene, elements: &[ElementId]) -> Option<&'static str> {
     let of_slides = elements.iter().filter(|e| matches!(e, ElementId::Slide(_)));
     let all = guides(scene, elements);
@@ -203,7 +203,8 @@ fn longest(scene: &Scene) -> f64 {
     lengths.fold(0.0, f64::max)
 }
 
-/// Returns two points of the ground joined by a link, with their coordinates.
+/// Returns two points of the ground joined by a link, with their coordinates; `None` if it has
+/// fewer.
 fn pinned_twice(scene: &Scene, link: LinkId) -> Option<[(PointId, Vec2); 2]> {
     let mechanism = &scene.mechanism;
     let members = mechanism.link(link).members.iter();

@@ -108,7 +108,8 @@ impl Diagnostics {
         self.items.first().map_or("", |item| &item.message)
     }
 
-    /// Returns the line and the column of a fault, both from 1; columns count characters.
+    /// Returns the line and the column of a fault, both from 1; columns count characters. Returns
+    /// `None` for a fault of the file as a whole.
     #[must_use]
     pub fn position(&self, item: &Diagnostic) -> Option<(usize, usize)> {
         let start = item.primary.as_ref()?.span.start;

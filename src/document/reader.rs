@@ -221,7 +221,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Returns the explanation for a key of a feature that krank does not model.
+/// Returns the explanation for a key of a feature that krank does not model; `None` for other keys.
 fn not_modelled(key: &str) -> Option<&'static str> {
     match key.to_ascii_lowercase().as_str() {
         "gear" | "gears" | "geartrain" | "rack" | "racks" | "teeth" => Some(words().no_gears_yet()),
@@ -245,7 +245,7 @@ pub(crate) fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
     })
 }
 
-/// Returns the hint for a boolean written as text.
+/// Returns the hint for a boolean written as text; `None` for other texts.
 fn bare_boolean(text: &str) -> Option<String> {
     let meant = match text {
         "true" | "yes" | "on" => true,

@@ -78,7 +78,7 @@ fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
         .maybe_help(help)
 }
 
-/// Recognizes pasted text in another format: an address or JSON.
+/// Recognizes pasted text in another format, an address or JSON, and returns its description.
 pub(crate) fn foreign(text: &str) -> Option<&'static str> {
     let text = text.trim_start();
     let is_of_pmks = || text.to_ascii_lowercase().contains("pmks");
@@ -95,7 +95,8 @@ pub(crate) fn foreign(text: &str) -> Option<&'static str> {
     })
 }
 
-/// Returns the diagnostic of a line with a decimal comma: `length = 86,6`.
+/// Returns the diagnostic of a line with a decimal comma, such as `length = 86,6`; `None` for other
+/// lines.
 fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
     let begin = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
     let line = text.get(begin..)?.lines().next()?;

@@ -168,7 +168,7 @@ impl RewriteRecord {
         file.sync_all()
     }
 
-    /// Returns `true` if a file holds parts of both texts, and neither completely.
+    /// Checks whether a file holds parts of both texts, and neither completely.
     fn is_torn(&self, file: &File) -> io::Result<bool> {
         let size = file.metadata()?.len();
         let (shorter, longer) = (

@@ -92,8 +92,8 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
     }
 }
 
-/// Returns `true` if another process holds the lock on an open file, without disturbing that
-/// process; `None` if this cannot be determined.
+/// Checks whether another process holds the lock on an open file, without disturbing that process.
+/// Returns `None` if this cannot be determined.
 #[cfg(feature = "tui")]
 pub(crate) fn is_held(file: &File) -> Option<bool> {
     match flock(file, FlockOperation::NonBlockingLockShared) {

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 /// Returns krank's folder below the one given by an environment variable, or else below `in_home`
-/// in the home folder. A path that is not absolute is ignored, as the specification requires.
+/// in the home folder; `None` without a home folder. A path that is not absolute is ignored, as the
+/// specification requires.
 pub(crate) fn folder_of(
     variable: &str,
     in_home: &str,

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-/// Returns `true` if two names lead to the same file; `None` is standard input or output.
+/// Returns `true` if two names lead to the same file. A name of `None` means standard input or
+/// output.
 #[cfg(unix)]
 pub(crate) fn is_same_file(read: Option<&Path>, written: Option<&Path>) -> bool {
     use rustix::fs::{FileType, fstat, stat};

@@ -128,7 +128,7 @@ impl Answers {
     }
 
     /// Returns a short table: the maximum change of each value, and the length with the largest
-    /// derivative.
+    /// derivative. Returns `None` if there are no derivatives.
     #[must_use]
     pub fn short_table(&self) -> Option<Table> {
         let heads = [words().in_all(), words().most_in()];

@@ -46,7 +46,8 @@ impl ReadCells {
     }
 }
 
-/// Parses rows of cells, with the line on which each begins.
+/// Parses rows of cells, with the line on which each begins; returns `None` for more than `most`
+/// rows, or too many cells.
 fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, Vec<u64>)> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)

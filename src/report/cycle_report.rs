@@ -38,7 +38,7 @@ pub struct FollowedFigure {
 }
 
 impl FollowedFigure {
-    /// Returns the error bound of its value at a listed place.
+    /// Returns the error bound of its value at a listed place; `None` if nothing was proved.
     pub(super) fn bound_at(&self, at: f64) -> Option<f64> {
         let told = self.bounds.iter().find(|(place, _)| *place == at);
         told.and_then(|(_, bound)| *bound)
@@ -52,7 +52,7 @@ impl FollowedFigure {
         ends.iter().all(is_nought)
     }
 
-    /// Returns the error bound of its stroke.
+    /// Returns the error bound of its stroke; `None` without a stroke, or if nothing was proved.
     pub(super) fn stroke_bound(&self, excursion: &Excursion) -> Option<f64> {
         let [least, greatest] = [excursion.least, excursion.greatest];
         excursion.stroke().ok()?;

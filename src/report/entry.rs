@@ -32,7 +32,7 @@ impl Entry {
         }
     }
 
-    /// Returns the bound of a value that exists.
+    /// Returns the bound; `None` if the value does not exist, or if nothing was proved.
     pub(super) fn proved(&self) -> Option<f64> {
         self.value.and(self.bound)
     }
@@ -63,7 +63,7 @@ pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
     if nought { 0.0 } else { value }
 }
 
-/// Returns the error bound of a value for display.
+/// Returns the error bound of a value for display; `None` if nothing was proved.
 pub(super) fn seen_bound(value: f64, bound: Option<f64>) -> Option<f64> {
     let hidden = (value - seen(value, bound)).abs();
     bound.map(|bound| match hidden {

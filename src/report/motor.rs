@@ -127,7 +127,7 @@ impl MotorReport {
     }
 
     /// Returns the fluctuation left by the flywheel, and the flywheel needed for the required
-    /// fluctuation.
+    /// fluctuation; `None` without a cycle or its fluctuation.
     pub(super) fn evenness(&self) -> Option<Evenness> {
         let cycle = &self.duty.as_ref().ok()?.cycle;
         let energy = cycle.fluctuation?.energy;
@@ -165,7 +165,7 @@ impl MotorReport {
         (fluctuation <= SMALL_FLUCTUATION).then_some(asked)
     }
 
-    /// Compares the rated torque with that mean.
+    /// Compares the rated torque with that mean; returns `None` if one of them is unknown.
     pub(super) fn with_flywheel(&self) -> Option<MotorDemand> {
         let (asked, has) = (self.mean_with_flywheel()?, self.wishes.motor.rated?);
         Some(MotorDemand { asked, has })

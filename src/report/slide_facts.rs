@@ -68,9 +68,9 @@ impl ElementNames<'_> {
         mechanism.slide_ids().map(facts).collect()
     }
 
-    /// Returns the remark on a slide with a negative position, and the guide angle that would make
-    /// it positive. Lecture notes give the vector of a slide a positive length. A driven slide has
-    /// none, since its driver sets the sign.
+    /// Returns the remark on a slide with a negative position, with the guide angle that would make
+    /// it positive. Lecture notes give the vector of a slide a positive length. Returns `None` for
+    /// a driven slide, since its driver sets the sign.
     fn backwards(&self, id: SlideId, position: f64) -> Option<String> {
         let mechanism = &self.scene.mechanism;
         let is_driven = mechanism.is_pushed(id);

@@ -79,7 +79,8 @@ impl FromStr for WrittenDecimal {
     }
 }
 
-/// Returns the digits and the power of ten of a text that is a finite number.
+/// Returns the digits and the power of ten of a text that is a finite number; `None` if they do not
+/// fit.
 fn exact(text: &str) -> Option<(i128, i32)> {
     let (mantissa, power) = match text.split_once(['e', 'E']) {
         Some((mantissa, power)) => (mantissa, power.parse::<i32>().ok()?),
@@ -225,7 +226,8 @@ impl Steps {
     }
 }
 
-/// Returns all three numbers in units of a common power of ten, which comes last.
+/// Returns all three numbers in units of a common power of ten, which comes last; `None` if they do
+/// not fit.
 fn counted(
     from: WrittenDecimal,
     to: WrittenDecimal,

@@ -118,7 +118,7 @@ impl SynthesisReport<'_> {
         page
     }
 
-    /// Plots the structural error of the first candidate over its whole range.
+    /// Plots the structural error of the first candidate over its whole range, if it has one.
     fn error_of_best(&self) -> Option<Vec<String>> {
         let error = StructuralError::of(&self.file.task, self.told().first()?)?;
         error.plot(self.miss_unit())

@@ -387,7 +387,8 @@ fn between_entries(
     }
 }
 
-/// Returns the body that carries both points, and the vector between them in its frame.
+/// Returns the body that carries both points, and the vector between them in its frame; `None` for
+/// points of different bodies.
 pub(super) fn shared_body(
     mechanism: &Mechanism,
     tail: PointId,

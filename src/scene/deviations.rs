@@ -273,7 +273,8 @@ impl<'r> Settling<'r, '_, '_> {
         self.points.get(name.text).copied()
     }
 
-    /// Returns the most specific tolerance of a length: of its point, its element or the scene.
+    /// Returns the most specific tolerance of a length, if any: of its point, its element or the
+    /// scene.
     fn of(
         &self,
         length: Length,
@@ -438,7 +439,7 @@ impl<'r> Settling<'r, '_, '_> {
     }
 }
 
-/// Returns the point whose coordinate or arm a length is.
+/// Returns the point whose coordinate or arm a length is; `None` for other lengths.
 fn placed(length: Length) -> Option<PointId> {
     match length {
         Length::Ground(point, _)

@@ -93,7 +93,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
     }
 
     /// Returns the coordinates of the guide's named point in the frame of the body that carries the
-    /// guide.
+    /// guide. Reports a point that the body does not have, and returns `None`.
     fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
         let what = words().key_of("through", &words().slide_called(&slide.name.to_string()));
         self.referred.insert(name.text);

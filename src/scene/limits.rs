@@ -252,6 +252,7 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 
     /// Returns the element that a limit is named after: a slide, or a link relative to the ground.
+    /// Reports an unknown name, and returns `None`.
     fn named(&mut self, limit: &DraftLimit<'t>) -> Option<LimitOf> {
         let name = limit.name.text;
         if let Some(&slide) = self.slides.get(name) {
@@ -277,7 +278,8 @@ impl<'t> Resolver<'_, '_, 't> {
         None
     }
 
-    /// Returns the angle of a link relative to another link or the ground.
+    /// Returns the angle of a link relative to another link or the ground. Reports invalid links,
+    /// and returns `None`.
     fn seen(
         &mut self,
         limit: &DraftLimit<'t>,

@@ -55,7 +55,8 @@ impl<'t> DraftLink<'t> {
         ends.chain(self.points.iter().map(|p| &p.name))
     }
 
-    /// Returns the coordinates of one of the link's points in the link's frame.
+    /// Returns the coordinates of one of the link's points in the link's frame; `None` if it is not
+    /// on the link.
     pub(super) fn local(&self, point: &str) -> Option<Vec2> {
         let ends = self.ends.as_ref().and_then(|ends| {
             if ends.from.text == point {

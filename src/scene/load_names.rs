@@ -55,7 +55,8 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// Returns the body in whose frame a force is given.
+    /// Returns the body in whose frame a force is given. Reports an unknown link, and returns
+    /// `None`.
     fn frame(&mut self, name: &Name<'t>) -> Option<Body> {
         if name.text == "ground" {
             return Some(Body::Ground);
@@ -89,7 +90,8 @@ impl<'t> Resolver<'_, '_, 't> {
         self.slides.get(slide.name.text).copied()
     }
 
-    /// Reports a press with a moving guide: its stroke would have no ends in the frame.
+    /// Reports a press with a moving guide, and returns `None`: its stroke would have no ends in
+    /// the frame.
     fn on_ground(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<()> {
         let on = slide.on.as_ref()?;
         if on.text == "ground" {
@@ -105,7 +107,8 @@ impl<'t> Resolver<'_, '_, 't> {
         None
     }
 
-    /// Returns the lower end of the stroke, in the direction of y. Reports a horizontal guide.
+    /// Returns the lower end of the stroke, in the direction of y. Reports a horizontal guide, and
+    /// returns `None`.
     fn lower_end(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<StrokeEnd> {
         let up = angle::unit(slide.angle).y;
         if up > 0.0 {

@@ -169,7 +169,7 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
 }
 
 impl LoadTable {
-    /// Returns the name of the element that a load of this kind acts on.
+    /// Returns the name of the element that a load of this kind acts on, if given.
     fn on(&self, kind: LoadKind) -> Option<&Lenient<String>> {
         match kind {
             LoadKind::Force => self.point.as_ref(),

@@ -116,7 +116,7 @@ impl<'t> Names<'t> {
         self.symbols.get(name)?[sort as usize].as_ref()
     }
 
-    /// Returns an element of another kind with this name.
+    /// Returns an element of another kind with this name, if any.
     fn other(&self, name: &str, sort: Sort) -> Option<(Sort, &Symbol)> {
         let mut others = Sort::ALL.into_iter().filter(|&other| other != sort);
         others.find_map(|other| Some((other, self.get(name, other)?)))
@@ -254,7 +254,7 @@ fn reserved(text: &str, sort: Sort) -> Option<String> {
     all.contains(&text).then(list)
 }
 
-/// Returns the diagnostic of an invalid name.
+/// Returns the diagnostic of an invalid name; `None` for a valid one.
 fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');

@@ -134,7 +134,7 @@ fn curve(
 }
 
 /// Checks and sorts knots in ascending or descending order; the first two distinct ones decide
-/// which.
+/// which. Returns `None` for a reported fault.
 fn either_way(reader: &mut Reader<'_>, what: &str, mut knots: Vec<Knot>) -> Option<Profile> {
     let differs = knots.windows(2).find(|pair| pair[0].at != pair[1].at);
     let grows = differs.is_some_and(|pair| pair[0].at < pair[1].at);
@@ -145,7 +145,7 @@ fn either_way(reader: &mut Reader<'_>, what: &str, mut knots: Vec<Knot>) -> Opti
     profile(knots)
 }
 
-/// Returns the diagnostic of a knot beyond the end of the stroke.
+/// Returns the diagnostic of a knot beyond the end of the stroke; `None` for other knots.
 fn before_end(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_distance(what, literal);
     negative(
@@ -156,14 +156,14 @@ fn before_end(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic
     )
 }
 
-/// Returns the diagnostic of a knot whose force does not oppose the motion.
+/// Returns the diagnostic of a knot whose force does not oppose the motion; `None` for other knots.
 fn helping(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_press(what, literal);
     let help = words().press_is_against_motion();
     negative(reader, (knot.value, &knot.value_place), message, help)
 }
 
-/// Returns the diagnostic of a knot with a negative length.
+/// Returns the diagnostic of a knot with a negative length; `None` for other knots.
 fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_length(what, literal);
     negative(
@@ -174,7 +174,7 @@ fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     )
 }
 
-/// Returns the diagnostic of a negative number.
+/// Returns the diagnostic of a negative number; `None` for other numbers.
 fn negative(
     reader: &Reader<'_>,
     (value, place): (f64, &ByteSpan),
@@ -228,7 +228,7 @@ fn each(
 }
 
 /// Checks the order of knots. Reports the first that reverses it, or else the third at one
-/// coordinate; two there are a jump.
+/// coordinate, since two there are a jump. Returns `None` for a reported fault.
 fn ordered(reader: &mut Reader<'_>, what: &str, knots: &[Knot], grows: bool) -> Option<()> {
     let turns_back = |pair: &[Knot]| {
         let (before, after) = (pair[0].at, pair[1].at);

@@ -61,7 +61,8 @@ pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     }
 }
 
-/// Returns the unit that a text denotes: `rad/s` for `rd/sn`, `rpm` for `d/dk`.
+/// Returns the unit that a text denotes, `rad/s` for `rd/sn` and `rpm` for `d/dk`; `None` for an
+/// unknown unit.
 pub(super) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'static str> {
     let plain = plain_unit(text);
     let units = units(kind, degree).iter();

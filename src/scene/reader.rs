@@ -142,7 +142,7 @@ impl Reader<'_> {
         None
     }
 
-    /// Returns the two values of a list that must have exactly two.
+    /// Returns the two values of a list. Reports a list of another length, and returns `None`.
     pub(super) fn two_of<'v, T>(
         &mut self,
         what: &str,
@@ -179,7 +179,7 @@ impl Reader<'_> {
 }
 
 /// Returns the hint for a number written as text, possibly followed by something that is not a
-/// unit.
+/// unit; `None` for other texts.
 pub(super) fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
     let (number, rest) = text.split_at(number_length(text));

@@ -26,7 +26,8 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// Returns a spring along the line between two points.
+    /// Returns a spring along the line between two points. Reports faults, and returns `None` for
+    /// them.
     fn between_points(&mut self, spring: &DraftSpring<'t>, to: &Name<'t>) -> Option<Load> {
         let of = words().the_spring();
         let begin = self.point(&words().key_of("from", of), &spring.from);
@@ -60,7 +61,7 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// Returns a torsion spring.
+    /// Returns a torsion spring. Reports faults, and returns `None` for them.
     fn between_links(&mut self, spring: &DraftSpring<'t>, to: Option<&Name<'t>>) -> Option<Load> {
         let DraftLaw::Torsion {
             stiffness,
@@ -96,7 +97,7 @@ impl<'t> Resolver<'_, '_, 't> {
         Some(LinkId::new(link))
     }
 
-    /// Returns the diagnostic of a spring whose length never changes.
+    /// Returns the diagnostic of a spring whose length never changes; `None` for other springs.
     fn idle(&self, from: &Name<'t>, to: &Name<'t>) -> Option<Diagnostic> {
         if from.text == to.text {
             return Some(to_itself(from, to, words().name_two_points()));

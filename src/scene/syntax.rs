@@ -5,7 +5,8 @@ use crate::document::ByteSpan;
 use crate::expression;
 use crate::wording::words;
 
-/// Returns the hint for a syntax error, from the parser's message and the text at the error.
+/// Returns the hint for a syntax error, from the parser's message and the text at the error; `None`
+/// for an unfamiliar error.
 pub(crate) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     let at = text.get(span.start..).unwrap_or("");
     let before = text.get(..span.start).unwrap_or("");

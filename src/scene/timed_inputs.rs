@@ -156,7 +156,7 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 
     /// Creates the table of an input. A table over whole turns of a driven link must close, unless
-    /// the driver has a range of its own.
+    /// the driver has a range of its own. Reports one that does not, and returns `None`.
     fn table(
         &mut self,
         of: &str,

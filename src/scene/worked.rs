@@ -89,7 +89,8 @@ impl NamedNumbers {
         self.worth_of(text, &expression::parse(text)?)
     }
 
-    /// Lists the parameters with units in a value's formula, each with its own unit.
+    /// Lists the parameters with units in a value's formula, each with its own unit; `None` if
+    /// there are none.
     fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
         let told = value.follows_from().into_iter().filter_map(|name| {
             let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
@@ -99,7 +100,7 @@ impl NamedNumbers {
         (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
     }
 
-    /// Suggests a product sign between a number and a name.
+    /// Suggests a product sign between a number and a name; returns `None` for other texts.
     pub(super) fn product(&self, text: &str) -> Option<String> {
         let (number, name) = text.trim().split_once(' ')?;
         let name = name.trim();
@@ -131,7 +132,8 @@ impl NamedNumbers {
     }
 }
 
-/// Checks that formulas with units have the required dimensions; reports those that do not.
+/// Checks that formulas with units have the required dimensions. Reports those that do not, and
+/// returns `false`.
 pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     if reader.worked.is_empty() {
         return true;

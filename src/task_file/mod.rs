@@ -381,7 +381,7 @@ fn points(
     Some(rows.into_iter().map(point).collect())
 }
 
-/// Reports a missing key.
+/// Reports a missing key, and returns `None`.
 fn lacks<T>(reader: &mut Reader<'_>, kind: &str, key: &str, example: &str) -> Option<T> {
     reader
         .report(Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)));

@@ -257,7 +257,7 @@ fn head(cell: &str) -> (String, String) {
     }
 }
 
-/// Parses a number without a unit; a degree sign is accepted.
+/// Parses a number without a unit; a degree sign is accepted. Returns `None` for other cells.
 fn number(cell: &str) -> Option<ForeignValue> {
     let (written, unit) = WrittenFigure::read(cell)?;
     let is_bare = unit.is_empty() || unit == "°";

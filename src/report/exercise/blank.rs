@@ -250,7 +250,7 @@ impl AnswerFile {
             .collect()
     }
 
-    /// Returns the row that counts for a value: the last one with an answer.
+    /// Returns the row that counts for a value: the last one with an answer, or else the last one.
     fn row(&self, name: &str) -> Option<&AnsweredRow> {
         let rows = || self.answers.iter().rev().filter(|row| row.figure == name);
         rows().find(|row| !row.answer.is_empty()).or(rows().next())

@@ -160,14 +160,14 @@ impl GradedAnswers {
         }
     }
 
-    /// Returns the first value that is not right.
+    /// Returns the first value that is not right, if any.
     #[must_use]
     pub fn first(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();
         figures.find(|figure| figure.verdict != FigureVerdict::Right)
     }
 
-    /// Returns the first value without a point; consequences of earlier mistakes have one.
+    /// Returns the first value without a point, if any; consequences of earlier mistakes have one.
     #[must_use]
     pub fn mistake(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();

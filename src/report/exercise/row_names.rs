@@ -23,7 +23,8 @@ const DIRECTION: &str = ".angle";
 const DOT: char = '\u{307}';
 const TWO_DOTS: char = '\u{308}';
 
-/// Returns the column named by a row: `r4.angle` for `θ4`, `theta_4` and `R4.angle`.
+/// Returns the column named by a row: `r4.angle` for `θ4`, `theta_4` and `R4.angle`. Returns `None`
+/// if the scene has no such column.
 pub(super) fn column_named(row: &str, catalogue: &Catalogue) -> Option<String> {
     let is_known = |name: &String| catalogue.find(name).is_some();
     columns_meant(row).into_iter().find(is_known)

@@ -136,7 +136,8 @@ fn show(
     );
 }
 
-/// Draws the vectors of a loop, head to tail, with the angles at their tails.
+/// Draws the vectors of a loop, head to tail, with the angles at their tails; returns `None`
+/// without an assembly.
 fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
     let mut diagram = VectorDiagram {
         unit: unit.to_owned(),

@@ -49,7 +49,7 @@ impl ReportFormat {
         }
     }
 
-    /// Returns the format for the extension of a path.
+    /// Returns the format for the extension of a path; `None` for an unknown one.
     #[must_use]
     pub fn of_ending(path: &Path) -> Option<ReportFormat> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();

@@ -268,7 +268,7 @@ impl<'a> CentreFinder<'a> {
     }
 }
 
-/// Returns the point of the ground about which a link rotates.
+/// Returns the point of the ground about which a link rotates, if it has one.
 fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
     let mechanism = &context.scene.mechanism;
     let mut points = mechanism.link(link).members.iter().map(|m| m.point);
@@ -286,7 +286,7 @@ pub(super) fn named<'c>(
 }
 
 /// Returns the intersection of the two lines with the largest angle between them, the farther joint
-/// first.
+/// first; `None` if that angle is too small.
 fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
     let pairs = lines.iter().enumerate().flat_map(|(k, one)| {
         let others = lines.iter().skip(k + 1);

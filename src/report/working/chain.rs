@@ -24,7 +24,7 @@ impl Working {
     }
 
     /// Returns the values of the chain's variables in another state, possibly of another assembly;
-    /// angles in rad.
+    /// angles in rad. Returns `None` if the state lacks one.
     #[must_use]
     pub fn positions(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<Vec<f64>> {
         let context = self.context(scene, solver, state, DIGITS);
@@ -99,7 +99,7 @@ impl Variables {
         })
     }
 
-    /// Converts a loop to a sum.
+    /// Converts a loop to a sum; returns `None` if it contains a vector between two bodies.
     fn sum(&self, context: &Context<'_>, terms: &[Term]) -> Option<LoopSum> {
         let mut sum = LoopSum::default();
         for term in terms {
@@ -135,7 +135,8 @@ impl Variables {
         Some(VectorPart::Sought(place, 0.0))
     }
 
-    /// Returns the angle of a link, relative to the link with which it rotates.
+    /// Returns the angle of a link: known, or that of the link with which it rotates plus a
+    /// constant.
     fn angle(&self, context: &Context<'_>, link: LinkId) -> Option<VectorPart> {
         let locks: &Locks = &context.polygon.locks;
         Some(match locks.turns(Body::Link(link), 0.0) {
@@ -153,7 +154,8 @@ fn kind(unknown: LoopUnknown) -> SoughtKind {
     super::methods::kind(unknown)
 }
 
-/// Returns the value and the rates of a variable in the state; an angle in rad.
+/// Returns the value and the rates of a variable in the state; an angle in rad. Returns `None` for
+/// the length or direction of a vector between two bodies.
 fn exact(context: &Context<'_>, unknown: LoopUnknown) -> Option<[f64; 3]> {
     let state = context.state;
     Some(match unknown {

@@ -146,7 +146,8 @@ impl LoopCollector<'_> {
         self.context.member(term, self.stage)
     }
 
-    /// Adds the known terms along an axis, optionally negated, as a coefficient.
+    /// Adds the known terms along an axis, optionally negated, as a coefficient; returns `None` if
+    /// there are none.
     fn known(&self, into: &mut Collection, axis: &Multiplier, minus: bool) -> Option<usize> {
         let all = pieces(&self.members, axis, self.figures());
         let mut of: Vec<EquationTerm> = all.into_iter().filter(|p| p.unknown.is_none()).collect();
@@ -248,7 +249,8 @@ impl LoopCollector<'_> {
     }
 
     /// Returns a side's component along a direction or to its left; `ahead` is the constant angle
-    /// from that direction to the side.
+    /// from that direction to the side. Returns `None` for a component that is 0 because `ahead`
+    /// is.
     fn turned(
         &self,
         member: &LoopSide<'_>,

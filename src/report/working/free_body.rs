@@ -104,7 +104,7 @@ struct FreeBody<'a> {
 }
 
 impl FreeBody<'_> {
-    /// Returns the arm from the reference point, in the scene's unit.
+    /// Returns the arm from the reference point, in the scene's unit; `None` for a couple.
     fn arm(&self, row: &BodyForce) -> Option<Vec2> {
         let centre = self.context.state.position(self.about);
         row.at.map(|at| at - centre)
@@ -244,7 +244,7 @@ impl FreeBody<'_> {
         &self.context.scene.mechanism
     }
 
-    /// Adds forces of pins, loads, and the weight.
+    /// Adds forces of pins, loads, and the weight; returns `None` if one is indeterminate.
     fn members(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let (context, state) = (self.context, self.context.state);
         let mechanism = self.mechanism();
@@ -306,7 +306,8 @@ impl FreeBody<'_> {
         Some(())
     }
 
-    /// Adds the forces of its own guides, and of the guides that it carries.
+    /// Adds the forces of its own guides, and of the guides that it carries; returns `None` if one
+    /// is indeterminate.
     fn slides(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let mechanism = self.mechanism();
         for slide in mechanism.slide_ids() {
@@ -345,7 +346,8 @@ impl FreeBody<'_> {
     }
 }
 
-/// Returns the force of a guide on its slider for sign 1, or the reaction for -1.
+/// Returns the force of a guide on its slider for sign 1, or the reaction for -1; `None` if it is
+/// indeterminate.
 pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);

@@ -5,7 +5,8 @@ use super::expression::Expression;
 use crate::Profile;
 use crate::page::UNIT;
 
-/// Returns the two knots that enclose a coordinate; at a jump, those of the line after it.
+/// Returns the two knots that enclose a coordinate; at a jump, those of the line after it. Returns
+/// `None` beyond the knots.
 pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
     let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= at && at <= pair[1][0];
     let mut lines = curve.knots().windows(2);

@@ -173,7 +173,8 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Returns the body that carries both ends of a side.
+    /// Returns the body that carries both ends of a side; `None` for slides and vectors between two
+    /// bodies.
     fn body_of(&self, shape: SideShape) -> Option<usize> {
         match shape {
             SideShape::Link(link) => Some(link.index()),

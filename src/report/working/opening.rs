@@ -129,7 +129,7 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     page.equation([product(u, n), "sin(a - b)".into()]);
 }
 
-/// Explains the consequences of a state other than an ordinary one.
+/// Explains the consequences of the state's condition; returns `None` for an ordinary state.
 fn condition_text(context: &Context<'_>) -> Option<String> {
     match context.state.condition() {
         Condition::Ok => None,

@@ -36,7 +36,7 @@ impl Polygon {
             .map(|term| (&self.sides[term.side], term.reversed))
     }
 
-    /// Returns the names of a term's begin and end, as traversed by the loop.
+    /// Returns the names of a term's start and end, as traversed by the loop.
     pub(super) fn ends(&self, term: Term) -> (&str, &str) {
         let side = &self.sides[term.side];
         if term.reversed {

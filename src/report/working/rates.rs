@@ -191,7 +191,7 @@ fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier
     }
 }
 
-/// Returns the direction of the sum of sides that rotate together.
+/// Returns the direction of the sum of sides that rotate together; `None` if the sum is zero.
 fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
     let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
         let r = m.reading.vector();

@@ -176,7 +176,8 @@ impl Side {
         }
     }
 
-    /// Returns the link with which it rotates, after which its angular velocity is named.
+    /// Returns the link with which it rotates, after which its angular velocity is named; `None` if
+    /// it does not rotate, or with two bodies.
     pub(super) fn turns_with(&self) -> Option<LinkId> {
         match self.turns {
             Turns::With(link, _) => Some(link),

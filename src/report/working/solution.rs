@@ -176,7 +176,7 @@ impl<'a> Solution<'a> {
         }
     }
 
-    /// Returns the names of the begin, the common joint and the end of a dyad's arms.
+    /// Returns the names of the start, the common joint and the end of a dyad's arms.
     pub(super) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
         let ends = |term: &Term| self.context.polygon.ends(*term);
         let name = |end: Option<&'a str>| end.unwrap_or("");

@@ -130,8 +130,8 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
     }
 }
 
-/// Returns the number of the loop that finds a group's unknowns, unless that is this loop or one
-/// solved with it.
+/// Returns the number of the loop that finds a group's unknowns, from 1; `None` if that is this
+/// loop or one solved with it, or if there is no such group.
 fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<usize> {
     let group = group.filter(|group| Some(*group) != of.group)?;
     let finds = |other: &Loop| other.group == Some(group);

@@ -11,7 +11,8 @@ use crate::report::error_text;
 use crate::study::{Bisection, SoughtKind};
 use crate::wording::words;
 
-/// Bisects an interval of one unknown of a group, and returns the errors of the midpoints.
+/// Bisects an interval of one unknown of a group, and returns the errors of the midpoints; `None`
+/// without a bisection or an assembly.
 pub(super) fn halve(
     context: &Context<'_>,
     draft: &mut Draft,

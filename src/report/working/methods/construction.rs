@@ -319,7 +319,7 @@ impl Construction<'_> {
         draft.table(head, rows.collect());
     }
 
-    /// Returns the begin and the end of an arm of a loop.
+    /// Returns the start and the end of an arm of a loop.
     fn ends(&self, of: &Loop, arm: &[Term]) -> Option<[Vec2; 2]> {
         let places = self.nodes(of)?;
         let count = of.terms.len();
@@ -329,7 +329,8 @@ impl Construction<'_> {
         Some([begin, end])
     }
 
-    /// Returns the begin of each term of a loop, computed from a named point along the vectors.
+    /// Returns the start of each term of a loop, computed from a named point along the vectors;
+    /// `None` without a named point.
     fn nodes(&self, of: &Loop) -> Option<Vec<Vec2>> {
         let (scene, count) = (self.context.scene, of.terms.len());
         let point = |term: &Term| {

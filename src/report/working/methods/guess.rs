@@ -138,7 +138,8 @@ impl Guesses {
         Ok(Guesses { said, opening })
     }
 
-    /// Returns the given values of an unknown: in degrees of the link, or in the scene's unit.
+    /// Returns the given values of an unknown, if any: in degrees of the link, or in the scene's
+    /// unit.
     pub(super) fn said(&self, unknown: LoopUnknown) -> Option<[f64; 2]> {
         let said = self.said.iter().find(|(of, _)| *of == unknown);
         said.map(|(_, between)| *between)
@@ -195,7 +196,7 @@ impl Guesses {
 }
 
 /// Returns the unknowns of the named vector or link, each with the angle between the vector and the
-/// link.
+/// link; `None` for an unknown name.
 fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)>> {
     let is_sought = |unknown: &(LoopUnknown, f64)| {
         let mut stages = context.stages.iter().filter(|stage| stage.group.is_some());

@@ -60,7 +60,8 @@ pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
     }
 }
 
-/// Returns the solver's value: in rad, or in the scene's unit.
+/// Returns the solver's value: in rad, or in the scene's unit. Returns `None` for a vector between
+/// two bodies.
 fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
     match unknown {
         LoopUnknown::Angle(link) => Some(angle::radians(context.state.angle(link))),

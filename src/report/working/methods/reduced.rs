@@ -123,6 +123,7 @@ impl ReducedLoop<'_> {
     }
 
     /// Returns the distance of x from the assembly: in rad, or relative to the longest length.
+    /// Returns `None` without an assembly.
     pub(super) fn error(&self, x: f64, longest: f64) -> Option<f64> {
         let off = x - self.right?;
         Some(match self.kind {
@@ -324,7 +325,7 @@ fn less(figures: Figures, direction: String, ahead: f64) -> String {
 }
 
 /// Returns the link with which the sides of an arm rotate, and the angle by which the first side
-/// leads it.
+/// leads it; `None` for a direction that does not depend on a single link.
 fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> {
     match context.polygon.sides.get(arm.first()?.side)?.turns {
         Turns::With(link, ahead) => Some((link, ahead)),

@@ -60,7 +60,8 @@ impl Ranks<'_> {
         Some(body)
     }
 
-    /// Adds a force to the known or to the unknown ones of a link.
+    /// Adds a force to the known or to the unknown ones of a link; returns `None` if it is
+    /// indeterminate.
     fn sort(&self, row: BodyForce, body: &mut GroupBody) -> Option<()> {
         match row.joint {
             None => body.given.push(row),
@@ -80,7 +81,7 @@ impl Ranks<'_> {
     }
 
     /// Splits the force of a pin in a slot into the unknown force of the guide, and the known loads
-    /// on the pin.
+    /// on the pin. Returns `None` if the force is indeterminate.
     fn part(
         &self,
         row: BodyForce,
@@ -101,7 +102,7 @@ impl Ranks<'_> {
         Some(())
     }
 
-    /// Returns the guide of a pin that joins a link to nothing else.
+    /// Returns the guide of a pin that joins a link to nothing else; `None` for any other pin.
     fn only_guide(&self, link: LinkId, point: PointId) -> Option<SlideId> {
         let mechanism = &self.context.scene.mechanism;
         let given = mechanism.point(point);
@@ -162,7 +163,7 @@ impl Ranks<'_> {
     }
 }
 
-/// Returns the inertia force and couple of a link.
+/// Returns the inertia force and couple of a link; `None` if both are zero.
 pub(super) fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
     let (mechanism, state) = (&context.scene.mechanism, context.state);
     let link = mechanism.link(id);

@@ -112,6 +112,7 @@ fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: char, v: Vec2,
 }
 
 /// Solves two links joined by a pin, each with an outer reaction that one equation eliminates.
+/// Returns `false` for links of another form.
 fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) -> bool {
     let Some(InnerPin {
         point: inner,
@@ -415,7 +416,7 @@ fn single_place<'a>(context: &'a Context<'_>, single: &BodyForce) -> &'a str {
 }
 
 /// Solves a link with an outer reaction and one further unknown: the force of a slot, or the
-/// driver's torque.
+/// driver's torque. Returns `false` for a link of another form.
 fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool {
     let f = context.figures;
     let [a, b] = &body.sought[..] else {

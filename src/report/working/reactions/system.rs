@@ -68,8 +68,8 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
     one_by_one(context, draft, &sought, &equations);
 }
 
-/// Returns the reference point of moments: a pin with an unknown reaction, which then has no
-/// moment.
+/// Returns the reference point of moments: preferably a pin with an unknown reaction, which then
+/// has no moment.
 fn centre(context: &Context<'_>, body: &GroupBody) -> Option<PointId> {
     let pins = body.sought.iter().filter_map(|row| match row.joint {
         Some(BodyJoint::Pin(point)) => Some(point),
