@@ -1,8 +1,9 @@
-//! A file that is written beside the one whose place it takes.
+//! Temporary files that are created next to a file and then replace it.
 //!
-//! Where the system supports it (`O_TMPFILE`), a draft has no name until it takes its place: a process that is killed
-//! leaves nothing. Elsewhere it has a name from the start, and a lock that marks it as in use. A draft without a lock
-//! was left by a killed process, and the next one that writes in this folder removes it.
+//! Where the system supports it (`O_TMPFILE`), a draft has no name until it replaces its target: a
+//! killed process leaves nothing. On other systems it has a name from the start, and a lock that
+//! marks it as in use. A named draft without a lock was left by a killed process; the next process
+//! that writes in this folder removes it.
 
 use super::lock::{self, LockOutcome};
 use super::rights;
@@ -16,40 +17,41 @@ use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// What the names of drafts begin and end with. They are no longer than that, whatever the file is called.
+/// Prefix and suffix of the names of drafts. Their length does not depend on the name of the
+/// target.
 const BEGINS: &str = ".krank-";
 const ENDS: &str = ".part";
-/// Who may what with a draft until it is given the rights of its file.
+/// Mode of a draft until it gets the mode of its target.
 const PRIVATE: Mode = Mode::RUSR.union(Mode::WUSR);
-/// With a new file: what the mask of the process leaves of it, before the first byte.
+/// Mode of a new file, from the first byte; the process's umask applies.
 const NEW: Mode = Mode::from_raw_mode(0o666);
-/// So many foreign files have the name that a draft was to have before we think that something is wrong.
+/// Maximum number of names tried. More collisions with foreign files indicate another problem.
 const MOST_NAMES: u32 = 1000;
-/// A folder with more in it is not searched for what was left.
+/// Maximum number of folder entries searched for abandoned drafts.
 const MOST_ENTRIES: usize = 10_000;
 
-/// A file on the way; dropped before it has taken its place, it is taken away.
+/// A temporary file; removed if it is dropped before it replaces its target.
 #[derive(Debug)]
 pub(crate) struct DraftFile {
-    /// To be written and read.
+    /// The open file, for reading and writing.
     pub(crate) file: File,
     folder: PathBuf,
-    /// `None` while it has no name, and once it has taken its place.
+    /// `None` if it has no name yet, or after it has replaced its target.
     path: Option<PathBuf>,
 }
 
 impl DraftFile {
-    /// For a new file in a folder.
+    /// Creates a draft of a new file in a folder.
     pub(super) fn new(folder: &Path) -> io::Result<DraftFile> {
         DraftFile::make(folder, NEW)
     }
 
-    /// For a file of ours that is nobody else's business.
+    /// Creates a draft that only its owner can read and write.
     pub(crate) fn private(folder: &Path) -> io::Result<DraftFile> {
         DraftFile::make(folder, PRIVATE)
     }
 
-    /// In the place of an old file, with all that this has but its text.
+    /// Creates a draft of an existing file, with all its metadata but not its text.
     pub(super) fn like(folder: &Path, old: &File, has: &Metadata) -> io::Result<DraftFile> {
         let draft = DraftFile::make(folder, PRIVATE)?;
         rights::carry_over(old, has, &draft.file)?;
@@ -68,18 +70,19 @@ impl DraftFile {
         }
     }
 
-    /// A draft that has a name from the start.
+    /// Creates a draft that has a name from the start.
     fn make_named(folder: &Path, mode: Mode) -> io::Result<DraftFile> {
         let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
         for _ in 0..MOST_NAMES {
             let path = folder.join(next_name());
             let file = match open(&path, flags | OFlags::NOFOLLOW, mode) {
                 Ok(file) => File::from(file),
-                // Somebody else's: it stays.
+                // A foreign file: leave it.
                 Err(Errno::EXIST) => continue,
                 Err(error) => return Err(error.into()),
             };
-            // Who sweeps here may have come before the lock; then this one is gone, or soon.
+            // Another process may have swept the folder before the lock was taken, and removed this
+            // file.
             if lock::take(&file) != LockOutcome::Others && file.metadata()?.nlink() > 0 {
                 return Ok(DraftFile {
                     file,
@@ -91,7 +94,7 @@ impl DraftFile {
         Err(Errno::EXIST.into())
     }
 
-    /// Gives the draft a name, if it has none. Returns the name.
+    /// Gives the draft a name if it has none, and returns the name.
     fn name(&mut self) -> io::Result<PathBuf> {
         if self.path.is_none() {
             match self.link_to_free_name() {
@@ -113,8 +116,8 @@ impl DraftFile {
         Err(Errno::EXIST.into())
     }
 
-    /// Continues with a named draft of the same content and rights: some systems open files without a name but refuse
-    /// to name them later.
+    /// Replaces itself by a named draft of the same content and metadata. Some systems create files
+    /// without a name but cannot name them later.
     fn copy_to_named(&mut self) -> io::Result<()> {
         let mut named = DraftFile::make_named(&self.folder, PRIVATE)?;
         rights::carry_over(&self.file, &self.file.metadata()?, &named.file)?;
@@ -125,14 +128,14 @@ impl DraftFile {
         Ok(())
     }
 
-    /// Takes the place of an old file. The file that it is now stays open, and locked.
+    /// Replaces an existing file. Returns the new file, still open and locked.
     pub(crate) fn replace(mut self, target: &Path) -> io::Result<File> {
         fs::rename(self.name()?, target)?;
         self.path = None;
         self.file.try_clone()
     }
 
-    /// Takes its place where there is no file yet. The file stays open, and locked.
+    /// Moves to a name that must not exist yet. Returns the file, still open and locked.
     pub(super) fn appear(mut self, target: &Path) -> io::Result<File> {
         if self.path.is_none() {
             match link(&self.file, target) {
@@ -143,7 +146,8 @@ impl DraftFile {
         }
         let path = self.name()?;
         match renameat_with(CWD, &path, CWD, target, RenameFlags::NOREPLACE) {
-            // Some disks do not know how: under two names for a moment, it does not replace either.
+            // Some file systems do not support this. A hard link followed by a removal does not
+            // replace a file either.
             Err(Errno::INVAL | Errno::NOSYS) => {
                 fs::hard_link(&path, target)?;
                 fs::remove_file(&path)?;
@@ -158,13 +162,13 @@ impl DraftFile {
 impl Drop for DraftFile {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
-            // What cannot be taken away now is swept by the next.
+            // The next sweep removes what cannot be removed now.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// Returns two numbers, of this process and of a file, that no other file of ours has now.
+/// Returns two numbers, of this process and of a file, that no other current file of krank has.
 pub(super) fn next_numbers() -> String {
     static NUMBER: AtomicU32 = AtomicU32::new(0);
     let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -175,7 +179,8 @@ fn next_name() -> String {
     format!("{BEGINS}{}{ENDS}", next_numbers())
 }
 
-/// Opens a file without a name; `None` where the system has no such files, or could not name them later.
+/// Creates a file without a name; returns `None` if the system has no such files or could not name
+/// them later.
 #[cfg(any(target_os = "linux", target_os = "android"))]
 fn unnamed(folder: &Path, mode: Mode) -> Option<File> {
     let flags = OFlags::RDWR | OFlags::TMPFILE | OFlags::CLOEXEC;
@@ -189,7 +194,7 @@ fn unnamed(_: &Path, _: Mode) -> Option<File> {
     None
 }
 
-/// The name that an open file has in `/proc`.
+/// Returns the path of an open file in `/proc`.
 fn descriptor(file: &File) -> String {
     format!("/proc/self/fd/{}", file.as_raw_fd())
 }
@@ -199,7 +204,7 @@ fn link(file: &File, path: &Path) -> Result<(), Errno> {
     linkat(CWD, descriptor(file), CWD, path, AtFlags::SYMLINK_FOLLOW)
 }
 
-/// Takes away the drafts of processes that are no more.
+/// Removes drafts left by processes that no longer run.
 fn sweep(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten();
     for entry in entries.take(MOST_ENTRIES).flatten() {
@@ -210,7 +215,8 @@ fn sweep(folder: &Path) {
     }
 }
 
-/// Whether a draft is called so: two numbers, of the process and of the draft.
+/// Returns `true` for the name of a draft: it contains two numbers, of the process and of the
+/// draft.
 fn is_name(name: &[u8]) -> bool {
     let between = name.strip_prefix(BEGINS.as_bytes());
     let between = between.and_then(|rest| rest.strip_suffix(ENDS.as_bytes()));
@@ -219,8 +225,9 @@ fn is_name(name: &[u8]) -> bool {
     numbers.clone().count() == 2 && numbers.all(is_number)
 }
 
-/// Only what is ours beyond doubt: a file of this person's that nobody has locked. Root also leaves what has
-/// been given to others already.
+/// Removes an abandoned draft, identified beyond doubt: an unlocked regular file of this user. As
+/// root it also removes drafts of other users, because a draft may already have been given to its
+/// future owner.
 fn sweep_one(entry: &DirEntry) {
     let path = entry.path();
     let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
@@ -233,7 +240,8 @@ fn sweep_one(entry: &DirEntry) {
     };
     let file = File::from(file);
     let person = geteuid();
-    // After the lock: whoever had it before may have taken the file away, and the name is another's now.
+    // The metadata is read after the lock is taken: its previous holder may have removed the file,
+    // and another file may have its name now.
     let is_locked = lock::take(&file) == LockOutcome::Ours;
     let is_own = file.metadata().is_ok_and(|found| {
         found.nlink() == 1 && (person.is_root() || found.uid() == person.as_raw())

@@ -1,5 +1,5 @@
-//! Writing files where there is no Unix: beside the one whose place the new one takes, and no more than that.
-//! There is no workbench there, and what it asks of files beyond this neither.
+//! Writes files on systems other than Unix: to a temporary file next to the target, which is then
+//! renamed. The workbench and its further file operations do not exist there.
 
 use super::Trouble;
 use std::ffi::OsString;
@@ -7,20 +7,20 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// A file that is being written. Dropped before it is committed, it leaves everything as it was.
+/// A file being written. If it is dropped before it is committed, nothing changes.
 #[derive(Debug)]
 pub(crate) struct Output {
-    /// `None` once it has its place.
+    /// `None` after the commit.
     draft: Option<File>,
     beside: PathBuf,
     target: PathBuf,
 }
 
 impl Output {
-    /// Begins to write to a file.
+    /// Starts to write a file.
     ///
     /// # Errors
-    /// What the system says, or that it is a read-only file.
+    /// Returns an I/O error, or an error if the file is read-only.
     pub(crate) fn to(name: &Path, _records: Option<&Path>) -> Result<Output, Trouble> {
         if fs::metadata(name).is_ok_and(|found| found.permissions().readonly()) {
             return Err(Trouble::ReadOnly);
@@ -35,20 +35,21 @@ impl Output {
         })
     }
 
-    /// Returns `true` if a name leads to something that no file replaces.
+    /// Returns `true` if a name leads to something other than a regular file, which cannot be
+    /// replaced.
     pub(crate) fn is_stream(name: &Path) -> bool {
         fs::metadata(name).is_ok_and(|found| !found.is_file())
     }
 
-    /// Returns `true` if no other process writes the file meanwhile.
+    /// Returns `true` if no other process can write the file in the meantime.
     pub(crate) fn is_locked(&self) -> bool {
         false
     }
 
-    /// Everything was written: it becomes what the file holds. Returns the file.
+    /// Replaces the content of the file by the written text. Returns the file.
     ///
     /// # Errors
-    /// What the system says; then nothing has changed.
+    /// Returns an I/O error; the file is then unchanged.
     pub(crate) fn commit(mut self, _records: Option<&Path>) -> Result<File, Trouble> {
         if let Some(draft) = &self.draft {
             draft.sync_all()?;
@@ -62,7 +63,7 @@ impl Output {
 impl Drop for Output {
     fn drop(&mut self) {
         if self.draft.take().is_some() {
-            // It was not wanted; there is nobody to tell.
+            // Errors are ignored: the output was abandoned, and drop cannot report them.
             let _ = fs::remove_file(&self.beside);
         }
     }
@@ -81,7 +82,7 @@ impl Write for Output {
     }
 }
 
-/// Nothing is ever written into a file in its place here.
+/// Does nothing: files are never written in place on these systems.
 pub(crate) fn mend(_records: &Path) -> Vec<PathBuf> {
     Vec::new()
 }

@@ -1,7 +1,8 @@
-//! Writes a table row by row: what is written stays, whatever ends the program, and the next run resumes it.
+//! Writes a table row by row. Written rows survive a killed program, and the next run resumes the
+//! file.
 //!
-//! The file is locked while it grows. Before each write the program checks that its name still leads to it and that
-//! nobody has changed its length: rows are never lost in silence.
+//! The file is locked while it grows. Before each write the program checks that its name still
+//! leads to it and that its length is unchanged, so that rows are never lost silently.
 
 use super::lock::{self, LockOutcome, is_at};
 use super::{Output, Trouble};
@@ -9,49 +10,50 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// Lines at the beginning that are kept to be compared; the last one is, too.
+/// Number of first lines kept for comparison; the last line is kept too.
 const FIRST_LINES: u64 = 3;
 
-/// A file that grows.
+/// A file to which rows are appended.
 #[derive(Debug)]
 pub(crate) struct GrowingFile {
     name: PathBuf,
     rows: RowTarget,
 }
 
-/// Where rows go.
+/// The target of rows.
 #[derive(Debug)]
 enum RowTarget {
-    /// Beside an older file, until the first rows lie on the disk.
+    /// A draft next to an older file, until the first rows are on the disk.
     First {
         output: Box<Output>,
         records: Option<PathBuf>,
         length: u64,
     },
-    /// Into the file, whose length is known.
+    /// The file itself, with its expected length in bytes.
     More { file: File, length: u64 },
-    /// Nowhere: the first rows could not take their place.
+    /// No target, because the first rows could not replace the older file.
     Failed,
 }
 
-/// What a file has that is to be gone on with.
+/// An existing output file that can be resumed.
 #[derive(Debug)]
 pub(crate) struct GrownFile {
     name: PathBuf,
     file: File,
-    /// Where its last whole line ends.
+    /// The end of its last complete line, in bytes.
     end: u64,
-    /// Whole lines behind the head.
+    /// The number of complete lines after the head.
     pub(crate) lines: u64,
-    /// Some of them with their number, from 0.
+    /// Some of these lines with their numbers, from 0.
     pub(crate) samples: Vec<(u64, String)>,
 }
 
 impl GrowingFile {
-    /// Creates a file that begins with `head`. An older one keeps its place until the first rows are written.
+    /// Creates a file that begins with `head`. An older file is replaced when the first rows are
+    /// written.
     ///
     /// # Errors
-    /// Another process is writing the file, or what the system says.
+    /// Returns an error if another process is writing the file, or an I/O error.
     pub(crate) fn begin(
         name: &Path,
         head: &str,
@@ -69,10 +71,11 @@ impl GrowingFile {
         })
     }
 
-    /// Appends whole lines.
+    /// Appends complete lines.
     ///
     /// # Errors
-    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
+    /// error.
     pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
         self.check()?;
         match &mut self.rows {
@@ -90,10 +93,11 @@ impl GrowingFile {
         }
     }
 
-    /// Ensures that all rows lie on the disk, under the name of the file.
+    /// Ensures that all rows are on the disk, under the name of the file.
     ///
     /// # Errors
-    /// Somebody has deleted, replaced or changed the file, or what the system says.
+    /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
+    /// error.
     pub(crate) fn finish(mut self) -> Result<(), Trouble> {
         if let RowTarget::First { .. } = self.rows {
             self.take_place()?;
@@ -104,7 +108,8 @@ impl GrowingFile {
         self.check()
     }
 
-    /// Returns `true` if no other process can add rows meanwhile; some network disks have no locks.
+    /// Returns `true` if no other process can add rows in the meantime; some network file systems
+    /// have no locks.
     pub(crate) fn is_locked(&self) -> bool {
         match &self.rows {
             RowTarget::First { output, .. } => output.is_locked(),
@@ -113,7 +118,7 @@ impl GrowingFile {
         }
     }
 
-    /// The first rows take the place of an older file.
+    /// Replaces the older file once the first rows are written.
     fn take_place(&mut self) -> Result<(), Trouble> {
         let first = std::mem::replace(&mut self.rows, RowTarget::Failed);
         if let RowTarget::First {
@@ -147,7 +152,7 @@ fn length_of(lines: &str) -> u64 {
     u64::try_from(lines.len()).unwrap_or(u64::MAX)
 }
 
-/// Makes every write go to the end of a file: a truncated one never gets a hole.
+/// Makes every write append to the file: if another process truncates it, no hole results.
 #[cfg(unix)]
 fn appending(file: File) -> io::Result<File> {
     rustix::fs::fcntl_setfl(&file, rustix::fs::OFlags::APPEND)?;
@@ -161,11 +166,11 @@ fn appending(mut file: File) -> io::Result<File> {
 }
 
 impl GrownFile {
-    /// What a file holds behind its head; `None` where it has another one. A file that is not there, and one that was
-    /// cut off within its head, has no lines.
+    /// Opens a file and reads the lines after its head; returns `None` if it has another head. A
+    /// missing file, or one truncated within its head, has no lines.
     ///
     /// # Errors
-    /// Another process is writing the file, or what the system says.
+    /// Returns an error if another process is writing the file, or an I/O error.
     pub(crate) fn open(path: &Path, head: &str) -> Result<Option<GrownFile>, Trouble> {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
@@ -220,10 +225,10 @@ impl GrownFile {
         Ok(())
     }
 
-    /// Goes on behind the last whole line; what was written of another one is cut off.
+    /// Resumes after the last complete line; an incomplete one is removed.
     ///
     /// # Errors
-    /// What the system says.
+    /// Returns an I/O error.
     pub(crate) fn go_on(self) -> Result<GrowingFile, Trouble> {
         self.file.set_len(self.end)?;
         Ok(GrowingFile {
@@ -277,7 +282,7 @@ mod tests {
         fs::remove_file(&path).unwrap();
     }
 
-    /// A study of no designs has a head.
+    /// Writes a file without rows, as a study without designs does.
     fn begin_without_rows(path: &Path) {
         let file = GrowingFile::begin(path, "head\n", None).unwrap();
         file.finish().unwrap();

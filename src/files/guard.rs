@@ -1,4 +1,4 @@
-//! Opening files to read them: nothing that keeps whoever opens it waiting, nothing without an end.
+//! Opens files for reading, without blocking and without endless input.
 
 use crate::wording::words;
 use rustix::fs::{Mode, OFlags, open};
@@ -9,27 +9,27 @@ use std::path::Path;
 #[cfg(feature = "tui")]
 use std::path::PathBuf;
 
-/// What a regular file holds, up to one byte more than `most`. Anything else, which could keep its reader
-/// waiting for ever, is refused unopened.
+/// Reads a regular file up to one byte more than `most`. Rejects anything else before opening it,
+/// because it could block its reader forever.
 ///
 /// # Errors
-/// What the system says, or in words of what kind it is.
+/// Returns an I/O error, or a message with the kind of file.
 #[cfg(feature = "tui")]
 pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
     super::limited(open_to_read(path)?, most)
 }
 
-/// A regular file, to be read.
+/// Opens a regular file for reading.
 ///
 /// # Errors
-/// What the system says, or in words of what kind it is.
+/// Returns an I/O error, or a message with the kind of file.
 #[cfg(feature = "tui")]
 pub(crate) fn open_to_read(path: &Path) -> io::Result<File> {
     open_file(path, OFlags::RDONLY)
 }
 
-/// Opens a regular file, and nothing else. It is looked at before, since opening alone makes some devices
-/// move, and after, since the name may lead elsewhere by then.
+/// Opens a regular file, and nothing else. The kind is checked before, because opening some devices
+/// has side effects, and after, because the name may lead elsewhere by then.
 pub(super) fn open_file(path: &Path, access: OFlags) -> io::Result<File> {
     regular(fs::metadata(path)?.file_type())?;
     let flags = access | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC;
@@ -45,7 +45,7 @@ fn regular(kind: FileType) -> io::Result<()> {
     }
 }
 
-/// What it is that is no regular file.
+/// Returns the description of an object that is not a regular file.
 pub(super) fn no_file(kind: FileType) -> &'static str {
     if kind.is_dir() {
         words().is_a_folder()
@@ -58,7 +58,7 @@ pub(super) fn no_file(kind: FileType) -> &'static str {
     }
 }
 
-/// The path that a person has typed: `~` in front is the home that `env` tells.
+/// Expands a typed path: a leading `~` becomes the home folder given by `env`.
 #[cfg(feature = "tui")]
 pub(crate) fn from_home(typed: &str, env: impl Fn(&str) -> Option<PathBuf>) -> PathBuf {
     let below = match typed.strip_prefix('~') {

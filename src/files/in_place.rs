@@ -1,9 +1,9 @@
-//! Writing into a file that keeps its place: where it has several names, where what it is cannot be given to
-//! another, where the folder takes no new file.
+//! Writes into an existing file that cannot be replaced: it has several names, its metadata cannot
+//! be given to another file, or its folder accepts no new file.
 //!
-//! A kill in the middle would leave half of each text. So the old and the new one lie on the disk before the
-//! first byte is written, in a record that goes away after the last; what the next start finds there it
-//! brings to its end.
+//! A kill during writing would leave a mixture of both texts. So a record with the old and the new
+//! text is on the disk before the first byte is written, and is removed after the last. The next
+//! start completes writes whose records it finds.
 //!
 //! ```text
 //! krank-writing 1 OLD NEW NAME      lengths in bytes, the name in hexadecimal digits
@@ -23,15 +23,15 @@ use std::os::unix::ffi::{OsStrExt, OsStringExt};
 use std::os::unix::fs::{DirBuilderExt, FileExt, MetadataExt};
 use std::path::{Path, PathBuf};
 
-/// What a record begins with, and what the names of records end with.
+/// Prefix of a record's content, and extension of its name.
 const MAGIC: &str = "krank-writing 1";
 const ENDS: &str = "writing";
-/// The longest first line: a name has up to 4096 bytes.
+/// Maximum length of the first line: a name has up to 4096 bytes.
 const LONGEST_HEAD: u64 = 16 << 10;
-/// Bytes that are compared and copied at once.
+/// Block size for comparing and copying, in bytes.
 const BLOCK: usize = 64 << 10;
 
-/// Old and new text of a file, on the disk.
+/// A file on the disk with the old and the new text of a target.
 struct RewriteRecord {
     file: File,
     target: PathBuf,
@@ -46,24 +46,25 @@ struct RecordSpan {
     length: u64,
 }
 
-/// Puts what a draft holds into a file. The folder is for the record, and made where it is missing.
+/// Writes the content of a draft into a file. The record is kept in `folder`, which is created if
+/// missing.
 ///
 /// # Errors
-/// What the system says. The file then holds what it held, or the next start sees to it.
+/// Returns an I/O error. The file then has its old content, or the next start completes the write.
 pub(super) fn write_into(target: &Path, new: &mut File, folder: &Path) -> io::Result<()> {
     let mut file = open_file(target, OFlags::RDWR | OFlags::NOFOLLOW)?;
     make_private(folder)?;
     let (record, path) = RewriteRecord::keep(folder, target, &mut file, new)?;
     let done = record.put(record.new, &file);
     if done.is_err() {
-        // The room that the old text needs was its own before.
+        // The space for the old text is available, because the file occupied it before.
         record.put(record.old, &file)?;
     }
     fs::remove_file(path)?;
     done
 }
 
-/// Brings to its end what a kill has cut off; the files that hold their new text now.
+/// Completes interrupted writes. Returns the files that have their new text now.
 pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
@@ -71,10 +72,10 @@ pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
     records.filter_map(|path| mend_one(&path).ok()?).collect()
 }
 
-/// What cannot be mended now stays for another start.
+/// Completes one interrupted write. A record that cannot be processed now stays for another start.
 fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
     let file = open_file(path, OFlags::RDWR | OFlags::NOFOLLOW)?;
-    // One that is there no more another start has seen to.
+    // Without links, the record was already processed by another start.
     if lock::take(&file) != LockOutcome::Ours || file.metadata()?.nlink() == 0 {
         return Ok(None);
     }
@@ -84,7 +85,7 @@ fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
             record.put(record.new, &file)?;
             true
         }
-        // It holds one of the two, or what somebody else has written since.
+        // The file has one of the two texts, or was changed by another program since.
         Ok(_) => false,
         Err(e) if e.kind() == io::ErrorKind::NotFound => false,
         Err(e) => return Err(e),
@@ -151,9 +152,9 @@ impl RewriteRecord {
         })
     }
 
-    /// Makes one of the texts what a file holds.
+    /// Writes one of the texts into a file.
     fn put(&self, text: RecordSpan, file: &File) -> io::Result<()> {
-        // What finds no room finds that out before anything is changed.
+        // Reserve space first, so that a full disk is detected before anything changes.
         reserve(file, text.length.max(1))?;
         let mut block = vec![0; BLOCK];
         let mut at = 0;
@@ -167,7 +168,7 @@ impl RewriteRecord {
         file.sync_all()
     }
 
-    /// Whether a file holds a part of each text, and neither whole.
+    /// Checks whether a file holds parts of both texts, and neither completely.
     fn is_torn(&self, file: &File) -> io::Result<bool> {
         let size = file.metadata()?.len();
         let (shorter, longer) = (
@@ -186,7 +187,7 @@ impl RewriteRecord {
             let (old, new) = (self.bytes(self.old, at)?, self.bytes(self.new, at)?);
             for (i, byte) in bytes.iter().enumerate() {
                 let [of_old, of_new] = [old.get(i), new.get(i)].map(|of| of == Some(byte));
-                // Room that was taken but not written to reads as zeros.
+                // Space reserved but not written reads as zeros.
                 let is_room = *byte == 0 && i >= old.len();
                 if !(of_old || of_new || is_room) {
                     return Ok(false);
@@ -199,7 +200,7 @@ impl RewriteRecord {
         Ok(!is_old && !is_new)
     }
 
-    /// A block of a text, as much of it as there is.
+    /// Reads a block of a text, shorter at its end.
     fn bytes(&self, text: RecordSpan, at: u64) -> io::Result<Vec<u8>> {
         let mut bytes = vec![0; piece(text.length.saturating_sub(at))];
         self.file.read_exact_at(&mut bytes, text.from + at)?;
@@ -207,7 +208,7 @@ impl RewriteRecord {
     }
 }
 
-/// As much as is taken at once.
+/// Returns the size of the next block.
 fn piece(rest: u64) -> usize {
     usize::try_from(rest).unwrap_or(BLOCK).min(BLOCK)
 }
@@ -223,12 +224,12 @@ fn name_of_digits(digits: &str) -> Option<PathBuf> {
     Some(PathBuf::from(OsString::from_vec(name)))
 }
 
-/// Makes a folder that others cannot look into.
+/// Creates a folder that other users cannot read.
 pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
     DirBuilder::new().recursive(true).mode(0o700).create(folder)
 }
 
-/// What finds no room finds that out before anything is changed.
+/// Reserves space, so that a full disk is detected before anything changes.
 #[cfg(any(target_os = "linux", target_os = "android"))]
 fn reserve(file: &File, length: u64) -> io::Result<()> {
     use rustix::fs::{FallocateFlags, fallocate};
@@ -240,7 +241,8 @@ fn reserve(file: &File, length: u64) -> io::Result<()> {
     }
 }
 
-/// Elsewhere nothing reserves room without changing the length; the record has both texts.
+/// Does nothing: other systems cannot reserve space without changing the length, and the record has
+/// both texts.
 #[cfg(not(any(target_os = "linux", target_os = "android")))]
 fn reserve(_file: &File, _length: u64) -> io::Result<()> {
     Ok(())

@@ -1,4 +1,4 @@
-//! Locks of the system (flock), which end with the process that holds them, however it ends.
+//! Advisory file locks (flock), which the system releases when a process ends in any way.
 
 use super::Trouble;
 use super::guard::open_file;
@@ -14,25 +14,25 @@ use {
     std::time::{Duration, Instant},
 };
 
-/// How long somebody else may take to save before we give up.
+/// Maximum time to wait for another process that is saving.
 #[cfg(feature = "tui")]
 const PATIENCE: Duration = Duration::from_secs(3);
-/// Between two attempts.
+/// Pause between two attempts.
 #[cfg(feature = "tui")]
 const PAUSE: Duration = Duration::from_millis(10);
 
-/// Whether a lock was had.
+/// The result of trying to take a lock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LockOutcome {
-    /// It is ours until the file is closed.
+    /// The lock is held until the file is closed.
     Ours,
-    /// Somebody else has it.
+    /// Another process holds the lock.
     Others,
-    /// There are no locks here: some network disks have none.
+    /// The file system has no locks, as some network file systems.
     Unknown,
 }
 
-/// Takes the lock on an open file if nobody else has it.
+/// Takes the lock on an open file if no other process holds it.
 pub(crate) fn take(file: &File) -> LockOutcome {
     loop {
         match flock(file, FlockOperation::NonBlockingLockExclusive) {
@@ -44,20 +44,20 @@ pub(crate) fn take(file: &File) -> LockOutcome {
     }
 }
 
-/// How often the name of a file may lead to another one while its lock is taken.
+/// Maximum number of attempts while the name of a file keeps leading to another one.
 const MOST_TRIES: u32 = 100;
 
-/// Opens an existing file, for writing where that is permitted, and takes its lock.
+/// Opens an existing file, for writing if permitted, and takes its lock.
 ///
 /// # Errors
-/// Another process holds the lock, or what the system says.
+/// Returns an error if another process holds the lock, or an I/O error.
 pub(super) fn hold(path: &Path) -> Result<File, Trouble> {
     for _ in 0..MOST_TRIES {
         let file = open_file(path, OFlags::RDWR).or_else(|_| open_file(path, OFlags::RDONLY))?;
         if take(&file) == LockOutcome::Others {
             return Err(Trouble::Busy);
         }
-        // Whoever held the lock before may have put another file there.
+        // The previous holder of the lock may have replaced the file.
         if is_at(&file, path) {
             return Ok(file);
         }
@@ -72,8 +72,8 @@ pub(super) fn is_at(file: &File, path: &Path) -> bool {
     both.is_some_and(|(file, named)| (file.dev(), file.ino()) == (named.dev(), named.ino()))
 }
 
-/// Takes the lock of a folder, under which files of it are compared and replaced; `None` where it has none
-/// to give, and an error where somebody else keeps it.
+/// Takes the lock of a folder, under which its files are compared and replaced. Returns `None` if
+/// the folder cannot be locked, and an error if another process keeps the lock.
 #[cfg(feature = "tui")]
 pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
     let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::CLOEXEC;
@@ -92,8 +92,8 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
     }
 }
 
-/// Whether somebody else holds the lock on an open file, which is not disturbed by being asked; `None` where
-/// that cannot be told.
+/// Checks whether another process holds the lock on an open file, without disturbing that process.
+/// Returns `None` if this cannot be determined.
 #[cfg(feature = "tui")]
 pub(crate) fn is_held(file: &File) -> Option<bool> {
     match flock(file, FlockOperation::NonBlockingLockShared) {

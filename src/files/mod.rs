@@ -1,19 +1,19 @@
-//! Files: one guard through which every one is opened, one way in which every one is written.
+//! Reads and writes files safely.
 //!
-//! | module | what it holds |
+//! | module | contents |
 //! |---|---|
-//! | `reading`, `same` | what the command line has named |
-//! | `guard` | opening what is there: of what kind it may be, and how much of it is read |
-//! | `target` | where a name leads that is to be written: links followed, descriptors told from files |
-//! | `draft` | a file that is written beside the one whose place it takes, with its rights from the first byte on |
-//! | `rights` | owner, group, mode and extended attributes of a file, carried over to its draft |
-//! | `stamp` | telling one state of a file from another without reading it |
-//! | `in_place` | writing into a file that no other may replace, and completing that after a kill |
-//! | `lock` | comparing and replacing without somebody else in between |
-//! | `output` | all of these together: a file that is whole, or what it was |
-//! | `elsewhere` | the little of it that there is where there is no Unix |
-//! | `growing` | a table that is written row by row, and resumed |
-//! | `places` | folders that belong to krank |
+//! | `reading`, `same` | files named on the command line |
+//! | `guard` | opening existing files: permitted kinds, and limits on the size read |
+//! | `target` | resolving the name of a file to write: symbolic links and open descriptors |
+//! | `draft` | temporary files that replace their target, with its permissions from the first byte on |
+//! | `rights` | copying owner, group, mode and extended attributes of a file to its draft |
+//! | `stamp` | detecting changes of a file without reading it |
+//! | `in_place` | writing into a file that cannot be replaced, and completing interrupted writes |
+//! | `lock` | locks for comparing and replacing without interference |
+//! | `output` | atomic writes: a file is complete or unchanged |
+//! | `elsewhere` | the subset available on systems other than Unix |
+//! | `growing` | tables written row by row, which can be resumed |
+//! | `places` | krank's own folders |
 
 #[cfg(unix)]
 mod draft;
@@ -58,33 +58,33 @@ use crate::wording::words;
 use std::io;
 use thiserror::Error;
 
-/// Why a file is not written. It is then what it was.
+/// The reason why a file was not written. It is then unchanged.
 #[derive(Debug, Error)]
 pub(crate) enum Trouble {
-    /// There is a file, and nobody has said that it may go.
+    /// The file exists, and replacing it was not confirmed.
     #[error("{}", words().exists_already())]
     Exists,
-    /// It no longer holds what it held when work on it began.
+    /// Its content has changed since work on it began.
     #[error("{}", words().changed_on_disk())]
     Changed,
-    /// Rows were being added to it, and it was deleted, replaced or changed meanwhile.
+    /// It was deleted, replaced or changed while rows were appended.
     #[error("{}", words().changed_while_it_grew())]
     Disturbed,
-    /// It is not to be written to, and nobody has said that it is meant nevertheless.
+    /// It is read-only, and writing it was not confirmed.
     #[error("{}", words().is_read_only())]
     ReadOnly,
-    /// It is no file: what it is.
+    /// It is not a regular file; contains the kind of object.
     #[error("{0}")]
     #[cfg(feature = "tui")]
     NoFile(&'static str),
     /// Another process is writing it.
     #[error("{}", words().another_is_writing())]
     Busy,
-    /// A rename would lose what the file is, and there is no folder to keep its old text in meanwhile.
+    /// Replacing it would lose metadata, and there is no folder for a record of its old text.
     #[cfg(unix)]
     #[error("{}", words().no_journal())]
     NoJournal,
-    /// What the system says.
+    /// An I/O error.
     #[error(transparent)]
     Io(#[from] io::Error),
 }

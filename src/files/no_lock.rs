@@ -1,16 +1,16 @@
-//! In place of file locks, where there is no Unix: nothing is locked.
+//! Replaces file locks on systems other than Unix by functions that lock nothing.
 
 use std::fs::File;
 use std::path::Path;
 
-/// Whether a lock was had.
+/// The result of trying to take a lock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LockOutcome {
-    /// It is ours until the file is closed.
+    /// The lock is held until the file is closed.
     Ours,
-    /// Somebody else has it.
+    /// Another process holds the lock.
     Others,
-    /// There are no locks here.
+    /// There are no locks.
     Unknown,
 }
 
@@ -19,7 +19,8 @@ pub(super) fn take(_: &File) -> LockOutcome {
     LockOutcome::Unknown
 }
 
-/// Returns `true` if a name may lead to an open file: this system does not tell which.
+/// Returns `true` if a name leads to a file: this system does not reveal whether it is the open
+/// one.
 pub(super) fn is_at(_: &File, path: &Path) -> bool {
     path.is_file()
 }

@@ -1,4 +1,4 @@
-//! Writing a file: it is whole, or what it was.
+//! Writes files atomically: afterwards a file is complete or unchanged.
 
 use super::Trouble;
 use super::draft::DraftFile;
@@ -15,15 +15,15 @@ use std::io::{self, ErrorKind, Write};
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
-/// A file that is being written. Dropped before it is committed, it leaves everything as it was.
+/// A file being written. If it is dropped before it is committed, nothing changes.
 #[derive(Debug)]
 pub(crate) struct Output {
     way: OutputWay,
     old: Option<OldFile>,
 }
 
-/// An existing file that is to be replaced. It is locked, so that a process that adds rows to it is not disturbed, and
-/// a second one that would replace it is refused.
+/// An existing file to be replaced. It is locked, so that a process that appends rows to it is not
+/// disturbed, and a second process that would replace it fails.
 #[derive(Debug)]
 struct OldFile {
     file: File,
@@ -33,13 +33,13 @@ struct OldFile {
 
 #[derive(Debug)]
 enum OutputWay {
-    /// To what is no file: there is nothing to keep.
+    /// Not a regular file: written directly, because there is nothing to preserve.
     Stream(File),
-    /// To a file that is not there yet.
+    /// A new file.
     New { draft: DraftFile, target: PathBuf },
-    /// In the place of a file.
+    /// A draft that will replace an existing file.
     Over { draft: DraftFile, target: PathBuf },
-    /// Into a file that keeps its place.
+    /// An existing file that will be written in place.
     Into {
         draft: DraftFile,
         target: PathBuf,
@@ -48,11 +48,11 @@ enum OutputWay {
 }
 
 impl Output {
-    /// Begins to write to what a name leads to, pipes and devices too. In `records` is kept what is not to be
-    /// lost while a file is written in its place.
+    /// Starts to write to the target of a name; pipes and devices are allowed. `records` is the
+    /// folder for records of files written in place.
     ///
     /// # Errors
-    /// What the system says, or that it is a read-only file.
+    /// Returns an I/O error, or an error if the file is read-only.
     pub(crate) fn to(name: &Path, records: Option<&Path>) -> Result<Output, Trouble> {
         let target = Target::find(name)?;
         if target.is_read_only() {
@@ -74,12 +74,14 @@ impl Output {
         Ok(Output { way, old })
     }
 
-    /// Returns `true` if a name leads to a pipe, a device or an open descriptor, which no file replaces.
+    /// Returns `true` if a name leads to a pipe, a device or an open descriptor, which cannot be
+    /// replaced.
     pub(crate) fn is_stream(name: &Path) -> bool {
         matches!(Target::find(name), Ok(Target::Stream(_)))
     }
 
-    /// Returns `true` if no other process of krank writes the file meanwhile; some network disks have no locks.
+    /// Returns `true` if no other process of krank can write the file in the meantime; some network
+    /// file systems have no locks.
     pub(crate) fn is_locked(&self) -> bool {
         let file = match (&self.old, &self.way) {
             (Some(old), _) => &old.file,
@@ -91,10 +93,12 @@ impl Output {
         lock::take(file) == LockOutcome::Ours
     }
 
-    /// Everything was written: it becomes what the file holds. Returns the file, which stays locked while it is open.
+    /// Replaces the content of the file by the written text. Returns the file, which stays locked
+    /// while it is open.
     ///
     /// # Errors
-    /// What the system says, or that the file has changed meanwhile; then nothing has changed.
+    /// Returns an I/O error, or an error if the file was changed in the meantime; it is then
+    /// unchanged.
     pub(crate) fn commit(self, records: Option<&Path>) -> Result<File, Trouble> {
         self.sync()?;
         if let Some(OldFile { path, stamp, .. }) = &self.old
@@ -106,10 +110,10 @@ impl Output {
         self.take_place(records)
     }
 
-    /// A draft that is to take the place of a file lies on the disk.
+    /// Ensures that a draft that will replace a file is on the disk.
     fn sync(&self) -> io::Result<()> {
         match &self.way {
-            // What is written into a file lies on the disk in its record.
+            // A text written in place is on the disk in its record.
             OutputWay::Stream(_) | OutputWay::Into { .. } => Ok(()),
             OutputWay::New { draft, .. } | OutputWay::Over { draft, .. } => draft.file.sync_all(),
         }
@@ -138,7 +142,8 @@ impl Output {
                         sync_folder_of(&target);
                         Ok(file)
                     }
-                    // Somebody else's in a sticky folder; a file that is itself a mount.
+                    // A file of another user in a sticky folder, or a file that is itself a mount
+                    // point.
                     Err(e) if is_denied(&e) => {
                         let records = records.ok_or(Trouble::NoJournal)?;
                         write_into(&target, &mut text, records)?;
@@ -163,7 +168,7 @@ impl OutputWay {
     fn to(target: Target, records: Option<&Path>) -> Result<OutputWay, Trouble> {
         Ok(match target {
             Target::Stream(path) => {
-                // Where the shell has opened a file for us, what it holds so far stays.
+                // Append, because the shell may have opened the file and its content must stay.
                 OutputWay::Stream(File::options().append(true).open(path)?)
             }
             Target::New(target) => OutputWay::New {
@@ -202,8 +207,8 @@ impl Write for Output {
     }
 }
 
-/// A draft that has all that the file has; `None` where the file would lose something by it, or where its
-/// folder takes none.
+/// Creates a draft with all metadata of the file; returns `None` if the file would lose something
+/// by replacement, or if its folder accepts no new file.
 fn beside(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, Trouble> {
     if found.nlink() > 1 {
         return Ok(None);
@@ -227,29 +232,31 @@ fn folder_of(target: &Path) -> &Path {
     target.parent().unwrap_or(Path::new("/"))
 }
 
-/// After a loss of power the folder, too, is to know the new file. What cannot be synced is written anyway.
+/// Syncs the folder, so that the new file survives a power failure. Errors are ignored: the file is
+/// written in any case.
 fn sync_folder_of(target: &Path) {
     let _ = File::open(folder_of(target)).and_then(|folder| folder.sync_all());
 }
 
-/// What is to be saved, and what a person has said about it.
+/// A request to save a file.
 #[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Saving<'a> {
     pub(crate) to: &'a Path,
-    /// Where texts are kept while a file is written in its place.
+    /// The folder for records of files written in place.
     pub(crate) records: Option<&'a Path>,
-    /// A file that says that it is not to be written to is meant nevertheless.
+    /// Whether writing a read-only file was confirmed.
     pub(crate) though_read_only: bool,
-    /// Of a longer file only so much is looked at.
+    /// Maximum number of bytes read from an existing file; one more is read to detect a longer
+    /// file.
     pub(crate) most: usize,
 }
 
-/// Saves: what the file holds now, if there is one, makes what it is to hold, or why it is not written. Nobody
-/// else who saves this way comes in between.
+/// Saves a file. `compose` computes the new content from the current one, if the file exists, or
+/// returns the reason not to write. No other process that saves in this way can intervene.
 ///
 /// # Errors
-/// Why nothing was written.
+/// Returns the reason why nothing was written.
 #[cfg(feature = "tui")]
 pub(crate) fn save(
     saving: Saving<'_>,
@@ -260,7 +267,7 @@ pub(crate) fn save(
         Target::New(path) | Target::File(path, _) => path,
     };
     let _lock = lock::of_folder(folder_of(&path))?;
-    // Whoever had the lock before may have changed what is there.
+    // The previous holder of the lock may have changed the target.
     let target = Target::find(&path)?;
     let before = Stamp::of(&path);
     let old = match &target {
@@ -274,7 +281,7 @@ pub(crate) fn save(
     }
     let mut output = Output::of(target, saving.records)?;
     output.write_all(&bytes)?;
-    // What takes long is behind us when we look whether somebody who knows no lock has come in between.
+    // The slow part is finished before the check for changes by programs that do not use the lock.
     output.sync()?;
     if Stamp::of(&path) != before {
         return Err(Trouble::Changed);

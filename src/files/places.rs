@@ -1,9 +1,10 @@
-//! Folders that belong to krank, as the desktop standard has them (XDG Base Directory Specification 0.8).
+//! Finds krank's own folders according to the XDG Base Directory Specification 0.8.
 
 use std::path::PathBuf;
 
-/// krank's folder below the one that a variable names, or where it names none, below this one of the home.
-/// A path that is not absolute is to be ignored.
+/// Returns krank's folder below the one given by an environment variable, or else below `in_home`
+/// in the home folder; `None` without a home folder. A path that is not absolute is ignored, as the
+/// specification requires.
 pub(crate) fn folder_of(
     variable: &str,
     in_home: &str,
@@ -14,12 +15,13 @@ pub(crate) fn folder_of(
     Some(base.join("krank"))
 }
 
-/// Where old and new text are kept while a file is written in its place.
+/// Returns the folder for records of files written in place.
 pub(crate) fn records(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
     Some(folder_of("XDG_STATE_HOME", ".local/state", env)?.join("recovery/writing"))
 }
 
-/// What the environment of this process holds. Where it has no `HOME`, the home is that of the password database.
+/// Returns a variable of this process's environment. Without `HOME`, the home folder comes from the
+/// password database.
 pub(crate) fn environment(name: &str) -> Option<PathBuf> {
     let set = std::env::var_os(name).map(PathBuf::from);
     match name {

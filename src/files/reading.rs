@@ -1,22 +1,23 @@
-//! Reading what somebody has named on the command line.
+//! Reads files named on the command line.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// What a name leads to holds, up to one byte more than `most`: pipes and devices too, which a person has
-/// named on the command line and can leave by Ctrl-C.
+/// Reads any file up to one byte more than `most`, including pipes and devices: the user named them
+/// and can interrupt by Ctrl-C.
 ///
 /// # Errors
-/// What the system says.
+/// Returns an I/O error.
 pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
     limited(File::open(path)?, most)
 }
 
-/// Reads a file up to one byte more than `most`. A pipe to which nobody writes is an error: nothing waits for a writer.
+/// Reads a file up to one byte more than `most`. A pipe without a writer is an error: nothing waits
+/// for one.
 ///
 /// # Errors
-/// What the system says, or that nobody writes to the pipe.
+/// Returns an I/O error, or an error for a pipe without a writer.
 #[cfg(unix)]
 pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
     use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl, open};
@@ -33,7 +34,7 @@ pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
                 ));
             }
             Ok(read) => read,
-            // Somebody has it open, and may write.
+            // A writer has the pipe open, and may write later.
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => 0,
             Err(error) => return Err(error),
         };
@@ -45,10 +46,10 @@ pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
 #[cfg(not(unix))]
 pub(crate) use read_any as read_ready;
 
-/// Everything up to one byte more than `most`, so that endless input ends.
+/// Reads up to one byte more than `most`, so that endless input ends.
 ///
 /// # Errors
-/// What the system says.
+/// Returns an I/O error.
 pub(crate) fn limited(from: impl Read, most: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let most = u64::try_from(most).unwrap_or(u64::MAX);

@@ -1,4 +1,5 @@
-//! What a file is beside its text: owner, group, mode and extended attributes, among them access lists.
+//! Copies the metadata of files: owner, group, mode and extended attributes, including access
+//! control lists.
 
 use rustix::fs::{
     Gid, Mode, RawMode, Uid, XattrFlags, fchmod, fchown, fgetxattr, flistxattr, fremovexattr,
@@ -9,15 +10,16 @@ use std::ffi::{CStr, CString};
 use std::fs::{File, Metadata};
 use std::os::unix::fs::MetadataExt;
 
-/// The longest list of names, and the longest attribute, that Linux has.
+/// Maximum size in bytes of the list of names, and of an attribute, in Linux.
 const LONGEST: usize = 1 << 16;
-/// Bits of a mode: who may do what, and the three above.
+/// The permission bits of a mode, and the three above them.
 const MODE: RawMode = 0o7777;
 
-/// Gives a new file what another has.
+/// Copies the metadata of a file to a new one.
 ///
 /// # Errors
-/// What the system does not let us give it. The new file is then not the other one in all but its text.
+/// Returns an error if the system does not permit it. The new file then differs from the other in
+/// more than its text.
 pub(super) fn carry_over(old: &File, has: &Metadata, new: &File) -> Result<(), Errno> {
     let now = new.metadata().map_err(|_| Errno::IO)?;
     if (now.uid(), now.gid()) != (has.uid(), has.gid()) {
@@ -25,7 +27,7 @@ pub(super) fn carry_over(old: &File, has: &Metadata, new: &File) -> Result<(), E
         fchown(new, Some(owner), Some(group))?;
     }
     carry_attributes(old, new)?;
-    // Last, since another owner takes bits away.
+    // The mode is set last, because a change of owner clears bits.
     fchmod(new, Mode::from_raw_mode(fstat(old)?.st_mode & MODE))
 }
 
@@ -37,10 +39,10 @@ fn carry_attributes(old: &File, new: &File) -> Result<(), Errno> {
             fsetxattr(new, name, &value, XattrFlags::empty())?;
         }
     }
-    // A folder may give what is made in it an access list that the old file has not.
+    // A folder may give its new files an access control list that the old file does not have.
     for name in given.iter().filter(|name| !wanted.contains(name)) {
         match fremovexattr(new, name) {
-            // What the system itself attaches stays where it likes.
+            // Attributes attached by the system itself stay.
             Err(_) if name.to_bytes().starts_with(b"security.") => {}
             done => done?,
         }
@@ -48,7 +50,7 @@ fn carry_attributes(old: &File, new: &File) -> Result<(), Errno> {
     Ok(())
 }
 
-/// The names of a file's attributes; none where the disk knows no such thing.
+/// Returns the names of a file's attributes; empty if the file system does not support any.
 fn names(file: &File) -> Result<Vec<CString>, Errno> {
     let mut list = vec![0; LONGEST];
     let length = match flistxattr(file, &mut list[..]) {

@@ -1,8 +1,9 @@
-//! Whether what is read and what is written are one file, whatever it is called there.
+//! Checks whether input and output are the same file, under any name.
 
 use std::path::Path;
 
-/// Whether two names lead to one file; `None` is standard input, and standard output.
+/// Returns `true` if two names lead to the same file. A name of `None` means standard input or
+/// output.
 #[cfg(unix)]
 pub(crate) fn is_same_file(read: Option<&Path>, written: Option<&Path>) -> bool {
     use rustix::fs::{FileType, fstat, stat};
@@ -16,7 +17,8 @@ pub(crate) fn is_same_file(read: Option<&Path>, written: Option<&Path>) -> bool 
         && (read.st_dev, read.st_ino) == (written.st_dev, written.st_ino)
 }
 
-/// Whether two names lead to one file; of the standard streams this system does not tell it.
+/// Returns `true` if two names lead to the same file; this system cannot compare the standard
+/// streams.
 #[cfg(not(unix))]
 pub(crate) fn is_same_file(read: Option<&Path>, written: Option<&Path>) -> bool {
     let place = |path: Option<&Path>| path.and_then(|path| path.canonicalize().ok());

@@ -1,21 +1,21 @@
-//! Telling one state of a file from another without reading it.
+//! Detects changes of a file without reading it.
 
 use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
-/// A state of a file: another stamp, another state.
+/// A fingerprint of a file's state: different stamps mean different states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Stamp {
     device: u64,
     inode: u64,
     size: u64,
     modified: (i64, i64),
-    /// When anything of it was changed last.
+    /// The time of the last change of content or metadata.
     changed: (i64, i64),
 }
 
 impl Stamp {
-    /// `None` where there is no file.
+    /// Returns the stamp of a file; `None` if there is no file.
     pub(crate) fn of(path: &Path) -> Option<Stamp> {
         let found = std::fs::metadata(path).ok()?;
         Some(Stamp {
@@ -29,7 +29,8 @@ impl Stamp {
 }
 
 impl Stamp {
-    /// Returns `true` if both are states of one file with the same text, whatever was done to its rights and names.
+    /// Returns `true` if both are states of the same file with the same text; permissions and names
+    /// may differ.
     pub(super) fn has_text_of(&self, other: &Stamp) -> bool {
         let text = |stamp: &Stamp| (stamp.device, stamp.inode, stamp.size, stamp.modified);
         text(self) == text(other)

@@ -1,4 +1,4 @@
-//! Where a name leads that is to be written.
+//! Resolves the name of a file to be written.
 
 use crate::wording::words;
 use rustix::fs::{Access, AtFlags, CWD, accessat};
@@ -9,28 +9,29 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-/// More links after each other the system does not follow either.
+/// Maximum number of chained symbolic links, as in the system.
 const MOST_LINKS: usize = 40;
-/// Who may write, in a mode.
+/// The write permission bits of a mode.
 const WRITERS: u32 = 0o222;
 
-/// What is at the end of a name.
+/// The object to which a name leads.
 #[derive(Debug)]
 pub(super) enum Target {
-    /// Nothing so far; the file is to be made here, which may be behind a link that leads nowhere yet.
+    /// A missing file, to be created at this path, possibly the target of a dangling link.
     New(PathBuf),
-    /// A file that is there.
+    /// An existing regular file.
     File(PathBuf, Metadata),
-    /// No file but a pipe or a device; or what somebody has opened for us, as the shell has
-    /// `/dev/stdout` and `/dev/fd/3`, which is written to as it stands.
+    /// A pipe or a device, or an open descriptor such as `/dev/stdout` and `/dev/fd/3` in a shell,
+    /// which is written to directly.
     Stream(PathBuf),
 }
 
 impl Target {
-    /// Follows a name to its end.
+    /// Resolves the symbolic links of a path.
     ///
     /// # Errors
-    /// What the system says: its folder is not there, it is itself a folder, it leads in a circle.
+    /// Returns an I/O error: its folder is missing, it is itself a folder, or its links form a
+    /// cycle.
     pub(super) fn find(name: &Path) -> io::Result<Target> {
         let mut name = name.to_owned();
         for _ in 0..MOST_LINKS {
@@ -57,7 +58,7 @@ impl Target {
         Err(Errno::LOOP.into())
     }
 
-    /// What it is that cannot be saved to.
+    /// Returns the error for an object that cannot be saved to.
     #[cfg(feature = "tui")]
     pub(super) fn no_file(path: &Path) -> super::Trouble {
         let kind = fs::metadata(path).map(|found| found.file_type());
@@ -67,7 +68,7 @@ impl Target {
         })
     }
 
-    /// Whether it is a file that says that it is not to be written to, or does not let us.
+    /// Returns `true` for a file marked read-only or not writable by this process.
     pub(super) fn is_read_only(&self) -> bool {
         let Target::File(path, found) = self else {
             return false;
@@ -78,7 +79,7 @@ impl Target {
     }
 }
 
-/// The name in its true folder.
+/// Returns the path with its folder resolved.
 fn placed(name: &Path) -> io::Result<PathBuf> {
     if name.as_os_str().as_bytes().ends_with(b"/") {
         return Err(Errno::ISDIR.into());
@@ -92,7 +93,7 @@ fn placed(name: &Path) -> io::Result<PathBuf> {
     Ok(folder.join(last))
 }
 
-/// Whether it stands in a folder of a process that lists what it has opened.
+/// Returns `true` if a path is in a folder that lists the open descriptors of a process.
 fn is_of_descriptors(place: &Path) -> bool {
     let folder = place.parent();
     folder.is_some_and(|folder| folder.starts_with("/proc") && folder.ends_with("fd"))

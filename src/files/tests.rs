@@ -1,4 +1,4 @@
-//! Files of every kind, on the disk: what is kept, what is refused, what is left.
+//! Tests of file operations on the disk: preserved metadata, rejected files, and leftovers.
 
 use super::*;
 use std::fs;
@@ -28,7 +28,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// What this process has opened in a folder, with a name or without.
+/// Returns the metadata of files that this process has open in a folder, with or without a name.
 fn opened_in(folder: &Path) -> Vec<fs::Metadata> {
     let all = fs::read_dir("/proc/self/fd")
         .into_iter()

@@ -1,4 +1,4 @@
-//! What a study of methods has found, as text, CSV and JSON.
+//! Formats the results of a method study as text, CSV and JSON.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{concise, significant};
@@ -15,12 +15,12 @@ use std::io::{self, Write};
 const ERROR_DIGITS: usize = 2;
 /// Significant digits of a time.
 pub const TIME_DIGITS: usize = 3;
-/// Columns of a letter, its mark and a name.
+/// Width of the column with key, mark and name of a method.
 const NAME: usize = 22;
 /// Significant digits of the longest length.
 const LENGTH_DIGITS: usize = 6;
 
-/// The name of a method, in at most 19 characters without a comma.
+/// Returns the name of a method, in at most 19 characters without a comma.
 #[must_use]
 pub fn method_name(method: Method) -> String {
     named(method, words())
@@ -42,7 +42,7 @@ fn named(method: Method, say: &dyn Words) -> String {
     }
 }
 
-/// An error to two digits: `2.3e-16`.
+/// Formats an error with two digits: `2.3e-16`.
 #[must_use]
 pub fn error_text(error: f64) -> String {
     if error == 0.0 {
@@ -52,14 +52,15 @@ pub fn error_text(error: f64) -> String {
     }
 }
 
-/// A time to `digits` significant digits, in ns, us, ms or s: `61.2 ns`.
+/// Formats a time with `digits` significant digits, in ns, us, ms or s: `61.2 ns`.
 #[must_use]
 pub fn time_text(seconds: f64, digits: usize) -> String {
     let (scale, unit) = time_unit(seconds);
     format!("{} {unit}", whole(seconds * scale, digits))
 }
 
-/// To so many significant digits, and never with an exponent: a time may have more in front of the point.
+/// Formats a value with so many significant digits, never with an exponent; the integer part of a
+/// time may have more digits.
 fn whole(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
     if text.contains('e') {
@@ -69,21 +70,21 @@ fn whole(value: f64, digits: usize) -> String {
     }
 }
 
-/// Units in a second, and the unit, in which a time has at most three digits in front of the point.
+/// Returns the factor from seconds and the unit in which a time has at most three integer digits.
 fn time_unit(seconds: f64) -> (f64, &'static str) {
     let units = [(1e9, "ns"), (1e6, "us"), (1e3, "ms")];
     let small = |(scale, _): &(f64, &str)| seconds * scale < 999.5;
     units.into_iter().find(small).unwrap_or((1.0, "s"))
 }
 
-/// The quartiles in the unit of the median: `60.8-62.0`.
+/// Formats the quartiles in the unit of the median: `60.8-62.0`.
 fn spread_text(time: &Spread) -> String {
     let (scale, _) = time_unit(time.median);
     let [low, high] = [time.low, time.high].map(|t| whole(t * scale, TIME_DIGITS));
     format!("{low}-{high}")
 }
 
-/// Why a method cannot be used for this scene.
+/// Returns the reason why a method cannot be used for this scene.
 #[must_use]
 pub fn unfit_text(unfit: Unfit, scene: &Scene) -> String {
     why_unfit(unfit, scene, words())
@@ -103,17 +104,17 @@ fn why_unfit(unfit: Unfit, scene: &Scene, say: &dyn Words) -> String {
     }
 }
 
-/// A study's findings and the scene that they are about.
+/// The findings of a study, with the scene studied.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// What was found.
+    /// The findings.
     pub findings: &'a Findings,
 }
 
 impl Accuracy<'_> {
-    /// The scene, and a line per method.
+    /// Formats the scene and a line per method.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         let Findings {
@@ -125,7 +126,7 @@ impl Accuracy<'_> {
         page.title(&self.scene.title());
         page.text_below(words().positions_over_cycle(positions, &longest, unit));
         let mut table = self.table(&StudyMeasure::ALL);
-        // All columns have room in 80, and the letters stand apart from the names.
+        // A gap of 1 fits all columns into 80; a blank separates the keys from the names.
         table.setting.gap = 1;
         for row in &mut table.rows {
             if let Row::Figures { mark, .. } | Row::Told { mark, .. } = row {
@@ -136,7 +137,7 @@ impl Accuracy<'_> {
         page.to_text(TextStyle::plain(ascii))
     }
 
-    /// A row per method, with these figures.
+    /// Returns a table with a row per method and a column per measure.
     #[must_use]
     pub fn table(&self, measures: &[StudyMeasure]) -> Table {
         let heads = measures.iter().map(|measure| measure.name());
@@ -173,10 +174,10 @@ impl Accuracy<'_> {
         table
     }
 
-    /// Writes a row per method; what does not exist is an empty cell.
+    /// Writes a row per method; a missing value is an empty cell.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, to);
         csv.record(COLUMNS)?;
@@ -192,7 +193,7 @@ impl Accuracy<'_> {
         csv.finish()
     }
 
-    /// One object.
+    /// Returns all findings as one object.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let methods = self.findings.methods.iter().map(|f| self.record(f));
@@ -243,7 +244,7 @@ impl Accuracy<'_> {
     }
 }
 
-/// How the figures are meant.
+/// Explains the values of a study.
 #[must_use]
 pub fn accuracy_notes() -> String {
     let mut facts = Facts {
@@ -258,10 +259,10 @@ pub fn accuracy_notes() -> String {
     page.to_text(TextStyle::plain(true))
 }
 
-/// Columns of what a note is about.
+/// Width of the column with the terms that the notes explain.
 const NOTE: usize = 14;
 
-/// What each figure and mark is.
+/// Returns the terms with their explanations.
 fn notes() -> [(&'static str, &'static str); 14] {
     [
         (words().time(), words().of_time_is()),
@@ -299,27 +300,27 @@ const COLUMNS: [&str; 14] = [
     "iterations.most",
 ];
 
-/// What was measured of a method.
+/// A quantity measured for each method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StudyMeasure {
-    /// How long one position takes.
+    /// The time per position.
     Time,
-    /// Between what half of all samples of that lie.
+    /// The quartiles of that time.
     Quartiles,
-    /// The largest error of positions.
+    /// The maximum error of positions.
     Position,
-    /// Of velocities.
+    /// The maximum error of velocities.
     Velocity,
-    /// Of accelerations.
+    /// The maximum error of accelerations.
     Acceleration,
-    /// How often it failed.
+    /// The number of failures.
     Failures,
-    /// How many steps or halvings it takes.
+    /// The number of iterations or bisection steps.
     Iterations,
 }
 
 impl StudyMeasure {
-    /// All of them.
+    /// All measures.
     pub const ALL: [StudyMeasure; 7] = [
         StudyMeasure::Time,
         StudyMeasure::Quartiles,
@@ -342,7 +343,7 @@ impl StudyMeasure {
         }
     }
 
-    /// The columns that its figures take, so that they stay where they are while they come in.
+    /// Returns the width of its column, fixed so that columns do not move while results arrive.
     fn width(self) -> usize {
         match self {
             StudyMeasure::Quartiles => 11,

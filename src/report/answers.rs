@@ -1,5 +1,5 @@
-//! How figures answer to the given lengths, for tables: by how much each is off at the worst, and which
-//! length matters most.
+//! Tables of sensitivities: how each value responds to the given lengths, at worst and for which
+//! length most.
 
 use super::number::significant;
 use super::tables_data::number;
@@ -8,39 +8,40 @@ use crate::quantity::{Derivatives, Sensitivity};
 use crate::wording::{for_programs, words};
 use serde_json::{Map, Value, json};
 
-/// What the given lengths do to one figure.
+/// The sensitivity of one value to the given lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// The figure's name: `C.x`.
+    /// The name of the value: `C.x`.
     pub name: String,
-    /// Its unit.
+    /// The unit of the value.
     pub unit: String,
-    /// By how much it is off at the worst where every length is off by one unit: in its unit, per unit
-    /// of length.
+    /// The maximum change of the value if every length changes by at most one unit; in the value's
+    /// unit per unit of length.
     pub worst: f64,
-    /// The length that matters most, and the derivative by it; `None` where no length matters.
+    /// The length with the largest derivative, and that derivative; `None` if all derivatives are
+    /// zero.
     pub most: Option<(String, f64)>,
-    /// The derivatives by all lengths that matter, in their order.
+    /// The nonzero derivatives by lengths, in the order of the lengths.
     pub by: Vec<(String, f64)>,
 }
 
-/// What the given lengths do to all figures at one coordinate of the driver.
+/// The sensitivities of all values at one coordinate of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answers {
-    /// The symbol of the length unit.
+    /// The symbol of the unit of length.
     pub unit: &'static str,
-    /// The figures that have a value; `None` where no derivatives exist or can be had.
+    /// The values that exist; `None` if derivatives do not exist or cannot be computed.
     pub list: Option<Vec<Answer>>,
-    /// How many figures have a value and are not in the list, where there is one: a formula that turns over just
-    /// here has no derivatives.
+    /// The number of values that exist but are not in the list: a formula has no derivatives at a
+    /// kink.
     pub lacking: usize,
 }
 
-/// Digits of a derivative that is read by eye.
+/// Significant digits of a derivative in text.
 const DIGITS: usize = 3;
 
 impl Answers {
-    /// At a coordinate of the driver.
+    /// Computes the sensitivities at a coordinate of the driver.
     #[must_use]
     pub fn at(sensitivity: &mut Sensitivity, unit: &'static str, at: f64) -> Self {
         let found = sensitivity.at(at);
@@ -71,7 +72,7 @@ impl Answers {
         }
     }
 
-    /// Leaves out what no length changes, and what is a length itself: it says nothing to a reader.
+    /// Removes values that do not depend on any length, and values that are lengths themselves.
     #[must_use]
     pub fn worth_reading(mut self) -> Self {
         let says = |answer: &Answer| answer.by.iter().any(|(length, _)| *length != answer.name);
@@ -81,13 +82,14 @@ impl Answers {
         self
     }
 
-    /// How many figures with a value were asked about, where there are derivatives.
+    /// Returns the number of values for which derivatives were requested; 0 if there are no
+    /// derivatives at all.
     #[must_use]
     pub fn asked(&self) -> usize {
         self.lacking + self.list.as_ref().map_or(0, Vec::len)
     }
 
-    /// What stands for one figure.
+    /// Returns the sensitivity of the value with this name.
     pub(super) fn of(&self, name: &str) -> Option<&Answer> {
         self.list
             .as_ref()?
@@ -95,7 +97,7 @@ impl Answers {
             .find(|answer| answer.name == name)
     }
 
-    /// A row per figure; or why there are none.
+    /// Returns a table with a row per value, or the reason why there is none.
     #[must_use]
     pub fn content(&self, units: bool) -> Content {
         let step = if units {
@@ -125,7 +127,8 @@ impl Answers {
         Content::Table(table)
     }
 
-    /// The same where there is little room: how much each figure changes, and with which length most.
+    /// Returns a short table: the maximum change of each value, and the length with the largest
+    /// derivative. Returns `None` if there are no derivatives.
     #[must_use]
     pub fn short_table(&self) -> Option<Table> {
         let heads = [words().in_all(), words().most_in()];
@@ -136,7 +139,7 @@ impl Answers {
         Some(table)
     }
 
-    /// An object per figure, keyed by its name; `null` where there are none.
+    /// Returns an object per value, keyed by its name; `null` if there are no derivatives.
     pub(super) fn to_json(&self, units: bool) -> Value {
         let Some(list) = &self.list else {
             return Value::Null;
@@ -172,7 +175,7 @@ impl Answer {
         significant(self.worst, DIGITS)
     }
 
-    /// The largest derivative, and the length that it is by.
+    /// Returns the largest derivative, and the length to which it belongs.
     fn most(&self) -> (String, String) {
         match &self.most {
             Some((length, most)) => (significant(*most, DIGITS), length.clone()),
@@ -181,7 +184,7 @@ impl Answer {
     }
 }
 
-/// The unit of a derivative by a length, for other programs: `rad/s per mm`.
+/// Returns the unit of a derivative by a length, for other programs: `rad/s per mm`.
 pub(super) fn per(figure: &str, length: &str) -> String {
     for_programs().per(figure, length)
 }

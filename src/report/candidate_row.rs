@@ -1,4 +1,4 @@
-//! What a list of candidates says of each, in figures and words.
+//! Formats a candidate of a synthesis for a list.
 
 use super::number::significant;
 use super::synthesis::{FEW, SynthesisReport, lacking, turns};
@@ -6,28 +6,28 @@ use crate::Vec2;
 use crate::synthesis::{Candidate, Partner, PosedDyad};
 use crate::wording::words;
 
-/// Digits of lengths in a line.
+/// Significant digits of lengths in a line.
 const DIGITS: usize = 4;
 
 /// A candidate in a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CandidateRow {
-    /// By how much it misses at worst, without its unit.
+    /// The maximum deviation from the task, without its unit.
     pub(crate) miss: String,
-    /// The least transmission angle on the way, in degrees.
+    /// The minimum transmission angle during the motion, in degrees.
     pub(crate) transmission: String,
-    /// Whether the crank turns fully, in a word.
+    /// A word that says whether the crank turns fully.
     pub(crate) turns: &'static str,
-    /// `r2 104.1, r3 302, r4 251.5, r1 400 mm`.
+    /// The lengths, such as `r2 104.1, r3 302, r4 251.5, r1 400 mm`.
     pub(crate) lengths: String,
-    /// The wishes that it misses, as the task file names them; empty where it keeps all.
+    /// The unmet preferences, as the task file names them; empty if all are met.
     pub(crate) lacks: String,
-    /// Why it does not do the task; empty where it does.
+    /// The reasons why it does not do the task; empty if it does.
     pub(crate) reasons: String,
 }
 
 impl SynthesisReport<'_> {
-    /// What a list says of a candidate.
+    /// Formats a candidate for a list.
     pub(crate) fn row(&self, candidate: &Candidate) -> CandidateRow {
         let figures = &candidate.figures;
         let named = ["r2", "r3", "r4", "r1"]
@@ -51,7 +51,7 @@ impl SynthesisReport<'_> {
         }
     }
 
-    /// What is said of a pin and what holds it: where both are, and how long the link is.
+    /// Describes a pin and its partner: their positions, and the length of the link.
     pub(crate) fn dyad(&self, dyad: &PosedDyad) -> String {
         let place = |at: Vec2| [at.x, at.y].map(|v| significant(v, DIGITS)).join(", ");
         let unit = self.file.unit.symbol();

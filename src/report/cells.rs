@@ -1,29 +1,30 @@
-//! Tables of cells that a spreadsheet or another program has written.
+//! Parses tables of cells written by a spreadsheet or another program.
 
 use super::text_encoding::{TextEncoding, decoded};
 
-/// Rows of cells, and what stood between these.
+/// Rows of cells, with the separator and the encoding of the file.
 pub(super) struct ReadCells {
     pub(super) rows: Vec<Vec<String>>,
-    /// On which line of the file each row begins, from 1.
+    /// The line of the file on which each row begins, from 1.
     pub(super) lines: Vec<u64>,
     pub(super) separator: char,
     pub(super) encoding: TextEncoding,
 }
 
-/// Cells are not longer than this on average: a row of a thousand.
+/// Maximum number of cells.
 const MOST_CELLS: usize = 2_000_000;
 
 impl ReadCells {
-    /// Reads the rows of a table, cells between commas, semicolons or tabs, without the blanks around them; `None`
-    /// where there are more rows than these. A row that is broken is left out, and UTF-16 is read where it says so.
+    /// Parses the rows of a table with cells separated by commas, semicolons or tabs; blanks around
+    /// cells are removed. Returns `None` if there are more than `most_rows` rows. Malformed rows
+    /// are skipped, and UTF-16 is recognized by its byte order mark.
     pub(super) fn read(bytes: &[u8], most_rows: usize) -> Option<ReadCells> {
         let (text, encoding) = decoded(bytes);
         let text = text.trim_start_matches('\u{feff}');
         let separator = separator(text);
         let (rows, lines) = rows(text, separator, most_rows)?;
         let is_unbalanced = rows.iter().flatten().any(|cell| cell.contains('\n'));
-        // One quote too many would swallow the lines behind it: then each line stands for itself.
+        // A surplus quote would swallow the following lines; then each line is parsed separately.
         let (rows, lines) = match is_unbalanced {
             false => (rows, lines),
             true => {
@@ -45,7 +46,8 @@ impl ReadCells {
     }
 }
 
-/// Rows of cells, and on which line each begins.
+/// Parses rows of cells, with the line on which each begins; returns `None` for more than `most`
+/// rows, or too many cells.
 fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, Vec<u64>)> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -66,7 +68,7 @@ fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, V
     Some((rows, lines))
 }
 
-/// The line of a row: its beginning is told as that of the empty lines before it.
+/// Returns the line of a row. The csv reader counts preceding empty lines as part of a row.
 fn line_of(text: &str, begin: &csv::Position) -> u64 {
     let from = usize::try_from(begin.byte()).ok();
     let rest = from.and_then(|from| text.get(from..)).unwrap_or("");
@@ -77,7 +79,7 @@ fn line_of(text: &str, begin: &csv::Position) -> u64 {
         .map_or(begin.line(), |(line, _)| line + 1)
 }
 
-/// What stands between the cells: what the first line that has any of them has most.
+/// Returns the separator: the most frequent of the marks in the first line that has any.
 fn separator(text: &str) -> char {
     let first = text.lines().find(|line| line.contains([',', ';', '\t']));
     let count = |mark: char| first.map_or(0, |line| line.matches(mark).count());

@@ -1,4 +1,4 @@
-//! What krank understood of a scene: its parts, its mobility, its groups and its range.
+//! Collects krank's interpretation of a scene: parts, mobility, groups and range.
 
 use super::choice_facts::ChoiceList;
 use super::cycle_report::CycleReport;
@@ -24,63 +24,63 @@ pub(super) const PLACES: usize = 9;
 /// Significant digits of a sine in a sentence.
 const DIGITS: usize = 3;
 
-/// What is driven.
+/// The kind of driven element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DriverKind {
-    /// A link that turns.
+    /// A turning link.
     Link,
-    /// A slide that is pushed.
+    /// A pushed slide.
     Slide,
 }
 
 /// The driver.
 #[derive(Clone, Debug, Serialize)]
 pub struct DriverFacts {
-    /// Whether a link turns or a slide is pushed.
+    /// The kind of driven element.
     pub kind: DriverKind,
     /// The driven link or slide.
     pub name: String,
-    /// The link that its motor sits on, where that is not the ground.
+    /// The link that carries its motor, unless the ground does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// Its coordinate at the opening, in deg or the scene's unit.
+    /// The coordinate at which the scene opens, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub start: f64,
-    /// Its rate, in rad/s or the scene's unit per s.
+    /// The speed, in rad/s or the scene's unit per s.
     #[serde(serialize_with = "unsigned_zero")]
     pub speed: f64,
-    /// The rate of its rate, in rad/s^2 or the scene's unit per s^2.
+    /// The acceleration, in rad/s^2 or the scene's unit per s^2.
     #[serde(serialize_with = "unsigned_zero")]
     pub acceleration: f64,
 }
 
-/// A pin joint: a point where two or more bodies meet.
+/// A pin joint: a point shared by two or more bodies.
 #[derive(Clone, Debug, Serialize)]
 pub struct JointFacts {
     /// The point.
     pub point: String,
-    /// The bodies that meet there, `ground` among them.
+    /// The bodies joined there, including `ground`.
     pub bodies: Vec<String>,
 }
 
-/// A group of the plan.
+/// A group of the solution plan.
 #[derive(Clone, Debug, Serialize)]
 pub struct GroupFacts {
-    /// How it is solved: `driver`, `coupled`, or the class of the dyad, such as `RRR`.
+    /// The kind: `driver`, `coupled`, or the class of the dyad, such as `RRR`.
     #[serde(serialize_with = "kind_word")]
     pub kind: GroupKind,
-    /// The joint that names it.
+    /// The joint after which the group is named.
     pub point: Option<String>,
-    /// The number of unknowns that a coupled group is solved for at once.
+    /// The number of simultaneous unknowns of a coupled group.
     pub unknowns: Option<usize>,
-    /// The links that it places.
+    /// The links positioned by the group.
     pub links: Vec<String>,
-    /// The named points that it places.
+    /// The named points positioned by the group.
     pub points: Vec<String>,
 }
 
-/// An extreme of a transmission angle.
+/// An extremum of a transmission angle.
 #[derive(Clone, Debug, Serialize)]
 pub struct ExtremeFacts {
     /// The angle in deg.
@@ -93,34 +93,35 @@ pub struct ExtremeFacts {
 /// The transmission angle of a dyad over the motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct TransmissionFacts {
-    /// The joint that names the dyad, or its first link.
+    /// The joint after which the dyad is named, or its first link.
     pub group: String,
-    /// Where the angle is smallest.
+    /// The minimum of the angle.
     pub smallest: ExtremeFacts,
-    /// Where it is largest.
+    /// The maximum of the angle.
     pub largest: ExtremeFacts,
-    /// The largest deviation from 90 deg.
+    /// The maximum deviation from 90 deg.
     pub deviation: f64,
 }
 
-/// The condition of a coupled group at its worst.
+/// The worst condition of a coupled group.
 #[derive(Clone, Debug, Serialize)]
 pub struct ConditionFacts {
-    /// The joint that names the group, or its first link.
+    /// The joint after which the group is named, or its first link.
     pub group: String,
-    /// The least singular value by the largest: 1 at the best, 0 at a dead point or a change point.
+    /// The ratio of the minimum to the maximum singular value: 1 at best, 0 at a dead point or a
+    /// change point.
     pub least: f64,
     /// The driver's coordinate, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub at: f64,
 }
 
-/// Where the two assemblies of a group all but meet.
+/// A near miss: the two assemblies of a group almost meet.
 #[derive(Clone, Debug, Serialize)]
 pub struct NearMissFacts {
-    /// The joint that names the group, or its first link.
+    /// The joint after which the group is named, or its first link.
     pub group: String,
-    /// The sine of the transmission angle there.
+    /// The sine of the transmission angle at the near miss.
     pub sine: f64,
     /// The driver's coordinate, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
@@ -130,47 +131,47 @@ pub struct NearMissFacts {
 /// An end of the range at which two assemblies of a group meet.
 #[derive(Clone, Debug, Serialize)]
 pub struct LinedUpFacts {
-    /// The joint that names the group, or its first link.
+    /// The joint after which the group is named, or its first link.
     pub group: String,
     /// The driver's coordinate, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub at: f64,
 }
 
-/// A constraint that repeats others.
+/// A redundant constraint.
 #[derive(Clone, Debug, Serialize)]
 pub struct RedundancyFacts {
-    /// The link or the slide that was set aside for it.
+    /// The link or the slide whose constraint was set aside.
     pub element: String,
-    /// How many constraints of it were.
+    /// The number of its constraints that were set aside.
     pub constraints: usize,
-    /// What it repeats: any of these could have been set aside in its stead. Empty where the mechanism is
-    /// too large to tell.
+    /// The elements whose constraints it repeats: any of them could have been set aside in its
+    /// place. Empty if the mechanism is too large to determine them.
     pub repeats: Vec<String>,
-    /// By how much they disagree at the most over the motion, in the scene's unit.
+    /// The maximum contradiction over the motion, in the scene's unit.
     pub misfit: f64,
 }
 
-/// Everything that `check` tells.
+/// The result of `krank check`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
-    /// The scene's title.
+    /// The title of the scene.
     pub scene: String,
-    /// Where the mechanism comes from.
+    /// The origin of the mechanism.
     pub source: Option<String>,
-    /// What there is to see.
+    /// The note of the scene.
     pub note: Option<String>,
     /// The symbol of the unit of length.
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverFacts,
-    /// How it moves over time, if it does not run by its speed.
+    /// The motion over time, if the scene has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionFacts>,
-    /// The inputs that follow it.
+    /// The inputs that follow the driver.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<InputFacts>,
-    /// The numbers with names.
+    /// The named numbers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<ParameterFacts>,
     /// The moving links.
@@ -179,80 +180,80 @@ pub struct Check {
     pub joints: Vec<JointFacts>,
     /// The slides.
     pub slides: Vec<SlideFacts>,
-    /// Degrees of freedom by rank.
+    /// The degrees of freedom, determined by rank.
     pub mobility: usize,
-    /// Elements with a constraint that repeats others.
+    /// The elements with a redundant constraint.
     pub redundant: Vec<String>,
-    /// The same one by one, with what they repeat and how well they fit.
+    /// The redundant constraints one by one, with the elements that they repeat and their misfit.
     pub redundancies: Vec<RedundancyFacts>,
-    /// Whether rounding, or the misfit that is accepted, could hide a motion that the driver does not
-    /// determine.
+    /// Whether rounding errors, or the accepted misfit, could hide a motion that the driver does
+    /// not determine.
     pub mobility_is_unclear: bool,
-    /// Whether more can move where the scene opens than elsewhere.
+    /// Whether the mobility is higher where the scene opens than elsewhere.
     pub opens_at_change_point: bool,
-    /// The groups in the order in which they are solved.
+    /// The groups in solution order.
     pub groups: Vec<GroupFacts>,
-    /// What each group, and the whole, could choose where the scene opens.
+    /// The assemblies that each group, and the whole, could take where the scene opens.
     #[serde(flatten)]
     pub choices: ChoiceList,
-    /// The lower and the upper end of the driver's range, in deg or the scene's unit.
+    /// The minimum and maximum of the driver's range, in deg or the scene's unit.
     pub range: [f64; 2],
-    /// The error of each of these ends at most, in the same unit; `None` where it is not proved.
+    /// The proved error bounds of these ends, in the same unit; `None` if not proved.
     pub range_bounds: [Option<f64>; 2],
-    /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
+    /// The period of the motion in degrees; `None` if the driver cannot turn fully.
     pub period: Option<f64>,
-    /// Ends of the range at which the mechanism cannot go on, in deg or the scene's unit.
+    /// The dead points at ends of the range, in deg or the scene's unit.
     pub dead_points: Vec<f64>,
     /// The stops at which the motion ends.
     pub stops: Vec<StopFacts>,
-    /// Limits of which the motion meets neither stop.
+    /// Limits whose stops are never reached.
     pub unmet: Vec<UnmetLimit>,
-    /// Where two assemblies meet and the motion passes, within one period.
+    /// The change points through which the motion passes, within one period.
     pub change_points: Vec<f64>,
-    /// Ends of the range at which two assemblies meet, and a passage is not proved.
+    /// Ends of the range at which two assemblies meet, without proof that the motion can pass.
     pub lined_up: Vec<LinedUpFacts>,
-    /// By how much lengths that count as equal may differ there, in the scene's unit.
+    /// The tolerance within which lengths count as equal there, in the scene's unit.
     pub tolerance: f64,
-    /// Where two assemblies all but meet, and the motion keeps its own.
+    /// Places where two assemblies almost meet, and the motion keeps its own.
     pub near_misses: Vec<NearMissFacts>,
-    /// The smallest and the largest transmission angle of every dyad.
+    /// The minimum and maximum transmission angle of every dyad.
     pub transmission: Vec<TransmissionFacts>,
-    /// Every coupled group where its equations tell its unknowns least: the least singular value of its matrix by
-    /// the largest.
+    /// The worst condition of every coupled group: the ratio of the minimum to the maximum singular
+    /// value of its matrix.
     pub condition: Vec<ConditionFacts>,
-    /// The loop of the driven link, a dyad and the ground, where there is one.
+    /// The loop of the driven link, a dyad and the ground, if there is one.
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
-    /// What `krank cycle` follows where nobody names columns: stroke or swing, where it turns and the ratio of times, as
-    /// it tells them. None of a mechanism of very many groups.
+    /// The default values of `krank cycle`: stroke or swing, turning places and time ratio. Empty
+    /// for mechanisms with very many groups.
     pub figures: Vec<Value>,
-    /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
+    /// The number of loads of each kind, springs and masses, and whether there is gravity.
     pub acting: LoadCounts,
-    /// Knots of loads over the driver's coordinate at which the motion never is.
+    /// Knots of loads at driver coordinates that the motion never reaches.
     pub dead_knots: Vec<DeadKnots>,
-    /// Reactions that the redundant constraints leave open, as their columns are named.
+    /// Reactions not determined because of redundant constraints, by the names of their columns.
     pub indeterminate: Vec<String>,
-    /// The range in words.
+    /// The range as text.
     #[serde(skip)]
     pub range_text: String,
-    /// The figures in words.
+    /// The values of the cycle as text.
     #[serde(skip)]
     pub(super) figure_lines: Vec<String>,
 }
 
-/// Of more groups than this no figure is followed.
+/// Maximum number of groups for which the values of a cycle are computed.
 const MOST_GROUPS: usize = 200;
 
-/// Knots of a load that do nothing.
+/// Knots of a load without effect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DeadKnots {
-    /// What the load acts on.
+    /// The element on which the load acts.
     pub on: String,
     /// The driver's coordinates of the knots.
     pub at: Vec<f64>,
 }
 
-/// The knots of every load between which and the next no place of the motion lies.
+/// Returns the knots of every load whose intervals lie outside the motion.
 fn dead_knots(scene: &Scene, range: Range) -> Vec<DeadKnots> {
     let Range::Limited { low, high } = range else {
         return Vec::new();
@@ -272,17 +273,17 @@ fn dead_knots(scene: &Scene, range: Range) -> Vec<DeadKnots> {
     mechanism.loads().iter().filter_map(of_load).collect()
 }
 
-/// A number with a name.
+/// A named number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParameterFacts {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// What it is worth.
+    /// The value.
     pub value: f64,
-    /// The formula that it follows from, if it does.
+    /// The formula from which it is computed, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formula: Option<String>,
-    /// The unit of its worth, where it has one.
+    /// The unit of the value, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
 }
@@ -298,7 +299,7 @@ impl ParameterFacts {
         }
     }
 
-    /// In a line: the name, its formula, and what it is worth.
+    /// Formats the name, the formula and the value in one line.
     pub(super) fn text(&self) -> String {
         let formula = self.formula.as_ref();
         let formula = formula.map_or(String::new(), |formula| format!("{formula} = "));
@@ -308,7 +309,7 @@ impl ParameterFacts {
     }
 }
 
-/// What acts on a mechanism, counted.
+/// The loads on a mechanism, counted by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct LoadCounts {
     /// Forces at points.
@@ -321,9 +322,9 @@ pub struct LoadCounts {
     pub springs: usize,
     /// Links with a mass or an inertia.
     pub masses: usize,
-    /// Whether these have a weight.
+    /// Whether the masses have weight.
     pub gravity: bool,
-    /// The degrees after which the loads have repeated with the motion, where they take longer than that.
+    /// The common period of loads and motion in degrees, if it is longer than that of the motion.
     pub period: Option<f64>,
 }
 
@@ -354,7 +355,7 @@ impl LoadCounts {
     }
 }
 
-/// Where two assemblies of a group all but meet on the way.
+/// Returns the near misses of assemblies during the motion.
 #[must_use]
 pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
     let names = ElementNames { scene };
@@ -374,7 +375,7 @@ pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
         .collect()
 }
 
-/// The ends of the range at which groups are lined up.
+/// Returns the ends of the range at which groups are aligned.
 fn lined_up(scene: &Scene, solver: &Solver) -> Vec<LinedUpFacts> {
     let names = ElementNames { scene };
     let ends = solver.motion().lined_up.iter();
@@ -386,14 +387,14 @@ fn lined_up(scene: &Scene, solver: &Solver) -> Vec<LinedUpFacts> {
 }
 
 impl LinedUpFacts {
-    /// In words; `unit` is that of the driver's coordinate.
+    /// Formats the end as a sentence; `unit` is that of the driver's coordinate.
     pub(super) fn text(&self, unit: &str) -> String {
         words().ends_lined_up(&limit_text(self.at), unit, &self.group)
     }
 }
 
 impl NearMissFacts {
-    /// In words; `unit` is that of the driver's coordinate.
+    /// Formats the near miss as a sentence; `unit` is that of the driver's coordinate.
     #[must_use]
     pub fn text(&self, unit: &str) -> String {
         let (at, sine) = (concise(self.at, PLACES), concise(self.sine, DIGITS));
@@ -402,7 +403,7 @@ impl NearMissFacts {
 }
 
 impl Check {
-    /// Gathers the facts.
+    /// Collects the facts.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver) -> Self {
         let names = ElementNames { scene };
@@ -461,7 +462,7 @@ impl Check {
         }
     }
 
-    /// As JSON.
+    /// Returns the facts as JSON.
     #[must_use]
     pub fn to_json(&self) -> Value {
         // Names and finite numbers always have a JSON form.
@@ -481,7 +482,7 @@ pub(super) fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, 
     to.serialize_f64(value + 0.0)
 }
 
-/// Gives elements their names.
+/// Resolves the names of elements.
 pub(super) struct ElementNames<'a> {
     pub(super) scene: &'a Scene,
 }
@@ -547,7 +548,7 @@ impl ElementNames<'_> {
         })
     }
 
-    /// The joint that names a group, or its first link.
+    /// Returns the joint after which a group is named, or its first link.
     pub(super) fn group_name(&self, group: &Group) -> String {
         let point = group.point.and_then(|p| self.point(p));
         let link = || group.links.first().map(|&l| self.scene.link_name(l).into());

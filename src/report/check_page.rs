@@ -1,4 +1,4 @@
-//! The facts of `check`, to be read.
+//! Formats the facts of `check` as a page.
 
 use super::check::{
     Check, ConditionFacts, DriverFacts, DriverKind, GroupFacts, JointFacts, ParameterFacts,
@@ -13,30 +13,30 @@ use crate::page::{Content, Facts, Page, TextStyle};
 use crate::scene::from_seat;
 use crate::wording::words;
 
-/// Columns of the names, and of what stands before the rest of a fact that takes several lines.
+/// Widths of the names, and of the indent of further lines of a fact.
 const NAMES: usize = 11;
 const FURTHER: usize = 2;
 /// Decimals of a transmission angle.
 const MU_DECIMALS: usize = 4;
-/// Decimals of where it is so, at most.
+/// Maximum number of decimals of a place.
 const PLACE_DECIMALS: usize = 6;
-/// Significant digits of the driver's rates: as many as a table has where none are asked for.
+/// Significant digits of the driver's rates: the default of tables.
 const DIGITS: usize = 6;
-/// Names in a list of what is repeated.
+/// Maximum number of names in a list of repeated elements.
 const MOST_NAMES: usize = 12;
-/// Of a condition.
+/// Significant digits of a condition.
 const CONDITION_DIGITS: usize = 3;
-/// Of a misfit.
+/// Significant digits of a misfit.
 const MISFIT_DIGITS: usize = 2;
 
 impl Check {
-    /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
+    /// Formats the facts as text. `ascii` restricts titles and notes to ASCII; the rest always is.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// The facts by their names.
+    /// Returns the facts as a page of names and values.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut facts = Facts {
@@ -126,7 +126,7 @@ impl Check {
         page
     }
 
-    /// What acts, where anything does.
+    /// Describes the loads, if there are any.
     fn acting_text(&self) -> Option<String> {
         let acting = &self.acting;
         let kinds = [
@@ -162,7 +162,7 @@ impl Check {
         words().change_points_at(&at.join(", "), unit)
     }
 
-    /// What makes the difference between a change point and a near miss.
+    /// Explains the tolerance that distinguishes a change point from a near miss.
     fn tolerance_text(&self) -> String {
         if self.tolerance == 0.0 {
             return words().equal_as_typed().into();
@@ -181,7 +181,7 @@ impl Check {
         words().parts_and_ground(self.links.len(), self.pins(), self.slides.len())
     }
 
-    /// Where n bodies meet there are n - 1 joints.
+    /// Returns the number of pin joints: a point shared by n bodies counts as n - 1.
     fn pins(&self) -> usize {
         self.joints.iter().map(|j| j.bodies.len() - 1).sum()
     }
@@ -203,7 +203,7 @@ impl Check {
         if self.motion.is_some() {
             return words().driver_opens_at(&driven, &start);
         }
-        // Rates may come from rpm or deg/s, with digits of no use.
+        // Rates converted from rpm or deg/s may have meaningless digits.
         let [speed, acceleration] = [speed, acceleration].map(|v| concise(*v, DIGITS));
         words().driver_opens(
             &driven,
@@ -290,7 +290,7 @@ fn joint_text(joint: &JointFacts) -> String {
     format!("{}: {}", joint.point, bodies.join(", "))
 }
 
-/// The transmission angle of a dyad: smallest and largest, or what it always is.
+/// Formats the transmission angle of a dyad: minimum and maximum, or its constant value.
 fn transmission_text(facts: &TransmissionFacts, unit: &str) -> String {
     let TransmissionFacts {
         group,
@@ -307,18 +307,18 @@ fn transmission_text(facts: &TransmissionFacts, unit: &str) -> String {
     words().transmission_between(group, [&least, &at_least, &most, &at_most], unit)
 }
 
-/// The condition of a coupled group at its worst.
+/// Formats the worst condition of a coupled group.
 pub(super) fn condition_text(facts: &ConditionFacts, unit: &str) -> String {
     let magnified = concise(1.0 / facts.least, CONDITION_DIGITS);
     words().condition_at(&facts.group, &magnified, &place_text(facts.at, unit))
 }
 
-/// A place with its unit.
+/// Formats a coordinate with its unit.
 pub(super) fn place_text(at: f64, unit: &str) -> String {
     format!("{} {unit}", place(at))
 }
 
-/// Where an extreme stands, as a reader looks for it: the limits have their digits elsewhere.
+/// Formats the place of an extremum with few digits; exact limits are shown elsewhere.
 fn place(at: f64) -> String {
     let fixed = format!("{at:.PLACE_DECIMALS$}");
     let short = fixed.trim_end_matches('0').trim_end_matches('.');

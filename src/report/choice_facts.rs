@@ -1,4 +1,4 @@
-//! The assemblies that each group could take where the scene opens, and those of the whole.
+//! Lists the possible assemblies of each group and of the whole where the scene opens.
 
 use super::number::concise;
 use crate::assembly::pick_text;
@@ -8,54 +8,55 @@ use crate::wording::words;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
-/// Significant digits of places, as a start is written.
+/// Significant digits of coordinates, as for start positions.
 const DIGITS: usize = 6;
-/// A coordinate that is so small a part of the largest is the rounding of zero.
+/// Coordinates below this fraction of the largest one are rounding errors of zero.
 const NOUGHT: f64 = 1e-13;
-/// Groups whose choices are listed.
+/// Maximum number of groups whose assemblies are listed.
 const MOST_GROUPS: usize = 64;
 
 /// One assembly of a group.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct ChoiceFacts {
-    /// `+`, `-` or a number: what `--assembly` takes.
+    /// The argument of `--assembly`: `+`, `-` or a number.
     pub choice: String,
-    /// Whether it is the one that is followed.
+    /// Whether it is the current assembly.
     pub current: bool,
-    /// Whether all other groups close with it.
+    /// Whether all other groups can be closed with it.
     pub closes: bool,
-    /// The place of the point that names the group, `[x, y]` in the scene's unit.
+    /// The position of the point after which the group is named, `[x, y]` in the scene's unit.
     pub at: Option<[f64; 2]>,
-    /// Or the direction of the link that does, in deg.
+    /// The direction in deg of the link after which the group is named.
     pub angle: Option<f64>,
 }
 
 /// The assemblies of a group.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct GroupChoices {
-    /// What names the group: a point, or a link.
+    /// The point or link after which the group is named.
     pub group: String,
     /// Its assemblies where the scene opens.
     pub list: Vec<ChoiceFacts>,
 }
 
-/// All that could be chosen where the scene opens.
+/// All possible assemblies where the scene opens.
 #[derive(Clone, Debug)]
 pub struct ChoiceList {
-    /// Group by group.
+    /// The assemblies of each group.
     pub groups: Vec<GroupChoices>,
-    /// Groups that are not listed, because there are very many.
+    /// The number of groups not listed, because there are too many.
     pub unlisted: usize,
-    /// Whole assemblies: for each the names of groups with their choices.
+    /// Assemblies of the whole mechanism: for each the names of groups with their choices.
     pub assemblies: Vec<Vec<(String, String)>>,
-    /// Which of them is followed.
+    /// The index of the current one.
     pub current: Option<usize>,
-    /// Whether the list was not cut. A coupled group may have assemblies that the search has missed.
+    /// Whether the list was not truncated. Even then the search may have missed assemblies of
+    /// coupled groups.
     pub complete: bool,
 }
 
 impl ChoiceList {
-    /// Searches for them.
+    /// Computes the possible assemblies.
     pub(super) fn new(scene: &Scene, solver: &Solver) -> Self {
         let plan = solver.plan();
         let start = solver.mechanism().driver().start;
@@ -85,7 +86,7 @@ impl ChoiceList {
         }
     }
 
-    /// The choices of the groups, a line each.
+    /// Formats the choices of the groups, one line each.
     pub(super) fn group_lines(&self) -> Vec<String> {
         let largest = self.largest();
         let lines = self.groups.iter().map(|group| {
@@ -97,14 +98,15 @@ impl ChoiceList {
         lines.chain(more).collect()
     }
 
-    /// The largest coordinate of all choices.
+    /// Returns the maximum absolute coordinate of all choices.
     fn largest(&self) -> f64 {
         let choices = self.groups.iter().flat_map(|group| &group.list);
         let places = choices.filter_map(|choice| choice.at).flatten();
         places.map(f64::abs).fold(0.0, f64::max)
     }
 
-    /// The whole assemblies as `--assembly` takes them; none where they say no more than the groups.
+    /// Formats the whole assemblies as arguments of `--assembly`; `None` if they add nothing to the
+    /// groups.
     pub(super) fn whole_text(&self) -> Option<String> {
         if self.groups.len() < 2 {
             return None;
@@ -124,7 +126,7 @@ impl ChoiceList {
         Some(format!("{count}: {}", texts.join("; ")))
     }
 
-    /// The whole assemblies as JSON.
+    /// Returns the whole assemblies as JSON.
     fn whole_json(&self) -> Value {
         let object = |picks: &Vec<(String, String)>| {
             let pairs = picks.iter();
@@ -136,7 +138,7 @@ impl ChoiceList {
     }
 }
 
-/// As two keys: `choices` and `assemblies`.
+/// Serialized as two keys: `choices` and `assemblies`.
 impl Serialize for ChoiceList {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let mut map = to.serialize_map(Some(2))?;

@@ -1,47 +1,49 @@
-//! The columns of a sweep: figures, and behind each what is known of its errors.
+//! The columns of a sweep: values, each followed by columns on its errors.
 
 use super::answers::per;
 use crate::quantity::Quantity;
 
-/// What a sweep says of each figure beside its value.
+/// Extra columns for each value of a sweep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Beside {
-    /// What its error does not exceed: `C.x.bound`.
+    /// The proved error bound: `C.x.bound`.
     pub bounds: bool,
-    /// By how much it is off at the worst where every given length is off by one unit:
-    /// `C.x.sensitivity`.
+    /// The maximum change if every given length changes by at most one unit: `C.x.sensitivity`.
     pub sensitivity: bool,
 }
 
-/// Where the cells of a column come from.
+/// The source of a column's cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CellSource {
-    /// The figure itself.
+    /// The value itself.
     Figure,
-    /// What its error does not exceed.
+    /// The proved error bound of the value.
     Bound,
-    /// What the given lengths do to the figure with this number among the figures of the sweep.
+    /// The sensitivity to the given lengths of the value with this index among the values of the
+    /// sweep.
     Sensitivity(usize),
-    /// By how much a measured figure is more.
+    /// Measured minus computed value.
     Difference,
 }
 
-/// The columns of a sweep: the driver's coordinate, the figures asked for, what is said beside them, and
-/// the state.
+/// The columns of a sweep: the driver's coordinate, the requested values with their extra columns,
+/// and the state.
 #[derive(Clone, Debug)]
 pub struct Columns {
-    /// The driver's coordinate first. Beside a figure there is the same again under another name.
+    /// The quantities of all columns, the driver's coordinate first. An extra column repeats its
+    /// value under another name.
     pub(super) quantities: Vec<Quantity>,
-    /// For each where its cells come from.
+    /// The source of each column's cells.
     pub(super) sources: Vec<CellSource>,
-    /// The figures alone, without the driver's coordinate.
+    /// The values alone, without the driver's coordinate.
     pub(super) figures: Vec<Quantity>,
     pub(super) beside: Beside,
     pub(super) units: bool,
 }
 
 impl Columns {
-    /// The driver's coordinate and these figures; the headers bear units if asked.
+    /// Creates columns for the driver's coordinate and these values; `units` adds units to the
+    /// headers.
     #[must_use]
     pub fn new(driver: &Quantity, figures: &[Quantity], units: bool) -> Self {
         let figures = figures.iter().filter(|q| !q.is_driver());
@@ -56,8 +58,8 @@ impl Columns {
         }
     }
 
-    /// The same, with more said of each figure; `length` is the symbol of the length unit. The driver's
-    /// coordinate is as it was asked.
+    /// Adds extra columns to each value, except the driver's coordinate; `length` is the symbol of
+    /// the unit of length.
     #[must_use]
     pub fn with(mut self, beside: Beside, length: &str) -> Self {
         self.beside = beside;
@@ -84,7 +86,7 @@ impl Columns {
         self
     }
 
-    /// The same with time first.
+    /// Adds time as the first column.
     #[must_use]
     pub fn over_time(mut self) -> Self {
         let time = self.quantities.first().map(|driver| Quantity {
@@ -97,7 +99,7 @@ impl Columns {
         self
     }
 
-    /// What stands above each column but the last, the state.
+    /// Returns the header of each column except the last, the state.
     pub(super) fn headers(&self) -> impl Iterator<Item = String> {
         let header = |q: &Quantity| match self.units {
             true => q.header(),

@@ -1,25 +1,25 @@
-//! Comma separated values as those have them who read them: with which decimal mark, and what between the cells.
+//! Dialects of comma separated values: decimal mark and separator.
 
 use super::number::shortest;
 use super::rows::plain;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// The mark between a whole number and its decimals.
+/// The decimal mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DecimalMark {
     /// `15.5`, as programs read it.
     #[default]
     Point,
-    /// `15,5`, as spreadsheets read it in Turkish and most languages of Europe.
+    /// `15,5`, as spreadsheets read it in Turkish and most European languages.
     Comma,
 }
 
 impl DecimalMark {
-    /// All of them.
+    /// All decimal marks.
     pub const ALL: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
 
-    /// As the options and the configuration name it.
+    /// Returns the name used in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -29,7 +29,7 @@ impl DecimalMark {
     }
 }
 
-/// What stands between two cells.
+/// The separator of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CellSeparator {
     /// `,`
@@ -41,14 +41,14 @@ pub enum CellSeparator {
 }
 
 impl CellSeparator {
-    /// All of them.
+    /// All separators.
     pub const ALL: [CellSeparator; 3] = [
         CellSeparator::Comma,
         CellSeparator::Semicolon,
         CellSeparator::Tab,
     ];
 
-    /// As the options and the configuration name it.
+    /// Returns the name used in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -59,7 +59,7 @@ impl CellSeparator {
     }
 }
 
-/// How comma separated values are written. Names of columns are the same in all of them.
+/// A dialect of comma separated values. Names of columns are the same in all dialects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CsvDialect {
     decimal: DecimalMark,
@@ -67,7 +67,7 @@ pub struct CsvDialect {
 }
 
 impl Default for CsvDialect {
-    /// Points and commas.
+    /// Returns the dialect with decimal points and commas as separators.
     fn default() -> Self {
         CsvDialect {
             decimal: DecimalMark::Point,
@@ -77,8 +77,8 @@ impl Default for CsvDialect {
 }
 
 impl CsvDialect {
-    /// With this decimal mark, and this between the cells or what is usual beside the mark; `None` where a comma
-    /// would be both.
+    /// Creates a dialect with this decimal mark, and this separator or the usual one for the mark.
+    /// Returns `None` if a comma would have both roles.
     #[must_use]
     pub fn of(decimal: DecimalMark, separator: Option<CellSeparator>) -> Option<CsvDialect> {
         let usual = match decimal {
@@ -90,7 +90,7 @@ impl CsvDialect {
         (!both).then_some(CsvDialect { decimal, separator })
     }
 
-    /// What stands between two cells.
+    /// Returns the separator of cells.
     pub(super) fn separator(self) -> char {
         match self.separator {
             CellSeparator::Comma => ',',
@@ -99,7 +99,7 @@ impl CsvDialect {
         }
     }
 
-    /// The shortest form of a value at the end of a line; it needs no quotes.
+    /// Appends the shortest form of a value to a line; it needs no quotes.
     pub(super) fn push(self, value: f64, line: &mut String) {
         let before = line.len();
         shortest(value, line);
@@ -111,7 +111,7 @@ impl CsvDialect {
         }
     }
 
-    /// A cell: a number has the mark, any other text stays as it is.
+    /// Returns a cell with the dialect's decimal mark in a number; other text stays unchanged.
     fn cell(self, text: &str) -> Cow<'_, str> {
         let is_marked = self.decimal == DecimalMark::Comma && text.contains('.');
         match is_marked && text.parse::<f64>().is_ok() {
@@ -121,7 +121,7 @@ impl CsvDialect {
     }
 }
 
-/// Rows of cells on their way out.
+/// Writes rows of cells.
 pub(super) struct CsvSheet<W: Write> {
     csv: csv::Writer<W>,
     dialect: CsvDialect,
@@ -134,7 +134,7 @@ impl<W: Write> CsvSheet<W> {
         CsvSheet { csv, dialect }
     }
 
-    /// A row, quoted where that is needed.
+    /// Writes a row, with quotes where needed.
     pub(super) fn record(
         &mut self,
         cells: impl IntoIterator<Item = impl AsRef<str>>,
@@ -146,7 +146,7 @@ impl<W: Write> CsvSheet<W> {
         self.csv.write_record(None::<&[u8]>).map_err(plain)
     }
 
-    /// All of it is written.
+    /// Flushes the output.
     pub(super) fn finish(mut self) -> io::Result<()> {
         self.csv.flush()
     }

@@ -1,16 +1,16 @@
-//! What was plotted, as comma separated values.
+//! Writes plotted curves as comma separated values.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::shortest;
 use crate::quantity::{Abscissa, Curves, state_word};
 use std::io;
 
-/// The samples of a plot, a row each, in the manner of `krank sweep`: the driver's coordinate first,
-/// then time or the figure that stands along x, then the curves, and the state last. A value that does
-/// not exist is an empty cell.
+/// Returns the samples of a plot, one per row, in the format of `krank sweep`: the driver's
+/// coordinate, time or the value on the x axis, the curves, and the state. A missing value is an
+/// empty cell.
 ///
 /// # Errors
-/// None but of memory.
+/// Never fails except for lack of memory.
 pub fn curves_csv(curves: &Curves, dialect: CsvDialect) -> io::Result<String> {
     let mut bytes = Vec::new();
     let mut csv = CsvSheet::new(dialect, &mut bytes);

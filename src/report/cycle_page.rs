@@ -1,4 +1,4 @@
-//! What figures do over the motion, to be read.
+//! Formats the behaviour of values over the motion as a page.
 
 use super::check_page::{condition_text, place_text};
 use super::cycle_report::{CycleReport, FollowedFigure, WorstPlace};
@@ -11,31 +11,31 @@ use crate::solver::{Range, Solver};
 use crate::study::{DwellStretch, Excursion, FigurePlace, NoFigure, TimeRatio, TurningPlace};
 use crate::wording::{Language, words};
 
-/// Columns of the labels, and where there is little room.
+/// Widths of the labels on a page and in the narrow form.
 const LABEL: usize = 14;
 const NARROW: usize = 12;
-/// Significant digits of a figure that is solved for to the last digit, and of a rate.
+/// Significant digits of an exactly solved value, and of a rate.
 const ALL: usize = 9;
 const DIGITS: usize = 6;
-/// Of a dwell.
+/// Significant digits of a dwell.
 const SOME: usize = 5;
-/// Of a bound.
+/// Significant digits of a bound.
 const BOUND_DIGITS: usize = 2;
-/// A place nearer to 0 than this part of the motion is 0.
+/// Places closer to 0 than this fraction of the motion are shown as 0.
 const SAME_PLACE: f64 = 1e-12;
-/// Turning places in a line.
+/// Maximum number of turning places in a line.
 const MOST_TURNS: usize = 4;
-/// Of a tolerance.
+/// Significant digits of a tolerance.
 const FEW: usize = 3;
 
 impl CycleReport {
-    /// As text for a person; the title in ASCII alone if asked.
+    /// Formats the report as text; `ascii` restricts the title to ASCII.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// All that was found.
+    /// Returns the whole report as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -141,7 +141,7 @@ impl CycleReport {
         facts.tell(&indented(words().label_hardest()), [hardest]);
     }
 
-    /// How far a figure goes, or how often it turns round.
+    /// Formats the stroke of a value, or its number of full turns.
     fn stroke_text(&self, figure: &FollowedFigure, excursion: &Excursion) -> String {
         let unit = &figure.quantity.unit;
         match excursion.stroke() {
@@ -156,7 +156,7 @@ impl CycleReport {
         }
     }
 
-    /// Every figure in a line: its stroke or swing, where it turns, and the ratio of times.
+    /// Returns a line for every value: stroke or swing, turning places, and time ratio.
     pub(super) fn lines(&self) -> impl Iterator<Item = String> {
         self.figures.iter().map(|figure| {
             let name = &figure.quantity.name;
@@ -179,7 +179,7 @@ impl CycleReport {
             (Ok(_), "deg") => format!("{} {stroke}", words().label_swing()),
             (Ok(_), _) => format!("{} {stroke}", words().label_stroke()),
         }];
-        // Of many only the extremes.
+        // If there are many turning places, only the extrema are listed.
         let turnings = excursion.turnings.iter();
         let extremes = [excursion.least.at, excursion.greatest.at];
         let is_told = |turn: &&TurningPlace| {
@@ -224,7 +224,7 @@ impl CycleReport {
             (words().label_dwells(), dwell.ok_or(None)),
             (words().label_fastest(), fastest.map_err(Some)),
         ];
-        // Of what stays there is no more to say.
+        // A constant value has no further properties.
         let told = told.into_iter().filter(|_| !excursion.is_level());
         let lines = [stroke].into_iter().chain(told);
         let lines = lines.filter_map(|(label, value)| match value {
@@ -235,8 +235,8 @@ impl CycleReport {
         lines.collect()
     }
 
-    /// A value that is told with its place: no more digits of it than are known at a limit, and 0 where it is no more
-    /// than its bound.
+    /// Formats a value at a place: with no more digits than known at a limit, and as 0 if it is
+    /// within its bound.
     fn value_text(&self, figure: &FollowedFigure, place: FigurePlace) -> String {
         let bound = figure.bound_at(place.at);
         let value = seen(place.value, bound);
@@ -245,7 +245,7 @@ impl CycleReport {
         self.bounded(text, seen_bound(place.value, bound))
     }
 
-    /// A value, and its bound where bounds are asked for.
+    /// Appends the bound to a value if bounds were requested.
     fn bounded(&self, value: String, bound: Option<f64>) -> String {
         match (self.with_bounds, bound) {
             (false, _) => value,
@@ -254,7 +254,8 @@ impl CycleReport {
         }
     }
 
-    /// By how much a figure may be off at a limit of the motion; 0 elsewhere, infinite where no bound can be proved.
+    /// Returns the error bound of a value at a limit of the motion: 0 elsewhere, infinite if
+    /// nothing was proved.
     fn limit_bound(&self, figure: &FollowedFigure, at: f64) -> f64 {
         match self.range {
             Range::Limited { low, high } if at == low || at == high => {
@@ -330,7 +331,8 @@ impl CycleReport {
     }
 }
 
-/// What one figure does over the motion: its most telling properties in a few short lines, and all of it.
+/// Describes one value over the motion: its main properties in a few short lines, and the whole
+/// page.
 #[cfg_attr(
     not(feature = "tui"),
     allow(dead_code, reason = "said in the workbench")

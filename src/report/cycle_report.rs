@@ -1,4 +1,4 @@
-//! What figures do over the whole motion, and how well the mechanism passes it on.
+//! Collects the behaviour of values over the whole motion, and the quality of transmission.
 
 use super::check::{ConditionFacts, ElementNames};
 use super::csv_dialect::{CsvDialect, CsvSheet};
@@ -13,12 +13,12 @@ use crate::wording::{Language, Words, for_programs, words};
 use serde_json::{Value, json};
 use std::io;
 
-/// Where a dyad passes motion on worst.
+/// The worst transmission angle of a dyad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorstPlace {
-    /// What names the dyad.
+    /// The name of the dyad.
     pub group: String,
-    /// The angle between its lines in degrees, 90 at the best.
+    /// The angle in degrees, folded to at most 90, which is the optimum.
     pub least: f64,
     /// The driver's coordinate.
     pub at: f64,
@@ -29,28 +29,30 @@ pub struct WorstPlace {
 pub struct FollowedFigure {
     /// The column.
     pub quantity: Quantity,
-    /// What it does.
+    /// Its behaviour.
     pub excursion: Result<Excursion, NoFigure>,
-    /// The driver's coordinates at which it is told what it is, and by how much it may be off there: at a limit that is a
-    /// dead point by the root of what rounding makes of the coordinate. `None` where no bound can be proved.
+    /// Driver coordinates with the error bound of the value there. At a limit that is a dead point,
+    /// the bound grows with the square root of the coordinate's rounding error. `None` if nothing
+    /// was proved.
     pub bounds: Vec<(f64, Option<f64>)>,
 }
 
 impl FollowedFigure {
-    /// By how much its value at a place that is told may be off.
+    /// Returns the error bound of its value at a listed place; `None` if nothing was proved.
     pub(super) fn bound_at(&self, at: f64) -> Option<f64> {
         let told = self.bounds.iter().find(|(place, _)| *place == at);
         told.and_then(|(_, bound)| *bound)
     }
 
-    /// Whether all that it does is no more than its bound: rounding of what is 0.
+    /// Returns `true` if its extrema are within their bounds, so that its motion is a rounding
+    /// error of 0.
     pub(super) fn is_rounding(&self, excursion: &Excursion) -> bool {
         let ends = [excursion.least, excursion.greatest];
         let is_nought = |place: &FigurePlace| seen(place.value, self.bound_at(place.at)) == 0.0;
         ends.iter().all(is_nought)
     }
 
-    /// By how much its stroke may be off.
+    /// Returns the error bound of its stroke; `None` without a stroke, or if nothing was proved.
     pub(super) fn stroke_bound(&self, excursion: &Excursion) -> Option<f64> {
         let [least, greatest] = [excursion.least, excursion.greatest];
         excursion.stroke().ok()?;
@@ -58,14 +60,14 @@ impl FollowedFigure {
     }
 }
 
-/// What some figures of a scene do over the whole motion.
+/// The behaviour of some values of a scene over the whole motion.
 #[derive(Clone, Debug)]
 pub struct CycleReport {
-    /// The figures.
+    /// The values.
     pub figures: Vec<FollowedFigure>,
-    /// Every dyad where its transmission angle is furthest from 90 degrees.
+    /// Every dyad at the place where its transmission angle deviates most from 90 degrees.
     pub transmission: Vec<WorstPlace>,
-    /// Every coupled group where its equations tell least.
+    /// Every coupled group with its worst condition.
     pub condition: Vec<ConditionFacts>,
     pub(super) scene: String,
     pub(super) range: Range,
@@ -73,16 +75,16 @@ pub struct CycleReport {
     /// The driver's coordinate and its unit.
     pub(super) driver: Quantity,
     pub(super) speed: f64,
-    /// Whether the scene has a motion over time, which is not followed here.
+    /// Whether the scene has a motion over time, which is ignored here.
     pub(super) is_timed: bool,
-    /// Whether bounds are told.
+    /// Whether bounds are shown.
     pub(super) with_bounds: bool,
 }
 
-/// Of which properties a bound is known.
+/// The properties with known bounds.
 const BOUNDED: [&str; 3] = ["stroke", "least", "greatest"];
 
-/// A property of a figure: its name, its value and unit, and the driver's coordinate where it has a place.
+/// A property of a value: name, value, unit, and the driver's coordinate if it has a place.
 struct Property {
     name: String,
     value: Result<f64, NoFigure>,
@@ -92,7 +94,7 @@ struct Property {
 }
 
 impl CycleReport {
-    /// Follows these columns, or those of [`usual_columns`]; `tolerance` is that of dwells.
+    /// Analyses these columns, or those of [`usual_columns`]; `tolerance` is that of dwells.
     #[must_use]
     pub fn new(
         scene: &Scene,
@@ -107,7 +109,7 @@ impl CycleReport {
         }
     }
 
-    /// The same without what is said of the mechanism as a whole.
+    /// Analyses these columns, without the mechanism as a whole.
     pub(super) fn of_columns(
         scene: &Scene,
         solver: &Solver,
@@ -122,7 +124,7 @@ impl CycleReport {
         CycleReport::followed(scene, solver, columns, wish)
     }
 
-    /// Strokes and swings of the usual columns alone, where they turn, and the ratios of times.
+    /// Computes strokes, swings, turning places and time ratios of the usual columns only.
     pub(super) fn strokes(scene: &Scene, solver: &Solver) -> CycleReport {
         let columns = usual_columns(scene);
         CycleReport::followed(scene, solver, &columns, ExcursionWish::default())
@@ -157,7 +159,7 @@ impl CycleReport {
         }
     }
 
-    /// The same with what the error of strokes and of values at turns does not exceed.
+    /// Adds the error bounds of strokes and of values at turning places.
     #[must_use]
     pub fn with_bounds(mut self, solver: &Solver) -> CycleReport {
         for figure in &mut self.figures {
@@ -170,7 +172,7 @@ impl CycleReport {
         self
     }
 
-    /// As JSON; what does not exist is null, with the reason beside it.
+    /// Returns the report as JSON; a missing value is an object with the reason.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let worst = |w: &WorstPlace| json!({"group": w.group, "least": w.least, "at": w.at + 0.0});
@@ -204,7 +206,7 @@ impl CycleReport {
         all
     }
 
-    /// Of every figure what [`CycleReport::strokes`] has found.
+    /// Returns the results of [`CycleReport::strokes`] for every value.
     pub(super) fn strokes_json(&self) -> Vec<Value> {
         let is_stroke = |name: &str| ["stroke", "least", "greatest", "ratio"].contains(&name);
         let figures = self.figures.iter();
@@ -213,7 +215,7 @@ impl CycleReport {
             .collect()
     }
 
-    /// The wanted properties of a figure, and where it turns.
+    /// Returns the wanted properties of a value, and its turning places.
     fn properties_json(&self, figure: &FollowedFigure, wanted: &dyn Fn(&str) -> bool) -> Value {
         let mut all = json!({"name": figure.quantity.name, "unit": figure.quantity.unit});
         let properties = self.properties(figure).into_iter();
@@ -247,10 +249,10 @@ impl CycleReport {
         all
     }
 
-    /// A line for each figure and property.
+    /// Writes a line for each value and property.
     ///
     /// # Errors
-    /// Where it cannot be written.
+    /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, out: &mut dyn io::Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, out);
         let header = ["figure", "property", "value", "unit", "at", "reason"];
@@ -299,7 +301,7 @@ impl CycleReport {
         csv.finish()
     }
 
-    /// The properties that every figure has, or why it has not.
+    /// Returns the properties of a value, or the reasons why they are missing.
     fn properties(&self, figure: &FollowedFigure) -> Vec<Property> {
         let FollowedFigure {
             quantity,
@@ -346,7 +348,7 @@ impl CycleReport {
         ]
     }
 
-    /// Why there is no figure, for who reads the page or for programs.
+    /// Returns the reason why a value is missing; in English for programs.
     pub(super) fn reason(&self, why: NoFigure, language: Language) -> String {
         let told = match language {
             Language::English => for_programs(),
@@ -356,7 +358,7 @@ impl CycleReport {
     }
 }
 
-/// Why there is no figure, of a driver whose coordinate has this unit.
+/// Returns the reason why a value is missing; `driver` is the unit of the driver's coordinate.
 pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> String {
     let place = |at: f64| super::check_page::place_text(at, driver);
     match why {
@@ -379,8 +381,8 @@ pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> St
     }
 }
 
-/// What is told where nobody names columns: figures of the scene's own, slides that are not driven, and links that
-/// turn about the ground.
+/// Returns the default columns: the scene's own values, undriven slides on the ground, and undriven
+/// links pinned to the ground.
 #[must_use]
 pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     let catalogue = Catalogue::new(scene);
@@ -400,8 +402,8 @@ pub fn usual_columns(scene: &Scene) -> Vec<Quantity> {
     names.filter_map(|name| catalogue.find(&name)).collect()
 }
 
-/// By how much columns may be off where they turn, and at their extremes: in all of these places, or in those where it
-/// decides what is told, which are the limits of the motion and all in which a value may be 0.
+/// Computes error bounds at extrema and turning places. Without `in_all`, only where the bound
+/// affects the text: at the limits of the motion, and where the value may be 0.
 fn bounds(
     solver: &Solver,
     columns: &[Quantity],
@@ -418,7 +420,7 @@ fn bounds(
     };
     let of_one = |column: &Quantity, excursion: &Excursion| {
         let ends = [excursion.least, excursion.greatest];
-        // Of what is rounding at both ends nothing else is told.
+        // For a value that is rounding noise at both extrema, turning places are not shown.
         let is_small = !in_all && ends.iter().all(|end| end.value.abs() <= NOISE);
         let turnings = excursion.turnings.iter().map(|turning| turning.place);
         let turnings = turnings.filter(|_| !is_small);
@@ -436,7 +438,7 @@ fn bounds(
     figures.collect()
 }
 
-/// By how much a column may be off at some places.
+/// Computes the error bounds of a column at some places.
 fn bounds_at(solver: &Solver, column: &Quantity, places: &[f64]) -> Vec<(f64, Option<f64>)> {
     if places.is_empty() {
         return Vec::new();
@@ -455,7 +457,7 @@ fn bounds_at(solver: &Solver, column: &Quantity, places: &[f64]) -> Vec<(f64, Op
     places.iter().map(bound).collect()
 }
 
-/// Every dyad where its transmission angle is furthest from 90 degrees.
+/// Returns every dyad at the place where its transmission angle deviates most from 90 degrees.
 fn transmission(scene: &Scene, solver: &Solver) -> Vec<WorstPlace> {
     let names = ElementNames { scene };
     let worst = |found: &crate::solver::Transmission| {
@@ -480,7 +482,7 @@ fn longest_dwell(excursion: &Excursion) -> Result<f64, NoFigure> {
     ways.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
 }
 
-/// Every place where a figure turns, and until where it stays there.
+/// Returns every turning place of a value, and the end of a plateau there.
 fn turning_rows(figure: &FollowedFigure) -> impl Iterator<Item = Property> {
     let turnings = figure.excursion.iter().flat_map(|found| &found.turnings);
     turnings.zip(1..).flat_map(|(turning, number)| {

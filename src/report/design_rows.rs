@@ -1,4 +1,4 @@
-//! Rows of designs as text: CSV, JSON or aligned columns.
+//! Formats rows of designs as CSV, JSON or aligned columns.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::cycle_report::figure_reason;
@@ -9,7 +9,7 @@ use crate::wording::words;
 use std::fmt::Write;
 use std::io;
 
-/// How rows of designs are written.
+/// The output format of designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DesignFormat {
     /// Comma separated values.
@@ -23,22 +23,23 @@ pub enum DesignFormat {
     },
 }
 
-/// A column of such a table.
+/// A column of the table of designs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DesignColumn {
-    /// `r3.length`, `F.stroke`.
+    /// The name, such as `r3.length` or `F.stroke`.
     pub name: String,
-    /// Empty for a number.
+    /// The unit; empty for a plain number.
     pub unit: String,
 }
 
-/// A table with a row for each design: its numbers, its figures, what it is, and why it lacks something.
+/// A table with a row for each design: its numbers, its values, its state, and the reasons for
+/// missing values.
 #[derive(Clone, Debug)]
 pub struct DesignTable {
     scene: String,
     driver: String,
     columns: Vec<DesignColumn>,
-    /// How many of them are numbers that vary.
+    /// The number of columns with varied numbers.
     varied: usize,
     format: DesignFormat,
     units: bool,
@@ -46,7 +47,7 @@ pub struct DesignTable {
 
 /// The last columns.
 const STATE: [&str; 2] = ["state", "reason"];
-/// Characters of a number beside its digits: sign, point, and an exponent such as `e-300`.
+/// Characters of a number besides its digits: sign, point, and an exponent such as `e-300`.
 const BESIDE_DIGITS: usize = 7;
 
 impl DesignColumn {
@@ -54,7 +55,7 @@ impl DesignColumn {
         with_unit(&self.name, if units { &self.unit } else { "" })
     }
 
-    /// A value of it, for people.
+    /// Formats a value with its unit for people.
     pub(super) fn text(&self, value: f64, digits: usize) -> String {
         let number = significant(value, digits);
         match self.unit.is_empty() {
@@ -65,7 +66,7 @@ impl DesignColumn {
 }
 
 impl DesignTable {
-    /// Of figures of designs; `driver` is the unit of the driver's coordinate.
+    /// Creates a table of values of designs; `driver` is the unit of the driver's coordinate.
     #[must_use]
     pub fn new(
         figures: &DesignFigures,
@@ -92,16 +93,16 @@ impl DesignTable {
         }
     }
 
-    /// The numbers that vary, and the figures.
+    /// Returns the columns of varied numbers, and those of values.
     #[must_use]
     pub fn columns(&self) -> (&[DesignColumn], &[DesignColumn]) {
         self.columns.split_at(self.varied)
     }
 
-    /// What stands before the rows.
+    /// Returns the text before the rows.
     ///
     /// # Errors
-    /// None in truth: a text takes everything.
+    /// Never fails in practice, because the output is a string.
     pub fn head(&self) -> io::Result<String> {
         let headers = self.columns.iter().map(|column| column.header(self.units));
         match self.format {
@@ -135,10 +136,10 @@ impl DesignTable {
         Ok(head + "\"designs\": [")
     }
 
-    /// A row; `is_first` where none stands before it.
+    /// Formats a row; `is_first` for the first one.
     ///
     /// # Errors
-    /// None in truth: a text takes everything.
+    /// Never fails in practice, because the output is a string.
     pub fn line(&self, row: &DesignRow, is_first: bool) -> io::Result<String> {
         match self.format {
             DesignFormat::Csv(dialect) => Ok(self.line_of_csv(row, dialect)),
@@ -147,7 +148,7 @@ impl DesignTable {
         }
     }
 
-    /// What stands behind the rows.
+    /// Returns the text after the rows.
     #[must_use]
     pub fn foot(&self) -> &'static str {
         match self.format {
@@ -156,7 +157,7 @@ impl DesignTable {
         }
     }
 
-    /// Numbers, then figures.
+    /// Returns the numbers, then the values.
     fn cells<'r>(&self, row: &'r DesignRow) -> impl Iterator<Item = Option<f64>> + use<'r> {
         let figures = self.columns.len() - self.varied;
         let numbers = row.numbers.iter().copied().map(Some);
@@ -203,7 +204,7 @@ impl DesignTable {
         let mut line = String::new();
         for (column, cell) in self.columns.iter().zip(self.cells(row)) {
             let shown = cell.map_or_else(|| "-".into(), |value| significant(value, digits));
-            // A text takes everything.
+            // Writing to a string cannot fail.
             let _ = write!(
                 line,
                 "{shown:>width$}  ",
@@ -223,7 +224,7 @@ impl DesignTable {
         header.max(digits + BESIDE_DIGITS)
     }
 
-    /// Why a row lacks something, in one line.
+    /// Returns the reasons for missing values in a row, in one line.
     #[must_use]
     pub fn reason(&self, row: &DesignRow) -> String {
         let (_, columns) = self.columns();
@@ -240,7 +241,7 @@ impl DesignTable {
     }
 }
 
-/// A cell of words, in quotes where it needs them.
+/// Formats a cell of text, with quotes if needed.
 fn quoted(text: &str, separator: char) -> String {
     match text.contains([separator, '"']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),

@@ -1,24 +1,24 @@
-//! What many designs come to: how many there are, and where each figure is least and greatest.
+//! Summarizes many designs: their number, and the minimum and maximum of each value.
 
 use super::design_rows::{DesignColumn, DesignTable};
 use crate::study::{DesignRow, DesignState};
 use crate::wording::words;
 
-/// Gathers it row by row.
+/// The summary, accumulated row by row.
 #[derive(Clone, Debug)]
 pub struct DesignSummary {
-    /// All designs.
+    /// The number of all designs.
     pub rows: u64,
-    /// Those that have a figure.
+    /// The number of designs with at least one value.
     pub valued: u64,
-    /// Those that do not assemble as the scene does.
+    /// The number of designs that do not assemble as the scene does.
     pub open: u64,
-    /// Those whose numbers make no scene.
+    /// The number of designs whose numbers do not form a valid scene.
     pub unreadable: u64,
     extremes: Vec<Option<DesignExtremes>>,
 }
 
-/// Where a figure is least and greatest: its value and the numbers of the design.
+/// The minimum and maximum of a value, each with the numbers of its design.
 #[derive(Clone, Debug)]
 struct DesignExtremes {
     least: (f64, Vec<f64>),
@@ -26,7 +26,7 @@ struct DesignExtremes {
 }
 
 impl DesignSummary {
-    /// Of so many figures.
+    /// Creates an empty summary for so many values.
     #[must_use]
     pub fn new(figures: usize) -> DesignSummary {
         DesignSummary {
@@ -38,7 +38,7 @@ impl DesignSummary {
         }
     }
 
-    /// One more.
+    /// Adds a row.
     pub fn note(&mut self, row: &DesignRow) {
         self.rows += 1;
         self.valued += u64::from(row.figures.iter().any(Result::is_ok));
@@ -51,7 +51,8 @@ impl DesignSummary {
         }
     }
 
-    /// In a line for each figure where it is least and greatest; of equal designs the first.
+    /// Formats the minimum and maximum of each value in a line; the first of equal designs is
+    /// shown.
     #[must_use]
     pub fn lines(&self, table: &DesignTable, digits: usize) -> Vec<String> {
         let (numbers, figures) = table.columns();

@@ -1,4 +1,4 @@
-//! Tables of differences: what one scene's figures are more than another's.
+//! Computes tables of differences between the values of two scenes.
 
 use super::entry::{Entry, PlaneVector, seen, seen_bound};
 use super::tables::{PointRow, Tables, VectorColumn};
@@ -6,7 +6,7 @@ use crate::Vec2;
 use crate::angle::TURN;
 use std::collections::{HashMap, HashSet};
 
-/// Which rows of two scenes' tables stand for each other: those of the same name.
+/// The correspondence between rows of two scenes' tables: rows of the same name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pairing {
     vectors: Vec<Option<usize>>,
@@ -32,27 +32,28 @@ impl Pairing {
         }
     }
 
-    /// Whether the other scene has a vector of the name of this one, by its row.
+    /// Returns `true` if the other scene has a vector with the name of this row.
     #[must_use]
     pub fn has_vector(&self, row: usize) -> bool {
         self.vectors.get(row).is_some_and(Option::is_some)
     }
 
-    /// Whether the other scene has a point of the name of this one, by its row.
+    /// Returns `true` if the other scene has a point with the name of this row.
     #[must_use]
     pub fn has_point(&self, row: usize) -> bool {
         self.points.get(row).is_some_and(Option::is_some)
     }
 
-    /// The rows that the other scene alone has.
+    /// Returns the names of rows that only the other scene has.
     #[must_use]
     pub fn only_there(&self) -> &[String] {
         &self.only_there
     }
 
-    /// Every figure of `this` less that of the same name in `other`, in the unit of `this`; `scale` is
-    /// how many of its units one of the other's is. Directions differ by at most half a turn either
-    /// way. What either of them lacks has no difference, and what is within the bounds of both is 0.
+    /// Subtracts the values of `other` from those of the same name in `this`, in the unit of
+    /// `this`; `scale` is the size of the other's unit in it. Differences of directions are at most
+    /// half a turn. A value missing in either has no difference, and a difference within the bounds
+    /// of both is 0.
     #[must_use]
     pub fn difference(&self, this: &Tables, other: &Tables, scale: f64) -> Tables {
         let vectors = this.vectors.iter().zip(&self.vectors);
@@ -123,8 +124,8 @@ fn point(own: &PointRow, other: Option<&PointRow>, scale: f64) -> PointRow {
     }
 }
 
-/// The differences of the figures, not the figures of a difference: of two speeds, not of two
-/// velocities.
+/// Subtracts values rather than vectors: the result is a difference of speeds, not the norm of a
+/// difference of velocities.
 fn plane(own: PlaneVector, other: PlaneVector, scale: f64) -> PlaneVector {
     let [a, b] = [own, other].map(|plane| plane.entries(false));
     let [x, y, magnitude] = std::array::from_fn(|i| less(a[i], b[i], scale));
@@ -141,7 +142,7 @@ fn each(pair: ([Entry; 3], [Entry; 3]), less: impl Fn(Entry, Entry) -> Entry) ->
     std::array::from_fn(|i| less(pair.0[i], pair.1[i]))
 }
 
-/// a - scale b. The conversion and the difference round three times.
+/// Returns a - scale b. The conversion and the difference round three times.
 fn less(a: Entry, b: Entry, scale: f64) -> Entry {
     let Some((of_a, of_b)) = a.value.zip(b.value) else {
         return Entry::NONE;
@@ -153,7 +154,7 @@ fn less(a: Entry, b: Entry, scale: f64) -> Entry {
     entry(of_a - of_b, bound, a.given && b.given)
 }
 
-/// a - b, from above -180 to 180 degrees.
+/// Returns a - b in degrees, in (-180, 180].
 fn turned(a: Entry, b: Entry) -> Entry {
     let Some((of_a, of_b)) = a.value.zip(b.value) else {
         return Entry::NONE;
@@ -166,7 +167,7 @@ fn turned(a: Entry, b: Entry) -> Entry {
     entry(apart, bound, a.given && b.given)
 }
 
-/// More than the roundings of a bound that is itself computed.
+/// Factor above the rounding errors of a computed bound.
 const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 fn entry(value: f64, bound: Option<f64>, given: bool) -> Entry {
@@ -183,7 +184,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
-    /// The tables of a scene at a coordinate, with their bounds.
+    /// Returns the tables of a scene at a coordinate, with bounds.
     fn tables(text: &str, at: f64) -> Tables {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();

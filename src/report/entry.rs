@@ -1,29 +1,29 @@
-//! A figure of the tables, with what is proved of it: alone, and of a plane vector.
+//! Values of the tables with their proved error bounds: single ones, and plane vectors.
 
 use crate::{Vec2, angle};
 use std::f64::consts::FRAC_PI_2;
 
-/// One entry of a vector's column.
+/// One value of a vector's column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// Its value; `None` where none exists.
+    /// The value; `None` if it does not exist.
     pub value: Option<f64>,
-    /// Whether the scene gives it; otherwise it was found.
+    /// Whether the scene gives it; if not, it was computed.
     pub given: bool,
-    /// What its error does not exceed, in its own unit; `None` where nothing was proved. What the scene
-    /// gives is taken as it is.
+    /// The error bound in its own unit; `None` if nothing was proved. Given values are taken as
+    /// exact.
     pub bound: Option<f64>,
 }
 
 impl Entry {
-    /// A figure that does not exist.
+    /// A missing value.
     pub(crate) const NONE: Entry = Entry {
         value: None,
         given: false,
         bound: None,
     };
 
-    /// A figure that the scene gives.
+    /// Creates a value given by the scene.
     pub(super) const fn given(value: f64) -> Entry {
         Entry {
             value: Some(value),
@@ -32,37 +32,38 @@ impl Entry {
         }
     }
 
-    /// What is proved of a figure that exists.
+    /// Returns the bound; `None` if the value does not exist, or if nothing was proved.
     pub(super) fn proved(&self) -> Option<f64> {
         self.value.and(self.bound)
     }
 
-    /// The value as a reader sees it: zero where it is small and its error may be all that it is.
+    /// Returns the value for display: zero if it is small and within its error bound.
     #[must_use]
     pub fn seen(&self) -> Option<f64> {
         self.value.map(|value| seen(value, self.bound))
     }
 
-    /// What the error of the value does not exceed as a reader sees it: a zero is off by what it hides, too.
+    /// Returns the error bound for display: if a value is shown as zero, it includes the hidden
+    /// value.
     #[must_use]
     pub fn seen_bound(&self) -> Option<f64> {
         seen_bound(self.value?, self.bound)
     }
 }
 
-/// Larger figures are shown even where the bound does not tell them from zero. Close to a change point
-/// bounds are wide and the figures good: a zero in place of one would be the only error seen.
+/// Larger values are shown even if the bound does not distinguish them from zero. Near a change
+/// point bounds are wide although the values are good: a zero would be the only visible error.
 pub(super) const NOISE: f64 = 1e-6;
-/// Where nothing is proved, only so small a figure is taken for zero.
+/// Without a bound, only values up to this size are shown as zero.
 const NOTHING: f64 = 1e-15;
 
-/// A value as a reader sees it: zero only where it is small and its error may be all that it is.
+/// Returns a value for display: zero if it is small and within its error bound.
 pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
     let nought = value.abs() <= bound.map_or(NOTHING, |bound| bound.min(NOISE));
     if nought { 0.0 } else { value }
 }
 
-/// What the error of a value does not exceed as a reader sees it.
+/// Returns the error bound of a value for display; `None` if nothing was proved.
 pub(super) fn seen_bound(value: f64, bound: Option<f64>) -> Option<f64> {
     let hidden = (value - seen(value, bound)).abs();
     bound.map(|bound| match hidden {
@@ -74,13 +75,13 @@ pub(super) fn seen_bound(value: f64, bound: Option<f64>) -> Option<f64> {
 /// A plane vector in the ground frame, by components and by magnitude and direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneVector {
-    /// Both components, in the scene's unit (per s, per s^2), or in N.
+    /// The components, in the scene's unit (per s, per s^2), or in N.
     pub components: Vec2,
-    /// Its length.
+    /// The magnitude.
     pub magnitude: f64,
-    /// Its direction in degrees from 0 to below 360; the null vector has none.
+    /// The direction in degrees from 0 to below 360; `None` for the null vector.
     pub direction: Option<f64>,
-    /// What the errors of x, y, magnitude and direction do not exceed; `None` where nothing was proved.
+    /// The error bounds of x, y, magnitude and direction; `None` if nothing was proved.
     pub bounds: [Option<f64>; 4],
 }
 
@@ -89,16 +90,15 @@ impl PlaneVector {
         let magnitude = components.norm();
         let [x, y] = bounds;
         let error = x.zip(y).map(|(x, y)| Vec2::new(x, y).norm());
-        // The rounding of a norm, of an arc tangent, and of what is said about them.
+        // Covers the rounding errors of the norm, the arc tangent, and the bounds.
         let rounded = |value: f64, bound: f64| (bound + 2.0 * f64::EPSILON * value) * ROUNDED_UP;
-        // A vector that is off by a part s of itself is turned by asin(s) at the most, which is no more
-        // than pi/2 s.
+        // A vector with a relative error s is turned by at most asin(s), which is at most pi/2 s.
         let turned = |error: f64| {
             let share = error / magnitude * ROUNDED_UP;
             let turned = (share * FRAC_PI_2).to_degrees();
             (share < 1.0).then(|| rounded(angle::TURN, turned))
         };
-        // What may be the null vector has no direction.
+        // A vector that may be null has no direction.
         let is_null = magnitude <= error.unwrap_or(0.0);
         let direction = (!is_null).then(|| angle::degrees(components));
         PlaneVector {
@@ -114,7 +114,7 @@ impl PlaneVector {
         }
     }
 
-    /// x, y, magnitude and direction, each as an entry.
+    /// Returns x, y, magnitude and direction as entries.
     pub(crate) fn entries(&self, given: bool) -> [Entry; 4] {
         let Vec2 { x, y } = self.components;
         let values = [Some(x), Some(y), Some(self.magnitude), self.direction];
@@ -126,7 +126,7 @@ impl PlaneVector {
     }
 }
 
-/// More than a few roundings of a bound that is itself computed.
+/// Factor above a few rounding errors of a computed bound.
 pub(super) const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 #[cfg(test)]

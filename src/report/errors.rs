@@ -1,5 +1,5 @@
-//! A row of a sweep with what is known of the errors of its figures: far from the speed of figures
-//! alone, and apart from their way.
+//! Computes rows of a sweep with error bounds and sensitivities. This is much slower than values
+//! alone, and so a separate code path.
 
 use super::columns::{CellSource, Columns};
 use super::entry::{seen, seen_bound};
@@ -8,25 +8,25 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::{Ball, DriverMoment};
 
-/// Fills the cells of rows.
+/// Computes the cells of rows.
 pub(super) struct ErrorCells<'a> {
     columns: &'a Columns,
-    /// What rounding may have left of a zero is shown as zero: for text, which people read.
+    /// Whether values within rounding errors of zero are shown as zero, as in text for people.
     rounded: bool,
     enclosure: Workspace<Ball>,
     sensitivity: Option<Sensitivity>,
-    /// Figures that exist, and of these how many have no bound.
+    /// The number of values, and of those without a bound.
     figures: u64,
     unproved: u64,
-    /// Rows in which the figures have no derivatives by the lengths.
+    /// The number of rows without derivatives by the lengths.
     unanswered: u64,
-    /// Figures that exist in the other rows, and of these how many have none.
+    /// The number of values in the other rows, and of those without derivatives.
     asked: u64,
     lacking: u64,
 }
 
 impl<'a> ErrorCells<'a> {
-    /// For a sweep with this solver, which solves what the columns need.
+    /// Creates the state of a sweep; `solver` computes only the prerequisites of the columns.
     pub(super) fn new(
         columns: &'a Columns,
         scene: &Scene,
@@ -48,12 +48,12 @@ impl<'a> ErrorCells<'a> {
         }
     }
 
-    /// The driver passes the next row as it does at a moment.
+    /// Sets the driver's motion at a moment for the next row.
     pub(super) fn drive(&mut self, solver: &Solver, moment: &DriverMoment) {
         solver.drive(&mut self.enclosure, moment);
     }
 
-    /// The cells of a row in which this state was solved.
+    /// Appends the cells of a row for a solved state.
     pub(super) fn fill(
         &mut self,
         solver: &Solver,
@@ -76,13 +76,13 @@ impl<'a> ErrorCells<'a> {
                 CellSource::Sensitivity(figure) => {
                     derivatives.as_ref().and_then(|d| d.worst(*figure))
                 }
-                // Measurements have rows of their own.
+                // Rows of measurements are computed elsewhere.
                 CellSource::Difference => None,
             });
         }
     }
 
-    /// Counts the figures whose derivatives were asked for.
+    /// Counts the values for which derivatives were requested.
     fn count(&mut self, found: &Derivatives) {
         for (number, figure) in self.columns.figures.iter().enumerate() {
             let lacks = found.lacks(number);
@@ -115,7 +115,7 @@ impl<'a> ErrorCells<'a> {
         })
     }
 
-    /// The figures that exist, of these how many have no bound, and the rows without derivatives.
+    /// Returns the counts of missing bounds and derivatives.
     pub(super) fn missing(&self) -> Missing {
         Missing {
             figures: self.figures,
@@ -131,17 +131,17 @@ impl<'a> ErrorCells<'a> {
     }
 }
 
-/// What could not be said beside the figures of a sweep.
+/// Counts of missing extra columns of a sweep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Missing {
-    /// Figures that exist.
+    /// The number of values.
     pub figures: u64,
-    /// Of these, figures that were to have a bound and have none.
+    /// The number of these without the requested bound.
     pub unproved: u64,
-    /// Rows that were to have derivatives by the lengths and have none, though they have values.
+    /// The number of rows that have values but not the requested derivatives.
     pub unanswered: u64,
-    /// Figures that exist in the other rows and were to have derivatives.
+    /// The number of values in the other rows for which derivatives were requested.
     pub asked: u64,
-    /// Of these, figures that have none.
+    /// The number of these without derivatives.
     pub lacking: u64,
 }

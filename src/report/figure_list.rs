@@ -1,5 +1,5 @@
-//! Figures that were asked for by name at one coordinate of the driver: name, value, unit, and what is known of the
-//! error.
+//! Lists values requested by name at one coordinate of the driver: name, value, unit and error
+//! bound.
 
 use super::answers::Answers;
 use super::csv_dialect::{CsvDialect, CsvSheet};
@@ -16,33 +16,33 @@ use crate::wording::words;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
-/// A figure that was asked for.
+/// A requested value.
 #[derive(Clone, Debug)]
 pub struct ListedFigure {
-    /// The figure.
+    /// The quantity.
     pub quantity: Quantity,
-    /// Its value; `None` where none exists.
+    /// Its value; `None` if it does not exist.
     pub value: Option<f64>,
-    /// What its error does not exceed, in its own unit; `None` where nothing was proved.
+    /// Its error bound, in its own unit; `None` if nothing was proved.
     pub bound: Option<f64>,
 }
 
-/// The figures that were asked for in one state, in the order in which they were named.
+/// The requested values of one state, in the requested order.
 #[derive(Clone, Debug)]
 pub struct FigureList<'a> {
-    /// The state's tables: their head, and what the lengths do, if that was asked.
+    /// The tables of the state, for the heading and the sensitivities, if requested.
     tables: &'a Tables,
-    /// A line for each.
+    /// The values, one per line.
     pub figures: Vec<ListedFigure>,
 }
 
-/// Digits of a bound.
+/// Significant digits of a bound.
 const BOUND_DIGITS: usize = 2;
-/// Characters beside the digits of a value: sign, point, and an exponent.
+/// Characters besides the digits of a value: sign, point, and an exponent.
 const BESIDE_DIGITS: usize = 6;
 
 impl<'a> FigureList<'a> {
-    /// Reads the figures from a state and its enclosure; `tables` are those of the same state.
+    /// Evaluates the values of a state and its enclosure; `tables` are those of the same state.
     #[must_use]
     pub fn new(
         tables: &'a Tables,
@@ -65,12 +65,12 @@ impl<'a> FigureList<'a> {
         }
     }
 
-    /// The figures without what was found of them.
+    /// Returns the quantities.
     pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
         self.figures.iter().map(|figure| &figure.quantity)
     }
 
-    /// How many figures exist, and how many of these have no bound.
+    /// Returns the number of existing values, and the number of these without a bound.
     #[must_use]
     pub fn unproved(&self) -> (u64, u64) {
         let valued = self.figures.iter().filter(|figure| figure.value.is_some());
@@ -79,7 +79,7 @@ impl<'a> FigureList<'a> {
         })
     }
 
-    /// A line per figure.
+    /// Formats the values as text, one per line.
     #[must_use]
     pub fn to_text(&self, style: TableStyle) -> String {
         let mut page = Page::default();
@@ -113,11 +113,12 @@ impl<'a> FigureList<'a> {
         table
     }
 
-    /// One line per figure: `name,value,unit`, behind them the `bound` of the error and the `sensitivity`, the length
-    /// that matters `most` and the derivative `by` it, each where it was asked for. The last line is the state.
+    /// Writes one line per value: `name,value,unit`, followed by the error `bound` and by the
+    /// `sensitivity`, the length with the largest derivative (`most`) and that derivative (`by`),
+    /// if requested. The last line is the state.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write_csv(
         &self,
         style: TableStyle,
@@ -152,8 +153,8 @@ impl<'a> FigureList<'a> {
         csv.finish()
     }
 
-    /// One object: the scene, the units, the driver's coordinate, the state, and the figures by their names as in a
-    /// row of a sweep; a value that does not exist is `null`.
+    /// Returns one object: the scene, the units, the driver's coordinate, the state, and the values
+    /// by name as in a row of a sweep; a missing value is `null`.
     #[must_use]
     pub fn to_json(&self, style: TableStyle) -> Value {
         let mut object = Map::new();
@@ -184,7 +185,7 @@ impl<'a> FigureList<'a> {
 }
 
 impl ListedFigure {
-    /// As a reader sees it: zero where it is small and its error may be all that it is.
+    /// Formats the value for display: zero if it is small and within its error bound.
     fn shown(&self, digits: usize) -> String {
         let Some(value) = self.value else {
             return "-".into();
@@ -208,7 +209,7 @@ impl ListedFigure {
     }
 }
 
-/// What the lengths do to a figure, in cells.
+/// Formats the sensitivity of a value as cells.
 fn answer_cells(answers: Option<&Answers>, name: &str) -> [String; 3] {
     let answer = answers.and_then(|answers| answers.of(name));
     let most = answer.and_then(|answer| answer.most.as_ref());

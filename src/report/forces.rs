@@ -1,5 +1,5 @@
-//! The forces of one state: what the driver must do, what joints and guides carry, what the frame feels,
-//! and how far the two checks miss.
+//! Collects the forces of one state: the driver's effort, reactions of joints and guides, the load
+//! on the frame, and the residuals of two checks.
 
 use super::entry::{Entry, PlaneVector};
 use super::least::Least;
@@ -10,20 +10,20 @@ use crate::solver::{Condition, Indeterminate, Solver, State};
 use crate::wording::{Language, words};
 use crate::{Ball, Body, SlideId, Slider, Vec2};
 
-/// What the driver must do: figures in N m, or in N where a slide is driven.
+/// The effort of the driver in N m, or in N for a driven slide.
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// The driven link or slide.
     pub name: String,
-    /// [`Aspect::Torque`], or [`Aspect::Force`] of a driven slide.
+    /// [`Aspect::Torque`], or [`Aspect::Force`] for a driven slide.
     pub aspect: Aspect,
-    /// All of it.
+    /// The total effort.
     pub total: Entry,
-    /// Against loads and springs, against weights, against inertia: together the total.
+    /// The parts against loads and springs, weights, and inertia; they sum to the total.
     pub parts: [Entry; 3],
-    /// Where several inputs share the work what each does itself: its name, and its torque or its force.
+    /// The effort of each input if there are several: name, and torque or force.
     pub own: Vec<(String, Aspect, Entry)>,
-    /// Its power in W, positive where it gives energy to the linkage.
+    /// The power in W, positive if the driver supplies energy to the linkage.
     pub power: Entry,
 }
 
@@ -34,90 +34,91 @@ pub struct JointRow {
     pub link: String,
     /// The joint.
     pub point: String,
-    /// The body that the force comes from, where the pin joins just two and nothing acts on it.
+    /// The body that exerts the force, if the pin joins only two bodies and has no load.
     pub by: Option<String>,
-    /// Whether a row before it has the same force with the other sign.
+    /// Whether an earlier row has the opposite force.
     pub repeats: bool,
-    /// In N, in the ground's frame; `None` where it does not exist or is left open.
+    /// The force in N, in the ground's frame; `None` if it does not exist or is indeterminate.
     pub force: Option<PlaneVector>,
 }
 
-/// The force of a guide on what slides along it.
+/// The force of a guide on its slider.
 #[derive(Clone, Debug)]
 pub struct GuideRow {
     /// The slide.
     pub name: String,
-    /// The point or the link that slides.
+    /// The sliding point or link.
     pub slider: String,
-    /// In N, along the guide's direction turned by +90 degrees.
+    /// The normal force in N, along the guide's direction turned by +90 degrees.
     pub normal: Entry,
-    /// The moment on a link that does not turn, in N m about its origin; `None` for a pin, which bears
-    /// none.
+    /// The moment on a sliding link, in N m about its origin; `None` for a pin, which has none.
     pub moment: Option<Entry>,
-    /// Where the line of action of the normal force crosses the guide: from the link's origin in the
-    /// guide's direction, in the scene's unit. A couple without a force has no such line.
+    /// The intersection of the normal force's line of action with the guide, measured from the
+    /// link's origin along the guide, in the scene's unit. A couple without a force has none.
     pub at: Option<Entry>,
 }
 
-/// What the whole does to the frame: the shaking force and moment.
+/// The load on the frame: the shaking force and moment.
 #[derive(Clone, Debug)]
 pub struct Shaking {
-    /// In N.
+    /// The shaking force in N.
     pub force: Option<PlaneVector>,
-    /// In N m about the scene's origin, the driver's included.
+    /// The shaking moment in N m about the scene's origin, including the driver's.
     pub moment: Entry,
 }
 
-/// How far the checks miss: nothing but rounding.
+/// The residuals of the checks, which are rounding errors only.
 #[derive(Clone, Copy, Debug)]
 pub struct Checks {
-    /// What the driver does against the virtual work of all that acts, in N m or N.
+    /// The driver's effort minus the result of virtual work, in N m or N.
     pub drive: Entry,
-    /// The force on the frame against the sum of all that acts, in N; and the moments, in N m.
+    /// The force on the frame minus the sum of all loads, in N; and the moments, in N m.
     pub frame: [Entry; 3],
 }
 
 /// The forces of one state.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// What the state is.
+    /// The condition of the state.
     pub condition: Condition,
-    /// The symbol of the scene's length unit.
+    /// The symbol of the scene's unit of length.
     pub unit: &'static str,
-    /// What the driver must do.
+    /// The effort of the driver.
     pub drive: Drive,
     /// The joints of every link, in the order of the file.
     pub joints: Vec<JointRow>,
     /// The guides.
     pub guides: Vec<GuideRow>,
-    /// The frame.
+    /// The load on the frame.
     pub frame: Shaking,
-    /// The two checks.
+    /// The residuals of the two checks.
     pub checks: Checks,
-    /// Why they are withheld, though they were found: then the checks are all that is shown.
+    /// The reason why the forces are not shown although they were computed; then only the checks
+    /// are shown.
     pub withheld: Option<String>,
-    /// Reactions that a redundant linkage leaves open, as columns are named: `r5.D`, `r6.normal`.
+    /// Reactions that a redundant linkage leaves indeterminate, as named in columns: `r5.D`,
+    /// `r6.normal`.
     pub indeterminate: Vec<String>,
-    /// Those of least norm in their stead.
+    /// The indeterminate reactions of least norm.
     pub least: Option<Least>,
 }
 
-/// How much of the forces exists.
+/// The available part of the forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existence {
-    /// Everything.
+    /// All forces.
     Everything,
-    /// What the driver must do, and no reaction.
+    /// Only the driver's effort, without reactions.
     DriveAlone,
-    /// They were found and are withheld; the checks say why.
+    /// Computed, but not shown; the checks say why.
     Withheld,
-    /// Nothing.
+    /// No force.
     Nothing,
 }
 
 impl Forces {
-    /// Reads the forces of a state that was solved to [`Order::Force`](crate::solver::Order::Force);
-    /// `None` where nothing acts on the linkage.
+    /// Collects the forces of a state solved to [`Order::Force`](crate::solver::Order::Force);
+    /// returns `None` for a linkage without loads.
     #[must_use]
     pub fn new(
         scene: &Scene,
@@ -152,7 +153,7 @@ impl Forces {
         })
     }
 
-    /// How much of them exists.
+    /// Returns which forces are available.
     #[must_use]
     pub fn existence(&self) -> Existence {
         match (self.drive.total.value, self.frame.force) {
@@ -163,7 +164,7 @@ impl Forces {
         }
     }
 
-    /// What is to be said about figures that are missing, in whole sentences.
+    /// Returns sentences about missing values.
     #[must_use]
     pub fn remarks(&self) -> Vec<String> {
         let mut remarks: Vec<String> = Vec::new();
@@ -188,7 +189,7 @@ impl Forces {
         remarks
     }
 
-    /// What the driver does.
+    /// Returns the word for the driver's effort.
     fn effort(&self) -> &'static str {
         match self.drive.aspect {
             Aspect::Force => words().force(),
@@ -196,7 +197,7 @@ impl Forces {
         }
     }
 
-    /// Every figure with its name and its unit, in the order of the catalogue.
+    /// Returns every value with its name and unit, in the order of the catalogue.
     pub(crate) fn figures(&self) -> Vec<(String, &'static str, Entry)> {
         let Forces { drive, frame, .. } = self;
         let effort = drive.aspect.name();
@@ -233,18 +234,18 @@ impl Forces {
     }
 }
 
-/// Why the forces of a state are withheld, in a whole sentence.
+/// Returns a sentence on why the forces of a state are not shown; `None` if they are.
 pub(super) fn withheld(scene: &Scene, state: &State) -> Option<String> {
     let hidden = Hidden::of_forces(state)?;
     Some(sentence(&hidden.text(&Catalogue::new(scene).driver().unit)))
 }
 
-/// A clause as a sentence of its own.
+/// Capitalizes a clause as a sentence of its own.
 pub(super) fn sentence(text: &str) -> String {
     Language::spoken().capitalised(text) + "."
 }
 
-/// What the driver must do, as a person calls it.
+/// Returns the word for the driver's effort.
 pub(crate) fn effort_word(effort: Aspect) -> &'static str {
     match effort {
         Aspect::Torque => words().torque(),
@@ -252,11 +253,11 @@ pub(crate) fn effort_word(effort: Aspect) -> &'static str {
     }
 }
 
-/// The parts of what the driver must do, and what the checks miss, as columns name them.
+/// The parts of the driver's effort, and the residual of the checks, as named in columns.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 const RESIDUAL: &str = "residual";
 
-/// A force by components, size and direction.
+/// Returns a force by components, magnitude and direction.
 pub(super) fn plane_figures(
     name: &str,
     force: Option<PlaneVector>,
@@ -269,7 +270,7 @@ pub(super) fn plane_figures(
     })
 }
 
-/// One figure, which no scene gives.
+/// Evaluates one value, which is never given by the scene.
 fn found(subject: Subject, aspect: Aspect, reading: &ProvedState<'_>) -> Entry {
     Entry {
         value: value(subject, aspect, reading.state),
@@ -306,7 +307,7 @@ fn drive(scene: &Scene, reading: &ProvedState<'_>) -> Drive {
     }
 }
 
-/// What each of several inputs does itself.
+/// Returns the effort of each input, if there are several.
 fn efforts(scene: &Scene, reading: &ProvedState<'_>) -> Vec<(String, Aspect, Entry)> {
     let mechanism = &scene.mechanism;
     let several = mechanism.inputs().filter(|_| !mechanism.timed().is_empty());
@@ -385,8 +386,8 @@ fn guides(scene: &Scene, reading: &ProvedState<'_>) -> Vec<GuideRow> {
     mechanism.slide_ids().map(guide).collect()
 }
 
-/// A force N at the distance x along the guide turns by x N: x = M / N. Of a normal force that may be
-/// nothing there is no line.
+/// Returns the arm x = M / N, since a force N at the distance x along the guide has the moment x N.
+/// A normal force that may be zero has no line of action.
 fn arm(moment: &Entry, normal: &Entry, metres: f64) -> Entry {
     let (Some(turning), Some(force)) = (moment.value, normal.value) else {
         return Entry::NONE;
@@ -397,7 +398,7 @@ fn arm(moment: &Entry, normal: &Entry, metres: f64) -> Entry {
     let arm = turning / force;
     let bound = moment.bound.zip(normal.bound).map(|(of_moment, of_force)| {
         let off = (of_moment + arm.abs() * of_force) / (force.abs() - of_force);
-        // The roundings of the two divisions, and of the bound itself.
+        // The rounding errors of the two divisions, and of the bound itself.
         (off + 4.0 * f64::EPSILON * arm.abs()) / metres * (1.0 + 16.0 * f64::EPSILON)
     });
     Entry {

@@ -1,4 +1,4 @@
-//! The forces, to be read and for other programs.
+//! Formats the forces as text and for other programs.
 
 use super::entry::{Entry, PlaneVector};
 use super::forces::{Existence, Forces, GuideRow, JointRow, effort_word};
@@ -10,19 +10,20 @@ use crate::quantity::Aspect;
 use crate::wording::words;
 use serde_json::{Map, Value};
 
-/// Columns that the labels of the frame's table, which has one column more than others, have beside its title.
+/// Width of the labels of the frame's table besides its title: it has one column more than other
+/// tables.
 const FRAME_LABELS: usize = 6;
-/// Digits of what a check misses.
+/// Significant digits of a residual.
 const MISSED: usize = 2;
 
-/// What a check misses, as a reader sees it.
+/// Formats the residual of a check.
 pub(crate) fn missed(entry: &Entry) -> String {
     let text = entry.value.map(|value| significant(value, MISSED));
     text.unwrap_or_else(|| "-".into())
 }
 
 impl TablesWriter<'_> {
-    /// A table each of what exists, and what is to be said about the rest.
+    /// Adds a table for each available part, and remarks on the rest.
     pub(super) fn add_forces(&self, forces: &Forces, page: &mut Page) {
         let mut tables = Vec::new();
         match forces.existence() {
@@ -72,7 +73,7 @@ impl TablesWriter<'_> {
         table
     }
 
-    /// `None` where there is no joint to tell of.
+    /// Returns the table of joints; `None` if there is no joint to list.
     fn joint_table(&self, title: &str, joints: &[JointRow]) -> Option<Table> {
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
         let heads = heads.into_iter().chain([self.direction()]);
@@ -90,7 +91,7 @@ impl TablesWriter<'_> {
         (!table.rows.is_empty()).then_some(table)
     }
 
-    /// `None` where there is no guide.
+    /// Returns the table of guides; `None` if there is no guide.
     fn guide_table(&self, title: &str, guides: &[GuideRow]) -> Option<Table> {
         let heads = [
             (words().normal(), Aspect::Normal),
@@ -146,13 +147,13 @@ impl TablesWriter<'_> {
         table
     }
 
-    /// How tables of the frame are set.
+    /// Returns the layout of the frame's tables.
     fn of_frame(&self) -> Setting {
         let labels = words().on_the_frame().chars().count() + FRAME_LABELS;
         set(labels, self.style.digits + 2)
     }
 
-    /// A row of figures, and their bounds below them where they are asked for.
+    /// Adds a row of values, followed by a row of bounds if requested.
     fn entries(
         &self,
         table: &mut Table,
@@ -170,7 +171,7 @@ impl TablesWriter<'_> {
         }
     }
 
-    /// A row of a force by components, size and direction, and what stands behind them.
+    /// Adds a row of a force by components, magnitude and direction, followed by other values.
     fn plane<const N: usize>(
         &self,
         table: &mut Table,
@@ -195,7 +196,7 @@ impl TablesWriter<'_> {
 }
 
 impl Forces {
-    /// One object: every figure by its name, and what is left open.
+    /// Returns one object: every value by its name, and the indeterminate reactions.
     pub(super) fn to_json(&self, bounds: bool) -> Value {
         let mut object = Map::new();
         for (name, _, entry) in self.figures() {

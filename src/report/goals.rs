@@ -1,4 +1,4 @@
-//! What a search for goals, or for the best design, came to.
+//! Reports the result of a search for goals, or for the best design.
 
 use super::cycle_report::figure_reason;
 use super::number::{concise, significant, trimmed};
@@ -14,38 +14,38 @@ use crate::study::{
 use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
 
-/// Digits of what is read by eye, and of what meets a goal: as many as show that it does.
+/// Significant digits of values, and of numbers that must reproduce a goal.
 const DIGITS: usize = 7;
 const FINE: usize = 12;
-/// Designs in a table beside the given one.
+/// Maximum number of designs shown next to the given one.
 const MOST_SHOWN: usize = 4;
 
-/// Designs that meet goals.
+/// The designs that meet goals.
 #[derive(Clone, Debug)]
 pub struct GoalReport<'a> {
-    /// The designs that were searched.
+    /// The searched designs.
     pub space: &'a DesignSpace,
-    /// What was wished.
+    /// The goals.
     pub goals: &'a [Goal],
-    /// The figures of the given design, goal by goal; none where it does not open.
+    /// The values of the given design, goal by goal; `None` if it cannot be opened.
     pub given: Option<Vec<Result<f64, NoFigure>>>,
-    /// What was found.
+    /// The result of the search.
     pub outcome: &'a SearchOutcome,
 }
 
 impl GoalReport<'_> {
-    /// The designs that are told: those that meet the goals, or the nearest that does not.
+    /// Returns the designs to list: those that meet the goals, or the closest one that does not.
     fn told(&self) -> impl Iterator<Item = &FoundDesign> {
         self.outcome.solutions.iter().chain(&self.outcome.nearest)
     }
 
-    /// As text for a person.
+    /// Formats the report as text.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// What was wished and what was found.
+    /// Returns the goals and the result as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -66,7 +66,8 @@ impl GoalReport<'_> {
         page
     }
 
-    /// The motion of every design that is shown and does not move as the given one does, and that of the given one.
+    /// Describes the motion of every listed design that differs from that of the given one, and the
+    /// given motion.
     fn other_motions(&self) -> Vec<String> {
         let shown = self.told().take(MOST_SHOWN).zip(self.heads());
         let others = shown.filter(|(found, _)| !found.moves_as_given);
@@ -74,7 +75,7 @@ impl GoalReport<'_> {
         other_motions(self.space, others)
     }
 
-    /// Why the given design cannot be told of, and the figures that it has not, each with the reason.
+    /// Returns the reasons why the given design cannot be opened, and why values are missing in it.
     #[must_use]
     pub fn reasons(&self) -> Vec<String> {
         let lacks = self.lacks(words()).into_iter();
@@ -83,7 +84,7 @@ impl GoalReport<'_> {
         unopened.into_iter().chain(lacks).collect()
     }
 
-    /// The figures that the given design has not, each with the reason.
+    /// Returns the missing values of the given design, each with the reason.
     fn lacks(&self, told: &dyn Words) -> Vec<(String, String)> {
         let asked = self.goals.iter().map(|goal| &goal.figure);
         lacks(self.space, asked, self.given.as_deref(), told)
@@ -99,7 +100,7 @@ impl GoalReport<'_> {
         }
     }
 
-    /// The heads of the designs that are shown.
+    /// Returns the column headers of the listed designs.
     fn heads(&self) -> Vec<String> {
         match self.outcome.solutions.is_empty() {
             true => (self.outcome.nearest.iter())
@@ -139,13 +140,13 @@ impl GoalReport<'_> {
         table
     }
 
-    /// A value that varies, as it is named on the command line, and its unit.
+    /// Returns the name of a varied value as on the command line, with its unit.
     fn name(&self, value: usize) -> String {
         let value = &self.space.values()[value];
         with_unit(&value.dotted(), &value.shown_unit())
     }
 
-    /// All that was found, for programs.
+    /// Returns the whole result for programs.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let design = |found: &FoundDesign| {
@@ -180,7 +181,7 @@ impl GoalReport<'_> {
     }
 }
 
-/// The figures that a design has not, each with the reason.
+/// Returns the missing values of a design, each with the reason.
 fn lacks<'f>(
     space: &DesignSpace,
     asked: impl Iterator<Item = &'f CycleFigure>,
@@ -196,8 +197,8 @@ fn lacks<'f>(
     lacks.collect()
 }
 
-/// The motions of designs that do not move as the given one does, each with its head, behind that of the given one;
-/// nothing where there is none.
+/// Describes the motions of designs that move differently from the given one, after that of the
+/// given one; empty if there are none.
 fn other_motions<'d>(
     space: &DesignSpace,
     others: impl Iterator<Item = (String, &'d Design)>,
@@ -214,7 +215,7 @@ fn other_motions<'d>(
     lines
 }
 
-/// How far a design moves and what stops it, for programs.
+/// Returns the range of a design and its stops, for programs.
 fn motion(design: &Design, as_given: bool) -> Value {
     let (range, period) = match design.solver.motion().range {
         Range::Full { period } => ([0.0, period], Some(period)),
@@ -228,7 +229,7 @@ fn motion(design: &Design, as_given: bool) -> Value {
     })
 }
 
-/// Why there is no best design: the figures that the given one has not.
+/// Returns the reason why there is no best design: the missing values of the given one.
 #[must_use]
 pub fn no_best(
     space: &DesignSpace,
@@ -243,32 +244,33 @@ pub fn no_best(
 /// The best design.
 #[derive(Clone, Debug)]
 pub struct BestReport<'a> {
-    /// The designs that were searched.
+    /// The searched designs.
     pub space: &'a DesignSpace,
-    /// What was to be the best.
+    /// The value to optimize.
     pub figure: &'a CycleFigure,
-    /// Whether the greatest was.
+    /// Whether the value was maximized; if not, it was minimized.
     pub greatest: bool,
-    /// What was to be kept.
+    /// The constraints.
     pub constraints: &'a [Goal],
-    /// The figure, and then those of the constraints, of the given design; none where it does not open.
+    /// The optimized value, then those of the constraints, for the given design; `None` if it
+    /// cannot be opened.
     pub given: Option<Vec<Result<f64, NoFigure>>>,
-    /// What was found.
+    /// The result of the search.
     pub best: &'a BestDesign,
-    /// The same figures of it.
+    /// The optimized value, then those of the constraints, for the best design.
     pub figures: Vec<Result<f64, NoFigure>>,
-    /// It, opened.
+    /// The best design, opened.
     pub design: &'a Design,
 }
 
 impl BestReport<'_> {
-    /// As text for a person.
+    /// Formats the report as text.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// What was wished and what was found.
+    /// Returns the objective and the result as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -317,7 +319,7 @@ impl BestReport<'_> {
         table
     }
 
-    /// All that was found, for programs.
+    /// Returns the whole result for programs.
     #[must_use]
     pub fn to_json(&self) -> Value {
         json!({
@@ -343,7 +345,7 @@ fn named(space: &DesignSpace, numbers: &[f64]) -> Value {
     Value::Object(pairs.collect::<Map<_, _>>())
 }
 
-/// A goal as it is written.
+/// Formats a goal as typed on the command line.
 fn written(goal: &Goal) -> String {
     let number = concise(goal.number, FINE);
     let text = format!("{} {} {number}", goal.figure.name(), goal.sense.sign());

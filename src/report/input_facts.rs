@@ -1,4 +1,4 @@
-//! The inputs that follow the driver, among the facts of a scene.
+//! Facts on the inputs that follow the driver.
 
 use super::check::DriverKind;
 use super::number::concise;
@@ -11,44 +11,44 @@ use serde::Serialize;
 /// An input that follows the driver.
 #[derive(Clone, Debug, Serialize)]
 pub struct InputFacts {
-    /// Whether a link turns or a slide is pushed.
+    /// The kind of driven element.
     pub kind: DriverKind,
-    /// The link or the slide.
+    /// The link or slide.
     pub name: String,
-    /// The link that its motor sits on, where that is not the ground.
+    /// The link that carries its motor, unless the ground does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// How it follows.
+    /// The law by which it follows.
     #[serde(flatten)]
     pub law: InputLawFacts,
 }
 
-/// How an input follows the driver; coordinates are in deg or the scene's unit.
+/// The law by which an input follows the driver; coordinates are in deg or the scene's unit.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum InputLawFacts {
-    /// In proportion.
+    /// A linear law.
     Ratio {
-        /// What its coordinate grows by for 1 of the driver's.
+        /// The change of its coordinate per unit of the driver's.
         #[serde(serialize_with = "super::check::unsigned_zero")]
         ratio: f64,
-        /// Its coordinate where the driver's is 0.
+        /// Its coordinate at driver coordinate 0.
         #[serde(serialize_with = "super::check::unsigned_zero")]
         phase: f64,
     },
-    /// By a table.
+    /// A table.
     Table {
         /// The knots: the driver's coordinate, and its own.
         over: Vec<[f64; 2]>,
-        /// After how many degrees of the driver it repeats, if it does.
+        /// The period in degrees of the driver, if it repeats.
         repeats: Option<f64>,
-        /// So many knots are further beyond an end of the motion than the next one.
+        /// The number of knots beyond the ends of the motion, except the nearest one on each side.
         unreached: usize,
     },
 }
 
 impl DriverKind {
-    /// What an input drives, with its name.
+    /// Returns the kind and the name of the element driven by an input.
     pub(super) fn of(scene: &Scene, input: Input) -> (DriverKind, String) {
         let (kind, name) = match input {
             Input::Turn(link) => (DriverKind::Link, scene.link_name(link)),
@@ -57,7 +57,7 @@ impl DriverKind {
         (kind, name.to_owned())
     }
 
-    /// The unit of its coordinate, where lengths are in `length`.
+    /// Returns the unit of its coordinate; `length` is the unit of length.
     fn unit(self, length: &str) -> &str {
         match self {
             DriverKind::Link => "deg",
@@ -65,7 +65,7 @@ impl DriverKind {
         }
     }
 
-    /// The same in words.
+    /// Returns the name with a word for the kind.
     pub(super) fn named(self, name: &str) -> String {
         match self {
             DriverKind::Link => words().driven_link(name),
@@ -75,7 +75,8 @@ impl DriverKind {
 }
 
 impl InputFacts {
-    /// Those of a scene, in the order of the file; `range` is that of the driver.
+    /// Returns the facts of a scene's inputs, in the order of the file; `range` is that of the
+    /// driver.
     pub(super) fn of(scene: &Scene, range: Range) -> Vec<InputFacts> {
         let facts = scene.mechanism.timed().iter().map(|timed| {
             let (kind, name) = DriverKind::of(scene, timed.input);
@@ -97,7 +98,7 @@ impl InputFacts {
         facts.collect()
     }
 
-    /// How it follows a driver.
+    /// Describes how it follows a driver.
     pub(super) fn text(&self, driver: DriverKind, length: &str) -> String {
         let driven = self.kind.named(&self.name);
         let drivers = driver.unit(length);
@@ -124,7 +125,7 @@ impl InputFacts {
         text
     }
 
-    /// The same with all that is needed to work with it.
+    /// Describes how it follows a driver, with all data needed for calculations.
     pub(super) fn given(&self, driver: DriverKind, length: &str) -> String {
         let InputLawFacts::Table { over, repeats, .. } = &self.law else {
             return self.text(driver, length);
@@ -153,8 +154,8 @@ impl InputFacts {
     }
 }
 
-/// How many knots of an open table the motion does not come near to: on either side the first beyond it still has a
-/// part in what lies before.
+/// Returns the number of knots of an open table beyond the ends of the motion. The first one beyond
+/// each end is not counted, because it still determines the curve inside.
 fn unreached(table: &InputTable, range: Range) -> usize {
     let Range::Limited { low, high } = range else {
         return 0;

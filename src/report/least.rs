@@ -1,23 +1,23 @@
-//! The reactions of least norm, for those that a redundant linkage leaves open.
+//! Reactions of least norm, for those that a redundant linkage leaves indeterminate.
 
 use super::entry::{Entry, PlaneVector};
 use super::forces::{GuideRow, JointRow, plane_figures};
 use crate::scene::Scene;
 use crate::solver::{Indeterminate, LeastNorm, Solver, State};
 
-/// What pins and guides would bear that give way alike: one of all the reactions that are in equilibrium. Their
-/// figures have no bounds.
+/// The reactions of equally compliant pins and guides: one of all solutions in equilibrium. The
+/// values have no bounds.
 #[derive(Clone, Debug)]
 pub struct Least {
-    /// The joints that are left open.
+    /// The indeterminate joints.
     pub joints: Vec<JointRow>,
-    /// The guides that are left open; what is not open of one stands beside the others.
+    /// The indeterminate guides, together with their determinate values.
     pub guides: Vec<GuideRow>,
 }
 
 impl Least {
-    /// At the state's place, given the rows of all joints and guides; `None` where nothing is open, or where
-    /// there are no reactions.
+    /// Computes the reactions at the state's coordinate, from the rows of all joints and guides.
+    /// Returns `None` if none is indeterminate, or if there are no reactions.
     pub(super) fn new(
         scene: &Scene,
         solver: &Solver,
@@ -56,7 +56,7 @@ impl Least {
         Some(least)
     }
 
-    /// Every figure with its name, as columns are named.
+    /// Returns every value with its column name.
     pub(super) fn figures(&self) -> Vec<(String, Option<f64>)> {
         let mut all = Vec::new();
         for joint in &self.joints {
@@ -75,7 +75,7 @@ impl Least {
     }
 }
 
-/// A guide with what is open of it.
+/// Returns a guide with its indeterminate values filled in.
 fn completed(row: &GuideRow, slide: crate::SlideId, found: &LeastNorm) -> GuideRow {
     let with = |entry: Entry, open: Option<f64>| open.map_or(entry, of);
     let normal = with(row.normal, found.normal(slide));
@@ -88,7 +88,7 @@ fn completed(row: &GuideRow, slide: crate::SlideId, found: &LeastNorm) -> GuideR
     }
 }
 
-/// A figure without a bound.
+/// Creates a value without a bound.
 fn of(value: f64) -> Entry {
     Entry {
         value: Some(value),

@@ -1,50 +1,51 @@
-//! The first loop in the words of the textbooks: a four-bar's class, a slider-crank's condition.
+//! Classifies the first loop as textbooks do: the class of a four-bar, the condition of a
+//! slider-crank.
 
 use super::number::concise;
 use crate::solver::{DrivenLoop, Grashof, Inversion};
 use crate::wording::{Words, for_programs, words};
 use serde::Serialize;
 
-/// Significant digits of lengths: by few of them a near miss differs from a change point.
+/// Significant digits of lengths: enough to distinguish a near miss from a change point.
 const DIGITS: usize = 9;
 
 /// The loop of the driven link, a dyad and the ground; lengths in the scene's unit.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum LoopFacts {
-    /// Four links and four pins.
+    /// Four links with four pins.
     FourBar {
-        /// `crank-rocker` and so on.
+        /// The inversion, such as `crank-rocker`.
         inversion: &'static str,
         /// Grashof's condition: `s + l < p + q`.
         grashof: &'static str,
-        /// Both, to be told in any language.
+        /// Inversion and Grashof class, for text in any language.
         #[serde(skip)]
         class: (Inversion, Grashof),
-        /// The driven link.
+        /// The length of the driven link.
         driven: f64,
-        /// The link between the two on the frame.
+        /// The length of the coupler.
         coupler: f64,
-        /// The other link on the frame.
+        /// The length of the follower.
         follower: f64,
         /// The distance of the ground pivots.
         frame: f64,
     },
     /// A crank, a rod and a slider on the ground.
     SliderCrank {
-        /// The driven link.
+        /// The length of the driven link.
         crank: f64,
-        /// The link between crank and slider.
+        /// The length of the link between crank and slider.
         rod: f64,
-        /// How far the path of the slider's pin passes the crank's pivot.
+        /// The distance of the crank's pivot from the path of the slider's pin.
         offset: f64,
-        /// rod - (crank + offset): above 0 the crank turns fully.
+        /// rod - (crank + offset): the crank turns fully if it is positive.
         margin: f64,
     },
 }
 
 impl LoopFacts {
-    /// Names what the solver found.
+    /// Converts the solver's result.
     #[must_use]
     pub fn new(found: DrivenLoop) -> Self {
         match found {
@@ -78,7 +79,7 @@ impl LoopFacts {
         }
     }
 
-    /// The class alone.
+    /// Returns the class alone.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match *self {
@@ -90,7 +91,7 @@ impl LoopFacts {
         }
     }
 
-    /// The class and the lengths that decide it, each on a line.
+    /// Returns two lines: the class, and the lengths that determine it.
     #[must_use]
     pub fn lines(&self, unit: &str) -> [String; 2] {
         let length = |v: f64| concise(v, DIGITS);
@@ -144,7 +145,7 @@ fn grashof_word(grashof: Grashof, say: &dyn Words) -> &'static str {
 fn inversion_word(inversion: Inversion, grashof: Grashof, say: &dyn Words) -> &'static str {
     match inversion {
         Inversion::CrankRocker => say.crank_rocker(),
-        // Nobody calls a parallelogram a drag link.
+        // A parallelogram is not called a drag link.
         Inversion::DoubleCrank if grashof == Grashof::ChangePoint => say.double_crank(),
         Inversion::DoubleCrank => say.drag_link(),
         Inversion::RockerCrank => say.rocker_crank(),

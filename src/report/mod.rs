@@ -1,10 +1,9 @@
-//! What krank found out, written down: tables, sweeps and the facts of a scene, as text, CSV and
-//! JSON.
+//! Reports of results: tables, sweeps and the facts of a scene, as text, CSV and JSON.
 //!
 //! Text is for people: a chosen number of digits, aligned, with units. CSV and JSON are for other
-//! programs: every number reads back to the same double, and a value that does not exist is an
-//! empty cell or `null`, never 0 and never NaN. Everything here writes plain ASCII, but for titles
-//! and notes of a scene where the reader can show them.
+//! programs: every number reads back to the same double, and a missing value is an empty cell or
+//! `null`, never 0 or NaN. All output is plain ASCII, except for titles and notes of a scene if the
+//! terminal can show them.
 
 mod accuracy;
 mod answers;

@@ -1,4 +1,4 @@
-//! A driver's motion over time, as a whole.
+//! Facts on a driver's motion over time.
 
 use super::check::unsigned_zero;
 use super::number::concise;
@@ -12,35 +12,35 @@ use serde::Serialize;
 
 /// Significant digits of a time, a speed and an acceleration.
 const DIGITS: usize = 4;
-/// Of where and when it goes too far.
+/// Significant digits of the place and time at which it leaves the range.
 const PLACES: usize = 9;
 
 /// A step of a motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StepFacts {
-    /// As the scene file names its law; `dwell` where the driver stays.
+    /// The law as named in the scene file; `dwell` if the driver stays.
     pub law: &'static str,
-    /// Where it ends, in deg or the scene's unit.
+    /// The final coordinate, in deg or the scene's unit.
     pub to: f64,
-    /// How long it takes, in s.
+    /// The duration in s.
     pub time: f64,
-    /// Of a trapezoid, the part of its time in which the speed grows, and falls again.
+    /// The fraction of a trapezoid's time during which the speed increases, and decreases again.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ramp: Option<f64>,
-    /// Of a table, its knots: the time from the beginning of the step, in s, and the coordinate.
+    /// The knots of a table: the time from the beginning of the step, in s, and the coordinate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub knots: Option<Vec<[f64; 2]>>,
 }
 
-/// Where a motion goes on though the mechanism does not.
+/// The place at which a motion leaves the range of the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LeavingFacts {
-    /// When, in s.
+    /// The time in s.
     pub time: f64,
     /// The driver's coordinate, in deg or the scene's unit.
     #[serde(serialize_with = "unsigned_zero")]
     pub at: f64,
-    /// What stops it there; `None` where the mechanism cannot go on.
+    /// The name of the stop there; `None` if the mechanism itself cannot move on.
     pub stop: Option<String>,
     #[serde(skip)]
     text: String,
@@ -49,27 +49,28 @@ pub struct LeavingFacts {
 /// A motion over time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionFacts {
-    /// Its steps, from where the scene opens.
+    /// Its steps, beginning where the scene opens.
     pub steps: Vec<StepFacts>,
-    /// The time after which it begins anew, in s.
+    /// The period in s.
     pub period: f64,
-    /// How much of that the driver rests, in s.
+    /// The total rest of the driver in a period, in s.
     pub rest: f64,
-    /// Its greatest speed without a sign, in rad/s or the scene's unit per s.
+    /// The maximum absolute speed, in rad/s or the scene's unit per s.
     pub speed: f64,
-    /// Its greatest acceleration without a sign, in rad/s^2 or the scene's unit per s^2, where the speed does not jump.
+    /// The maximum absolute acceleration, in rad/s^2 or the scene's unit per s^2, without jumps of
+    /// the speed.
     pub acceleration: f64,
-    /// When its speed first jumps, in s; `None` for one that goes on smoothly.
+    /// The time of the first jump of the speed, in s; `None` if the speed is continuous.
     pub jump: Option<f64>,
-    /// Where it first goes on beyond an end of the range; `None` for one that stays within.
+    /// The first place at which it leaves the range; `None` if it stays inside.
     pub leaves: Option<LeavingFacts>,
-    /// What its speeds are in, but for the second.
+    /// The unit of its coordinate in speeds.
     #[serde(skip)]
     unit: &'static str,
 }
 
 impl MotionFacts {
-    /// Of a scene's driver; `None` for one that runs by its speed.
+    /// Returns the facts of a scene's motion; `None` for a driver without a motion over time.
     #[must_use]
     pub fn of(scene: &Scene, solver: &Solver) -> Option<MotionFacts> {
         let law = scene.motion.as_ref()?;
@@ -121,7 +122,7 @@ impl MotionFacts {
         })
     }
 
-    /// All of it in a sentence, and in another where it goes too far.
+    /// Returns a sentence on the motion, and another one if it leaves the range.
     pub(super) fn texts(&self) -> impl Iterator<Item = String> {
         let leaves = self.leaves.as_ref().map(|leaves| leaves.text.clone());
         [self.text()].into_iter().chain(leaves)
@@ -146,7 +147,7 @@ impl MotionFacts {
         told
     }
 
-    /// The same for a line that has little room, and for one that has less.
+    /// Returns two short forms, the shorter one last.
     pub(super) fn in_short(&self) -> [String; 2] {
         let period = figure(self.period);
         let [speed, acceleration] = self.rates();
@@ -166,7 +167,7 @@ impl MotionFacts {
     }
 }
 
-/// Where a motion goes on though the mechanism does not, in words.
+/// Describes where a motion leaves the range.
 pub(super) fn leaves_text(scene: &Scene, leaves: &MotionLeaves) -> String {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
@@ -186,7 +187,7 @@ pub(super) fn leaves_text(scene: &Scene, leaves: &MotionLeaves) -> String {
 
 const DWELL: &str = "dwell";
 
-/// What the scene file calls a step from a coordinate.
+/// Returns the scene file's name of a step that starts at `from`.
 fn name(step: &TimedStep, from: f64) -> &'static str {
     match step {
         TimedStep::Table(_) => "table",

@@ -1,4 +1,5 @@
-//! The motor over a cycle: what a scene asks of its driver, what evens that out, and what a ram does.
+//! The motor over a cycle: the effort of the driver, the effect of a flywheel, and the motion of a
+//! ram.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::motor_csv::{step_cells, step_heads};
@@ -16,71 +17,71 @@ use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
 use std::io;
 
-/// What is asked of a study of the motor beside the scene.
+/// The parameters of a study of the motor that are not in the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotorWishes {
-    /// The motor, the flywheel and the wished fluctuation; what the scene gives, where nobody wishes
-    /// otherwise.
+    /// The motor, the flywheel and the required fluctuation; the scene's values by default.
     pub motor: Motor,
-    /// The ram; the one that a press works at, or the only one, if left out.
+    /// The ram; by default the slide with a press, or the only possible ram.
     pub ram: Option<SlideId>,
-    /// A height above the bottom in the scene's length unit.
+    /// A height above the bottom in the scene's unit of length.
     pub height: Option<f64>,
-    /// The torque (N m) or force (N) of the driver for the force of the ram; the rated one if left out.
+    /// The driver's torque (N m) or force (N) for the force of the ram; the rated one by default.
     pub torque: Option<f64>,
-    /// A part of the motion that is gone through there and back.
+    /// A part of the motion, traversed back and forth.
     pub between: Option<(f64, f64)>,
 }
 
-/// What was found of a scene.
+/// The result of a study of the motor.
 #[derive(Clone, Debug)]
 pub struct MotorReport {
-    /// What the driver must do; the reason where there is nothing to tell.
+    /// The driver's effort over the cycle, or the reason why there is none.
     pub duty: Result<Duty, NoDuty>,
-    /// The ram; the reason where there is none.
+    /// The ram, or the reason why there is none.
     pub ram: Result<RamReport, String>,
     pub(super) wishes: MotorWishes,
     pub(super) fit: MotorFit,
     pub(super) scene: String,
-    /// The length unit, and that of the driver's coordinate.
+    /// The unit of length, and that of the driver's coordinate.
     pub(super) unit: &'static str,
     pub(super) driver_unit: String,
-    /// The link or slide that is driven.
+    /// The driven link or slide.
     pub(super) driver: String,
     pub(super) turns: bool,
-    /// As given: rad/s, or the length unit per s.
+    /// The given speed: rad/s, or the unit of length per s.
     pub(super) speed: f64,
     columns: [String; 2],
 }
 
-/// A ram and what was asked about it.
+/// A ram with the requested results.
 #[derive(Clone, Debug)]
 pub struct RamReport {
     /// The slide.
     pub name: String,
     /// Its dead centres, stroke and times.
     pub ram: Ram,
-    /// A height above the bottom and the ram there, closing and opening; `None` where it never is there.
+    /// A height above the bottom, and the ram there, closing and opening; `None` if it never
+    /// reaches the height.
     pub height: Option<(f64, Option<[Passing; 2]>)>,
-    /// A tolerance and how long it is within that of the bottom.
+    /// A tolerance, and the dwell within it at the bottom.
     pub dwell: Option<(f64, Option<Dwell>)>,
-    /// What the driver is taken to do for the force of the ram, in N m or N.
+    /// The driver's effort assumed for the force of the ram, in N m or N.
     pub torque: Option<f64>,
 }
 
-/// Of a cycle so many steps are written, by the turn or by the way there and back.
+/// Number of steps written per turn, or per cycle back and forth.
 const STEPS: u32 = 360;
-/// Steps of a cycle of many turns, all together.
+/// Maximum number of steps of a cycle with many turns.
 const MOST_STEPS: u32 = 36_000;
 
-/// A figure that is less than this part of what it comes from is what rounding has left.
+/// Values below this fraction of their terms are rounding errors.
 pub(super) const NOTHING: f64 = 1e-11;
 
-/// The parts of what the driver must do, as columns name them.
+/// The parts of the driver's effort, as named in columns.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 
 impl MotorReport {
-    /// Studies a scene.
+    /// Studies the motor of a scene.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, wishes: MotorWishes) -> MotorReport {
         let mechanism = &scene.mechanism;
@@ -114,18 +115,19 @@ impl MotorReport {
         }
     }
 
-    /// The unit of what the driver does.
+    /// Returns the unit of the driver's effort.
     pub(super) fn effort_unit(&self) -> &'static str {
         if self.turns { "N m" } else { "N" }
     }
 
-    /// What the driver does, as columns name it, and its unit.
+    /// Returns the column name and the unit of the driver's effort.
     #[must_use]
     pub fn effort_name(&self) -> [&str; 2] {
         [&self.columns[1], self.effort_unit()]
     }
 
-    /// What a flywheel makes of the fluctuation, and the flywheel that the wished one takes.
+    /// Returns the fluctuation left by the flywheel, and the flywheel needed for the required
+    /// fluctuation; `None` without a cycle or its fluctuation.
     pub(super) fn evenness(&self) -> Option<Evenness> {
         let cycle = &self.duty.as_ref().ok()?.cycle;
         let energy = cycle.fluctuation?.energy;
@@ -140,21 +142,21 @@ impl MotorReport {
         })
     }
 
-    /// Whether the flywheel leaves no more fluctuation than is wished, or none that stops the driver where nobody wishes;
-    /// `None` without one.
+    /// Returns whether the flywheel meets the required fluctuation, or by default any that does not
+    /// stop the driver; `None` without a flywheel.
     pub(super) fn is_even_enough(&self) -> Option<bool> {
         let (_, left) = self.evenness()?.with?;
         let most = self.wishes.motor.fluctuation;
         Some(left <= most.unwrap_or(LARGEST_FLUCTUATION))
     }
 
-    /// About the mean of the cycle, in N m or N, where the flywheel leaves little fluctuation: it takes and gives the
-    /// rest.
+    /// Returns the mean effort of the cycle in N m or N, if the flywheel leaves little fluctuation
+    /// and so supplies the rest.
     fn mean_with_flywheel(&self) -> Option<f64> {
         let (_, fluctuation) = self.evenness()?.with?;
         let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
-        // Where the cycle takes nothing in the mean, rounding is no torque.
+        // If the mean is zero, its rounding error is not a torque.
         let asked = if mean <= NOTHING * all.rms? {
             0.0
         } else {
@@ -163,23 +165,25 @@ impl MotorReport {
         (fluctuation <= SMALL_FLUCTUATION).then_some(asked)
     }
 
-    /// The rated torque against that mean.
+    /// Compares the rated torque with that mean; returns `None` if one of them is unknown.
     pub(super) fn with_flywheel(&self) -> Option<MotorDemand> {
         let (asked, has) = (self.mean_with_flywheel()?, self.wishes.motor.rated?);
         Some(MotorDemand { asked, has })
     }
 
-    /// Whether the motor is enough, with the flywheel where there is one; `None` where that is not known.
+    /// Returns whether the motor is sufficient, with the flywheel if there is one; `None` if
+    /// unknown.
     pub(super) fn is_enough(&self) -> Option<bool> {
         self.fit
             .is_enough()
             .map(|alone| alone || self.does_with_flywheel())
     }
 
-    /// Whether it is enough because the flywheel takes and gives what is above and below the mean: then the root of the
-    /// mean square is not asked of the motor. Nor is the largest torque where the fluctuation is as small as is wished:
-    /// it is that of a motor whose torque stays at the mean. Where it is larger, how much of the peak the flywheel takes
-    /// depends on how much the motor gives way, and the peak is asked all the same.
+    /// Returns `true` if the motor is sufficient because the flywheel compensates the deviations
+    /// from the mean. Then the root mean square need not be covered. Nor need the maximum torque,
+    /// if the fluctuation meets the requirement: the motor's torque then stays near the mean. If
+    /// the fluctuation is larger, the flywheel's part of the peak depends on the motor's slip, so
+    /// the peak must still be covered.
     fn does_with_flywheel(&self) -> bool {
         let Some(mean) = self.mean_with_flywheel() else {
             return false;
@@ -194,7 +198,7 @@ impl MotorReport {
         has_rated && has_peak && is_fast
     }
 
-    /// Everything as JSON; what does not exist is null.
+    /// Returns the whole result as JSON; a missing value is null.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let (duty, ram) = (self.duty.as_ref().ok(), self.ram.as_ref().ok());
@@ -307,12 +311,12 @@ impl MotorReport {
         })
     }
 
-    /// The cycle step by step, as comma separated values: what the driver must do, its parts, its power,
-    /// the work done since the beginning, and what the ground feels, as it was solved for in each state.
-    /// What does not exist there is empty.
+    /// Writes the cycle step by step as comma separated values: the driver's effort, its parts, its
+    /// power, the work done since the beginning, and the load on the ground, as solved in each
+    /// state. A missing value is empty.
     ///
     /// # Errors
-    /// Where it cannot be written.
+    /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, out: &mut dyn io::Write) -> io::Result<()> {
         let Ok(duty) = &self.duty else {
             return Ok(());
@@ -332,14 +336,14 @@ impl MotorReport {
     }
 }
 
-/// A flywheel and the fluctuation that it leaves; a fluctuation and the flywheel that it takes.
+/// The fluctuation left by a flywheel, and the flywheel needed for a fluctuation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Evenness {
     pub(super) with: Option<(f64, f64)>,
     pub(super) wished: Option<(f64, f64)>,
 }
 
-/// The steps of a cycle of so many turns.
+/// Returns the number of steps of a cycle of so many turns.
 fn steps(turns: f64) -> u32 {
     let all = f64::from(STEPS) * turns;
     #[expect(
@@ -359,7 +363,7 @@ pub(super) fn cell(value: Option<f64>) -> String {
     text
 }
 
-/// The end of a guide at which a ram works, as scenes name it.
+/// Returns the end of a guide at which a ram works, as named in scenes.
 pub(super) fn end_word(end: StrokeEnd) -> &'static str {
     match end {
         StrokeEnd::Least => "least",
@@ -367,7 +371,7 @@ pub(super) fn end_word(end: StrokeEnd) -> &'static str {
     }
 }
 
-/// The ram that is meant, followed over the motion.
+/// Selects the ram and computes its motion.
 fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport, String> {
     let mechanism = &scene.mechanism;
     let pressed = mechanism.loads().iter().find_map(|load| match load {

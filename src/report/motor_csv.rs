@@ -1,10 +1,11 @@
-//! The columns that a step of a motor's cycle is written in, over the driver's coordinate as over time.
+//! Columns for a step of a motor's cycle, common to sweeps over the driver's coordinate and over
+//! time.
 
 use super::motor::{PARTS, cell};
 use crate::quantity::state_word;
 use crate::study::motor::Step;
 
-/// Those behind the torque and its parts.
+/// The columns after the torque and its parts.
 const REST: [&str; 6] = [
     "driver.power [W]",
     "driver.work [J]",
@@ -14,7 +15,7 @@ const REST: [&str; 6] = [
     "state",
 ];
 
-/// Their heads; `effort` is `driver.torque` or `driver.force`.
+/// Returns the headers; `effort` is `driver.torque` or `driver.force`.
 pub(super) fn step_heads(effort: &str, unit: &str) -> Vec<String> {
     let mut heads = vec![format!("{effort} [{unit}]")];
     heads.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
@@ -22,7 +23,8 @@ pub(super) fn step_heads(effort: &str, unit: &str) -> Vec<String> {
     heads
 }
 
-/// A step in them, with the work in joules since the beginning. What does not exist there is empty.
+/// Returns the cells of a step, with the work in joules since the beginning. A missing value is
+/// empty.
 pub(super) fn step_cells(step: &Step, work: Option<f64>) -> Vec<String> {
     let mut cells = vec![cell(step.torque)];
     cells.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));

@@ -1,4 +1,4 @@
-//! The motor over a cycle, to be read.
+//! Formats the motor over a cycle as a page.
 
 mod ram;
 mod telling;
@@ -13,22 +13,22 @@ use telling::{
     rule_text, trimmed, verdict,
 };
 
-/// Digits of a figure, and decimals of where it is in degrees.
+/// Significant digits of a value, and decimals of its place in degrees.
 const DIGITS: usize = 6;
 const DECIMALS: usize = 3;
-/// Decimals of a dead centre: as many as a double has at some hundred degrees.
+/// Decimals of a dead centre: the precision of a double at some hundred degrees.
 const ALL_DECIMALS: usize = 12;
-/// Turns a minute in 1 rad/s.
+/// Revolutions per minute of 1 rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
 impl MotorReport {
-    /// As text for a person; the title in ASCII alone if asked, everything else always is.
+    /// Formats the result as text. `ascii` restricts the title to ASCII; the rest always is.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// All that was found.
+    /// Returns the whole result as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -43,7 +43,7 @@ impl MotorReport {
         page
     }
 
-    /// Why there are no figures.
+    /// Returns the reason why there are no values.
     pub(crate) fn nothing(&self, why: &NoDuty) -> String {
         match why {
             NoDuty::NothingActs => words().nothing_acts().into(),
@@ -65,7 +65,7 @@ impl MotorReport {
         page.add(facts([(words().label_integrals().into(), rule)]));
     }
 
-    /// What is asked of a motor, in a sentence.
+    /// Describes the demand on the motor in a sentence.
     fn asked_text(&self, duty: &Duty) -> String {
         let cycle = &duty.cycle;
         let unit = self.effort_unit();
@@ -83,7 +83,7 @@ impl MotorReport {
         words().driver_asks(&course, &self.driver, &asked)
     }
 
-    /// The cycle in words.
+    /// Describes the cycle.
     fn course_text(&self, duty: &Duty) -> String {
         let course = &duty.cycle.course;
         let speed = self.speed_text(self.speed.abs());
@@ -97,7 +97,7 @@ impl MotorReport {
         }
     }
 
-    /// What the driver does, in a word.
+    /// Returns the word for the driver's effort in the current language.
     fn effort(&self) -> &'static str {
         match self.turns {
             true => words().torque(),
@@ -105,12 +105,12 @@ impl MotorReport {
         }
     }
 
-    /// The same as files for other programs have it.
+    /// Returns the word for the driver's effort in files for other programs.
     pub(super) fn effort_word(&self) -> &'static str {
         if self.turns { "torque" } else { "force" }
     }
 
-    /// A speed of the driver in the scene's unit, turns in rpm too.
+    /// Formats a speed of the driver in the scene's unit; a speed of rotation also in rpm.
     fn speed_text(&self, speed: f64) -> String {
         if self.turns {
             let rpm = trimmed(speed * RPM);
@@ -165,7 +165,7 @@ impl MotorReport {
         texts
     }
 
-    /// Torque, power and energy, in all and by what acts.
+    /// Returns the table of torque, power and energy, in total and by cause.
     fn effects(&self, duty: &Duty) -> Table {
         let cycle = &duty.cycle;
         let [load, gravity, inertia] = &cycle.parts;
@@ -307,7 +307,7 @@ impl MotorReport {
         let shaking = &cycle.shaking;
         let none = words().no_joint_forces().to_owned();
         let size = |v: f64| significant(v, DIGITS);
-        // What is as large in the mean as at its largest is so throughout.
+        // A peak equal to the root mean square means that the value is constant.
         let is_same = |peak: &Peak, rms: f64| (peak.value.abs() - rms).abs() <= NOTHING * rms;
         let force = shaking.force.zip(shaking.force_rms).zip(shaking.vector);
         let force = force.map_or(none.clone(), |((peak, rms), v)| {
@@ -348,7 +348,7 @@ impl MotorReport {
         match (self.turns, peak.back) {
             (true, false) => format!("{:.DECIMALS$}", peak.at),
             (false, false) => significant(peak.at, DIGITS),
-            // Shorter, so that the word has room.
+            // Fewer decimals leave space for the word.
             (true, true) => words().back_at(&format!("{:.1}", peak.at)),
             (false, true) => words().back_at(&significant(peak.at, 4)),
         }

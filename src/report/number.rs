@@ -1,14 +1,14 @@
-//! How numbers are written: to as many digits as asked, or so that they read back to the same double.
+//! Formats numbers: with a given number of digits, or so that they read back to the same double.
 
-/// Below this power of ten a number is written with an exponent: leading zeros are hard to count.
+/// Minimum power of ten without an exponent: many leading zeros are hard to count.
 const SMALLEST_FIXED: i32 = -5;
-/// From here on the shortest form takes an exponent: an f64 has no digits left behind the point.
+/// From this value on, the shortest form has an exponent, because doubles have no decimals there.
 const LARGEST_FIXED: f64 = 1e16;
 
-/// The value to `digits` significant digits, trailing zeros kept; `0` for zero of either sign.
+/// Formats a value with `digits` significant digits, with trailing zeros; zero of either sign is
+/// `0`.
 ///
-/// Values that have more digits in front of the point than were asked for, and small ones, take an
-/// exponent: `2.40e4`.
+/// Values with more integer digits than requested, and small ones, have an exponent: `2.40e4`.
 pub(super) fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
@@ -28,23 +28,23 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// Of so many significant digits those that are known of a value that may be off by a bound: the unit of the last is no
-/// less than that. One at least, and all where no bound is finite.
+/// Returns the number of digits known of a value with an error bound, at most `digits`: the unit of
+/// the last one is at least the bound. Returns at least one, and `digits` without a finite bound.
 pub(super) fn known_digits(value: f64, bound: f64, digits: usize) -> usize {
     if bound == 0.0 || !bound.is_finite() {
         return digits;
     }
     let known = value.abs().log10().floor() - bound.log10().ceil() + 1.0;
-    // What is no more than its bound has none: the cast takes NaN and all below 0 for that.
+    // A value within its bound has no known digits: the cast maps NaN and negative numbers to 0.
     digits.min(known as usize).max(1)
 }
 
-/// The same without noughts at its end.
+/// Formats a value with so many significant digits, without trailing zeros.
 pub(super) fn trimmed(value: f64, digits: usize) -> String {
     without_noughts(significant(value, digits))
 }
 
-/// A number without the noughts that its decimals end in; one with an exponent as it is.
+/// Removes trailing zeros of the decimals; a number with an exponent stays unchanged.
 pub(super) fn without_noughts(text: String) -> String {
     match text.contains('.') && !text.contains('e') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -52,12 +52,13 @@ pub(super) fn without_noughts(text: String) -> String {
     }
 }
 
-/// A bound to two significant digits, never below itself: `2.1e-13`; `0` for none at all.
+/// Formats a bound with so many significant digits, rounded up: `2.1e-13`; zero is `0`.
 pub(crate) fn upwards(bound: f64, digits: usize) -> String {
     if bound == 0.0 || !bound.is_finite() {
         return significant(bound, digits);
     }
-    // Half a unit of the last digit on top: the nearest decimal to that is no smaller than the bound.
+    // Adding half a unit of the last digit would suffice; with a whole one the nearest decimal is
+    // not below the bound.
     let unit = |text: &str| {
         let exponent = text.split_once('e').map_or("0", |(_, exponent)| exponent);
         let last = exponent.parse::<i32>().unwrap_or(0) - i32::try_from(digits).unwrap_or(1) + 1;
@@ -73,7 +74,8 @@ pub(crate) fn upwards(bound: f64, digits: usize) -> String {
     significant(enough, digits)
 }
 
-/// A direction in degrees to `digits` significant digits; one that rounds to 360 is written as 0.
+/// Formats a direction in degrees with `digits` significant digits; one that rounds to 360
+/// becomes 0.
 pub(super) fn direction(degrees: f64, digits: usize) -> String {
     let text = significant(degrees, digits);
     if text.parse() == Ok(crate::angle::TURN) {
@@ -83,11 +85,11 @@ pub(super) fn direction(degrees: f64, digits: usize) -> String {
     }
 }
 
-/// Appends the shortest decimal that reads back to the same double, and of several the nearest: to
-/// 17 digits at the most, with an exponent below 1e-5 and from 1e16 on.
+/// Appends the shortest decimal that reads back to the same double, the nearest one of several: at
+/// most 17 digits, with an exponent below 1e-5 and from 1e16 on.
 ///
-/// A negative zero is written as `0`: a direction of approach that no table means. The value must
-/// be finite; what does not exist is no number and is never written by this function.
+/// A negative zero becomes `0`, because the sign has no meaning in tables. The value must be
+/// finite; callers handle missing values.
 pub(crate) fn shortest(value: f64, to: &mut String) {
     debug_assert!(
         value.is_finite(),
@@ -99,17 +101,17 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
     if value.abs() < LARGEST_FIXED {
         to.push_str(text.strip_suffix(".0").unwrap_or(text));
     } else {
-        // The exponent comes with its sign, which nobody needs to read.
+        // Removes the plus sign of the exponent.
         to.extend(text.split('+'));
     }
 }
 
-/// The shortest decimal that reads back to the same double, or the value to `digits` significant
-/// digits where that is shorter. For figures that somebody has given: `15` rather than `15.0000`.
+/// Formats a value as the shortest decimal that reads back to the same double, or with `digits`
+/// significant digits if that is shorter. For given values: `15` rather than `15.0000`.
 pub(super) fn concise(value: f64, digits: usize) -> String {
     let mut exact = String::new();
     shortest(value, &mut exact);
-    // No double needs more than 17 digits.
+    // Every double is determined by 17 digits.
     let rounded = significant(value, digits.min(17));
     if rounded.len() < exact.len() {
         rounded
@@ -202,7 +204,8 @@ mod tests {
         assert_eq!(upwards(0.0, 2), "0");
     }
 
-    /// The same by the standard library, which of two equally near decimals takes the larger.
+    /// Formats the shortest decimal by the standard library, which takes the larger of two equally
+    /// near decimals.
     fn by_the_library(value: f64) -> String {
         let size = value.abs();
         if size == 0.0 || (1e-5..1e16).contains(&size) {
@@ -218,8 +221,8 @@ mod tests {
         digits.trim_matches('0').into()
     }
 
-    /// Whether a double lies half way between two of its shortest decimals: in full it has just one
-    /// more digit, a 5.
+    /// Returns `true` if a double is half way between two of its shortest decimals: its full
+    /// decimal has just one more digit, a 5.
     fn is_half_way(value: f64) -> bool {
         let all = digits(&format!("{value:.60e}"));
         all.len() == digits(&by_the_library(value)).len() + 1 && all.ends_with('5')

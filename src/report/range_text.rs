@@ -1,17 +1,17 @@
-//! The range of the driver in words.
+//! Describes the range of the driver.
 
 use super::number::{concise, upwards};
 use crate::quantity::Quantity;
 use crate::solver::Range;
 use crate::wording::words;
 
-/// Decimals of limits: as many as a double has at some hundred degrees.
+/// Decimals of limits: the precision of a double at some hundred degrees.
 pub(super) const DECIMALS: usize = 12;
 /// Significant digits of the errors of ends.
 const BOUND_DIGITS: usize = 2;
 
-/// The range that the driver can cover, in words: limits with up to 12 decimals and their unit. `driver`
-/// is the driver's coordinate.
+/// Describes the driver's range: limits with up to 12 decimals and their unit. `driver` is the
+/// driver's coordinate.
 #[must_use]
 pub fn range_text(range: Range, driver: &Quantity) -> String {
     let unit = &driver.unit;
@@ -24,7 +24,7 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
     }
 }
 
-/// The errors of the ends of a limited range, in words.
+/// Describes the error bounds of the ends of a limited range.
 pub(super) fn errors_text(bounds: [Option<f64>; 2], unit: &str) -> String {
     let [low, high] = bounds.map(|bound| match bound {
         Some(bound) => words().end_error(&upwards(bound, BOUND_DIGITS), unit),
@@ -33,7 +33,7 @@ pub(super) fn errors_text(bounds: [Option<f64>; 2], unit: &str) -> String {
     words().range_errors(&low, &high)
 }
 
-/// To 12 decimals, without noughts at the end.
+/// Formats a limit with up to 12 decimals, without trailing zeros.
 pub(super) fn limit_text(limit: f64) -> String {
     let decimals = format!("{limit:.DECIMALS$}");
     let text = decimals.trim_end_matches('0').trim_end_matches('.');
@@ -44,8 +44,8 @@ pub(super) fn limit_text(limit: f64) -> String {
     }
 }
 
-/// The range where it was left: limits as the doubles that they are, so that a coordinate just outside
-/// does not read like one of them.
+/// Describes the range for a coordinate outside of it, with exact limits: a coordinate just outside
+/// must not read like one of them.
 #[must_use]
 pub fn limits_text(range: Range, driver: &Quantity) -> String {
     match range {

@@ -1,7 +1,6 @@
-//! Rows of a sweep as text: CSV, JSON or aligned columns.
+//! Formats rows of a sweep: CSV, JSON or aligned columns.
 //!
-//! Each way keeps one line of text, which is filled and handed on row by row: rows of CSV and JSON
-//! allocate nothing.
+//! Each format reuses one line buffer: rows of CSV and JSON do not allocate.
 
 use super::columns::{CellSource, Columns};
 use super::csv_dialect::{CsvDialect, CsvSheet};
@@ -11,16 +10,17 @@ use crate::solver::Condition;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// One way to write rows.
+/// A format of rows.
 pub(super) trait RowWriter {
-    /// A row: a cell for every column, empty where no value exists, and what the state is.
+    /// Writes a row: a cell for every column, empty if the value does not exist, and the condition
+    /// of the state.
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()>;
 
-    /// The end of all rows.
+    /// Ends the output after all rows.
     fn finish(self) -> io::Result<()>;
 }
 
-/// The writer's own error: the crate's conversion would hide that a pipe was closed.
+/// Unwraps the writer's own error: the conversion of the csv crate would hide a closed pipe.
 pub(super) fn plain(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
@@ -28,7 +28,7 @@ pub(super) fn plain(error: csv::Error) -> io::Error {
     }
 }
 
-/// Comma separated values.
+/// Writes comma separated values.
 pub(super) struct CsvRows<W: Write> {
     to: W,
     dialect: CsvDialect,
@@ -46,7 +46,7 @@ impl<W: Write> CsvRows<W> {
 }
 
 impl<W: Write> RowWriter for CsvRows<W> {
-    /// Numbers and the words for a state need no quotes.
+    /// Writes a row without quotes, which numbers and state words never need.
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
         self.line.clear();
         for cell in cells {
@@ -65,13 +65,13 @@ impl<W: Write> RowWriter for CsvRows<W> {
     }
 }
 
-/// One object: the scene, the units, and an object per row.
+/// Writes one object: the scene, the units, and an object per row.
 pub(super) struct JsonRows<W: Write> {
     to: W,
-    /// `"C.x": ` and so on, ready to be written.
+    /// The keys with separator, such as `"C.x": `.
     keys: Vec<String>,
     line: String,
-    /// What stands before the next row.
+    /// The text before the next row.
     before: &'static str,
 }
 
@@ -122,7 +122,7 @@ impl<W: Write> RowWriter for JsonRows<W> {
     }
 }
 
-/// Columns of a fixed width, since the rows to come are not known.
+/// Writes columns of a fixed width, because later rows are not known.
 pub(super) struct TextRows<'c, W: Write> {
     to: W,
     columns: &'c Columns,
@@ -131,7 +131,7 @@ pub(super) struct TextRows<'c, W: Write> {
     line: String,
 }
 
-/// Characters of a number beside its digits: sign, point, and an exponent such as `e-300`.
+/// Characters of a number besides its digits: sign, point, and an exponent such as `e-300`.
 const BESIDE_DIGITS: usize = 7;
 
 impl<'c, W: Write> TextRows<'c, W> {
@@ -181,7 +181,7 @@ impl<W: Write> RowWriter for TextRows<'_, W> {
 /// Significant digits of a bound.
 const BOUND_DIGITS: usize = 2;
 
-/// A figure in a text table; the driver's angle counts turns and is never taken for a direction.
+/// Formats a value in a text table; the driver's angle counts turns and is not a direction.
 fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {
     if quantity.is_direction() {
         direction(value, digits)

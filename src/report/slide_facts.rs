@@ -1,4 +1,4 @@
-//! Slides among the facts of a scene, and what is to be said of their sign.
+//! Facts on the slides of a scene, with remarks on their sign.
 
 use super::check::{ElementNames, PLACES};
 use super::number::{concise, significant};
@@ -7,31 +7,31 @@ use crate::wording::words;
 use crate::{Body, SlideId, Slider, angle};
 use serde::Serialize;
 
-/// Digits of a position in a sentence.
+/// Significant digits of a position in a sentence.
 const DIGITS: usize = 6;
 
-/// What slides.
+/// The kind of slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SliderKind {
     /// A pin in a slot.
     Pin,
-    /// A link that does not turn against its guide.
+    /// A link that does not rotate relative to its guide.
     Link,
 }
 
 /// A slide.
 #[derive(Clone, Debug, Serialize)]
 pub struct SlideFacts {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// What slides.
+    /// The kind of slider.
     pub kind: SliderKind,
-    /// The point or the link that slides.
+    /// The sliding point or link.
     pub slider: String,
     /// The body that carries the guide.
     pub on: String,
-    /// What is said of a slide that lies behind `through` where the scene opens.
+    /// A remark on a slide with a negative position where the scene opens.
     #[serde(skip)]
     pub(super) backwards: Option<String>,
 }
@@ -45,7 +45,7 @@ impl ElementNames<'_> {
         solver.enclose(&mut opening, Order::Position, &mut bounds);
         let position = |id| {
             let (travel, enclosed) = opening.travel(id).zip(bounds.travel(id))?;
-            // Written so that a bound that is no number tells no sign.
+            // Also `false` for a bound of NaN, which determines no sign.
             let is_negative = enclosed.position.mid + enclosed.position.radius < 0.0;
             is_negative.then_some(travel.position)
         };
@@ -68,8 +68,9 @@ impl ElementNames<'_> {
         mechanism.slide_ids().map(facts).collect()
     }
 
-    /// Lecture notes write the vector of a slide with a positive length: one whose guide was given the direction of
-    /// that vector is negative, and says how it would not be. A driven one is where its driver says.
+    /// Returns the remark on a slide with a negative position, with the guide angle that would make
+    /// it positive. Lecture notes give the vector of a slide a positive length. Returns `None` for
+    /// a driven slide, since its driver sets the sign.
     fn backwards(&self, id: SlideId, position: f64) -> Option<String> {
         let mechanism = &self.scene.mechanism;
         let is_driven = mechanism.is_pushed(id);
@@ -77,7 +78,7 @@ impl ElementNames<'_> {
             return None;
         }
         let slide = mechanism.slide(id);
-        // As positions tables write directions.
+        // In the range used for directions in tables.
         let theta = angle::wrapped(slide.angle);
         let other = angle::wrapped(slide.angle + angle::TURN / 2.0);
         Some(words().slide_counts_backwards(
@@ -91,7 +92,7 @@ impl ElementNames<'_> {
 }
 
 impl SlideFacts {
-    /// The slide, and what is to be said of its sign.
+    /// Returns the text on the slide, and the remark on its sign, if any.
     pub(super) fn texts(&self) -> impl Iterator<Item = String> {
         std::iter::once(self.text()).chain(self.backwards.clone())
     }

@@ -1,8 +1,8 @@
 //! The driver's coordinates of a sweep.
 //!
-//! Row k of a sweep stands at the double nearest to the exact decimal `from + k * step`, so that
-//! the tenth row of a sweep by 0.1 is 1 and not 0.9999999999999999. The ends and the step are
-//! therefore kept as the decimals that were written.
+//! Row k of a sweep is at the double closest to the exact decimal `from + k * step`, so that the
+//! tenth row of a sweep by 0.1 is 1 and not 0.9999999999999999. So the ends and the step are stored
+//! as written decimals.
 
 use crate::scene::with_point;
 use crate::wording::words;
@@ -10,51 +10,51 @@ use std::fmt::Write;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// A sweep has no more rows than this: 10^9 are already hundreds of gigabytes.
+/// Maximum number of rows of a sweep: 10^9 already take hundreds of gigabytes.
 pub const MOST_ROWS: u64 = 1_000_000_000;
 
-/// Up to this size an integer is exactly a double.
+/// Integers up to this size are exact doubles.
 const EXACT_INTEGER: i128 = 1 << 53;
-/// The largest power of ten that is exactly a double.
+/// The largest power of ten that is an exact double.
 const EXACT_TEN: u32 = 22;
 
-/// A finite decimal number as it was written, with a point or a comma.
+/// A finite decimal number as written, with a point or a comma.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrittenDecimal {
     value: f64,
-    /// `digits * 10^exponent` is the number; `None` where 38 digits do not hold it.
+    /// The exact number is `digits * 10^exponent`; `None` if it needs more than 38 digits.
     exact: Option<(i128, i32)>,
 }
 
-/// Why a text is no [`WrittenDecimal`].
+/// The reason why a text is not a [`WrittenDecimal`].
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecimalError {
-    /// No number at all.
+    /// The text is not a number.
     #[error("{}", words().not_a_decimal())]
     Syntax,
-    /// Nobody knows which mark is the decimal one, as in `1,500`.
+    /// The decimal mark is ambiguous, as in `1,500`.
     #[error("{}", words().digits_without_groups())]
     TwoMarks,
-    /// NaN, infinity, or too large for a double.
+    /// The number is NaN, infinite, or too large for a double.
     #[error("{}", words().decimal_not_finite())]
     NotFinite,
 }
 
 impl WrittenDecimal {
-    /// The nearest double.
+    /// Returns the nearest double.
     #[must_use]
     pub fn value(self) -> f64 {
         self.value
     }
 
-    /// The shortest decimal that stands for this double; `None` if it is not finite.
+    /// Returns the shortest decimal that represents this double; `None` if it is not finite.
     #[must_use]
     pub fn of(value: f64) -> Option<WrittenDecimal> {
         format!("{value:e}").parse().ok()
     }
 
-    /// The number in units of `10^exponent`, if it is a whole one that fits.
+    /// Returns the number in units of `10^exponent`, if it is an integer that fits.
     fn counted_in(self, exponent: i32) -> Option<i128> {
         let (digits, own) = self.exact?;
         let shift = u32::try_from(own.checked_sub(exponent)?).ok()?;
@@ -79,7 +79,8 @@ impl FromStr for WrittenDecimal {
     }
 }
 
-/// The digits and the power of ten of a text that is known to be a finite number.
+/// Returns the digits and the power of ten of a text that is a finite number; `None` if they do not
+/// fit.
 fn exact(text: &str) -> Option<(i128, i32)> {
     let (mantissa, power) = match text.split_once(['e', 'E']) {
         Some((mantissa, power)) => (mantissa, power.parse::<i32>().ok()?),
@@ -95,61 +96,62 @@ fn exact(text: &str) -> Option<(i128, i32)> {
     Some((digits, power.checked_sub(places)?))
 }
 
-/// Why a sweep is refused.
+/// The reason why a sweep is invalid.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum StepsError {
-    /// A step of 0.
+    /// The step is 0.
     #[error("{}", words().step_is_zero())]
     Zero,
     /// The step leads away from the end.
     #[error("{}", words().step_leads_away(*step, *from, *to, -step))]
     Away {
-        /// Where the sweep begins.
+        /// The start of the sweep.
         from: f64,
-        /// Where it should end.
+        /// The requested end.
         to: f64,
         /// The step.
         step: f64,
     },
-    /// More rows than [`MOST_ROWS`].
+    /// The sweep has more rows than [`MOST_ROWS`].
     #[error("{}", words().sweep_too_long(*from, *to, *step))]
     TooMany {
-        /// Where the sweep begins.
+        /// The start of the sweep.
         from: f64,
-        /// Where it ends.
+        /// The end of the sweep.
         to: f64,
         /// The step.
         step: f64,
     },
 }
 
-/// The driver's coordinates of a sweep, both ends included where they are hit.
+/// The driver's coordinates of a sweep, including both ends if the steps reach them.
 #[derive(Clone, Debug)]
 pub struct Steps {
     kind: StepsKind,
     count: u64,
-    /// A last coordinate that the step does not hit.
+    /// A last coordinate that the steps do not reach.
     end: Option<f64>,
 }
 
 #[derive(Clone, Debug)]
 enum StepsKind {
-    /// `from + k * step` in units of `10^exponent`: exact.
+    /// `from + k * step` in units of `10^exponent`, exactly.
     Exact {
         from: i128,
         step: i128,
         exponent: i32,
     },
-    /// Numbers that 38 digits do not hold together: one rounding of the doubles.
+    /// Numbers that need more than 38 digits together: doubles, rounded once.
     Fused { from: f64, step: f64 },
 }
 
 impl Steps {
-    /// The coordinates `from`, `from + step`, ... up to `to`, which is included where it is hit.
+    /// Creates the coordinates `from`, `from + step`, ... up to `to`, which is included if the
+    /// steps reach it.
     ///
     /// # Errors
-    /// A step of 0, one that leads away from `to`, or more than 10^9 rows.
+    /// Returns an error for a step of 0, a step away from `to`, or more than 10^9 rows.
     pub fn new(
         from: WrittenDecimal,
         to: WrittenDecimal,
@@ -189,7 +191,7 @@ impl Steps {
         }
     }
 
-    /// The same, with a last row on `end` itself where the step does not hit it.
+    /// Adds a last row at `end` itself if the steps do not reach it.
     #[must_use]
     pub fn ending_on(mut self, end: f64) -> Steps {
         let last = self.coordinate(self.count - 1, &mut String::new());
@@ -197,13 +199,13 @@ impl Steps {
         self
     }
 
-    /// The number of rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count + u64::from(self.end.is_some())
     }
 
-    /// The coordinates in their order. Allocates once, not per row.
+    /// Returns the coordinates in order. Allocates once, not per row.
     pub fn iter(&self) -> impl Iterator<Item = f64> {
         let mut text = String::with_capacity(64);
         (0..self.count)
@@ -224,7 +226,8 @@ impl Steps {
     }
 }
 
-/// All three in units of the same power of ten, which comes last.
+/// Returns all three numbers in units of a common power of ten, which comes last; `None` if they do
+/// not fit.
 fn counted(
     from: WrittenDecimal,
     to: WrittenDecimal,
@@ -233,18 +236,18 @@ fn counted(
     let exponent = from.exact?.1.min(to.exact?.1).min(step.exact?.1);
     let in_units = |d: WrittenDecimal| d.counted_in(exponent);
     let (from, to, step) = (in_units(from)?, in_units(to)?, in_units(step)?);
-    // A step that the text has and the double has not would be 0 here as well.
+    // Guards the division by the step; a step of 0 was already rejected.
     (step != 0).then_some((from, to, step, exponent))
 }
 
-/// The number of whole steps from `from` to `to`.
+/// Returns the number of whole steps from `from` to `to`.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "anything above 10^9 is refused, and the cast saturates"
 )]
 fn fused_last(from: f64, to: f64, step: f64) -> Option<i128> {
     let steps = (to - from) / step;
-    // The quotient may have rounded up to a whole number that the last row would overshoot.
+    // The quotient may have been rounded up to an integer; the last row would then exceed the end.
     let last = steps.floor();
     let beyond = step.mul_add(last, from) - to;
     let last = if beyond * step > 0.0 {
@@ -255,7 +258,7 @@ fn fused_last(from: f64, to: f64, step: f64) -> Option<i128> {
     last.is_finite().then_some(last as i128)
 }
 
-/// The double nearest to `digits * 10^exponent`.
+/// Returns the double nearest to `digits * 10^exponent`.
 fn nearest(digits: i128, exponent: i32, text: &mut String) -> f64 {
     // Two exact doubles and one rounding (Clinger 1990, the fast path).
     if digits.abs() <= EXACT_INTEGER && exponent.unsigned_abs() <= EXACT_TEN {

@@ -1,4 +1,4 @@
-//! The stops at which a motion ends.
+//! Facts on the stops at which a motion ends.
 
 use super::number::concise;
 use crate::scene::Scene;
@@ -10,32 +10,33 @@ use serde::Serialize;
 /// A stop at an end of the range.
 #[derive(Clone, Debug, Serialize)]
 pub struct StopFacts {
-    /// What is limited: a slide, a link, the driver, or the limit by its own name.
+    /// The limited element: a slide, a link, the driver, or the limit's own name.
     pub name: String,
-    /// The driver's coordinate at which it is met, in deg or the scene's unit.
+    /// The driver's coordinate at the stop, in deg or the scene's unit.
     pub at: f64,
-    /// The end of the limit that is met, in deg or the scene's unit.
+    /// The limit's value at the stop, in deg or the scene's unit.
     pub value: f64,
-    /// The unit of that.
+    /// The unit of `value`.
     #[serde(skip)]
     unit: &'static str,
-    /// Whether it is the end of the table of this input.
+    /// Whether it is the end of an input's table.
     #[serde(skip)]
     is_table: bool,
 }
 
-/// A limit that the motion keeps without its stops.
+/// A limit whose ends the motion never reaches.
 #[derive(Clone, Debug, Serialize)]
 pub struct UnmetLimit {
-    /// What is limited: a slide, a link, the driver, or the limit by its own name.
+    /// The limited element: a slide, a link, the driver, or the limit's own name.
     pub name: String,
-    /// Its lower and its upper end, in deg or the scene's unit.
+    /// Its minimum and maximum, in deg or the scene's unit.
     pub ends: [f64; 2],
     #[serde(skip)]
     unit: &'static str,
 }
 
-/// The limits of which the motion meets neither end; a table's ends are no stops that anybody set.
+/// Returns the limits whose ends the motion never reaches; the ends of a table do not count as
+/// stops.
 pub(super) fn unmet_limits(scene: &Scene, solver: &Solver) -> Vec<UnmetLimit> {
     let is_met = |id: &LimitId| solver.motion().stops.iter().any(|stop| stop.limit == *id);
     let limits = scene.mechanism.limit_ids().filter(|id| !is_met(id));
@@ -54,14 +55,14 @@ pub(super) fn unmet_limits(scene: &Scene, solver: &Solver) -> Vec<UnmetLimit> {
 }
 
 impl UnmetLimit {
-    /// In words.
+    /// Formats the limit as a sentence.
     pub(super) fn text(&self) -> String {
         let [low, high] = self.ends.map(|end| concise(end, usize::MAX));
         words().never_met(&self.name, &low, &high, self.unit)
     }
 }
 
-/// The unit of the ends of a limit.
+/// Returns the unit of the ends of a limit.
 fn unit_of(scene: &Scene, of: LimitOf) -> &'static str {
     let is_angle = match of {
         LimitOf::Driver | LimitOf::Table(_) => {
@@ -73,7 +74,7 @@ fn unit_of(scene: &Scene, of: LimitOf) -> &'static str {
     if is_angle { "deg" } else { scene.unit.symbol() }
 }
 
-/// The stops at which the motion ends, in order.
+/// Returns the stops at which the motion ends, in order.
 #[must_use]
 pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     let facts = |stop: &EndStop| {
@@ -92,7 +93,7 @@ pub fn stops(scene: &Scene, solver: &Solver) -> Vec<StopFacts> {
     solver.motion().stops.iter().map(facts).collect()
 }
 
-/// What stops a motion, in words: what is limited, or the table that ends.
+/// Returns the name of a stop: the limited element, or the table that ends.
 #[must_use]
 pub fn stop_name(scene: &Scene, limit: LimitId) -> String {
     let name = scene.limit_name(limit);
@@ -103,7 +104,7 @@ pub fn stop_name(scene: &Scene, limit: LimitId) -> String {
 }
 
 impl StopFacts {
-    /// What stops the motion, in words.
+    /// Returns the name of the stop.
     #[must_use]
     pub fn called(&self) -> String {
         match self.is_table {
@@ -112,7 +113,7 @@ impl StopFacts {
         }
     }
 
-    /// That it ends the motion before a place; `covered` is what the driver covers.
+    /// Explains that the stop ends the motion before a coordinate; `covered` is the driver's range.
     #[must_use]
     pub fn before(&self, at: f64, unit: &str, covered: &str) -> String {
         match self.is_table {
@@ -121,7 +122,7 @@ impl StopFacts {
         }
     }
 
-    /// In words; `at` is the driver's coordinate in `unit`.
+    /// Formats the stop as a sentence; `at` is the driver's coordinate in `unit`.
     #[must_use]
     pub fn text(&self, at: &str, unit: &str) -> String {
         if self.is_table {

@@ -1,4 +1,4 @@
-//! The structural error of a linkage that follows a function, over its whole range.
+//! Evaluates and plots the structural error of a function-generating linkage over its whole range.
 
 use crate::drawing::Glyphs;
 use crate::drawing::plot::{Plot, PlotStyle};
@@ -10,18 +10,21 @@ const COLUMNS: u16 = 76;
 const ROWS: u16 = 12;
 const ASPECT: f64 = 2.0;
 
-/// By how much an output misses its function where that is known: over the range of a formula, else at the pairs.
+/// The structural error where the function is known: over the range of a formula, or else at the
+/// pairs.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StructuralError {
     xs: Vec<f64>,
-    /// In degrees, or in lengths of the task; `None` where the linkage does not close.
+    /// The errors in degrees, or in the task's unit of length; `None` where the linkage does not
+    /// close.
     errors: Vec<Option<f64>>,
-    /// Whether what lies between is known, too.
+    /// Whether the function is also known between the pairs.
     is_dense: bool,
 }
 
 impl StructuralError {
-    /// Of a candidate; `None` of a task that is no function, and where nothing was opened.
+    /// Computes the error of a candidate; returns `None` for other tasks, and for a candidate that
+    /// cannot be opened.
     pub(super) fn of(task: &Task, candidate: &Candidate) -> Option<StructuralError> {
         let TaskKind::Function(function) = &task.kind else {
             return None;
@@ -37,13 +40,14 @@ impl StructuralError {
         })
     }
 
-    /// x and the error, for programs.
+    /// Returns x and the error, for programs.
     pub(super) fn pairs(&self) -> Vec<(f64, Option<f64>)> {
         let errors = self.errors.iter().copied();
         self.xs.iter().copied().zip(errors).collect()
     }
 
-    /// The plot in characters, in the unit of misses; `None` where what lies between the pairs is not known.
+    /// Returns the plot as text lines, in the unit of the error; `None` if only the pairs are
+    /// known.
     pub(super) fn plot(&self, unit: &str) -> Option<Vec<String>> {
         let figures = [([words().structural_error(), unit], self.errors.clone())];
         let plot = Plot::over(["x", ""], &self.xs, &figures);

@@ -1,6 +1,6 @@
-//! Rows of figures over the driver's coordinate: solved, read and written as they come.
+//! Computes rows of values over the driver's coordinate, and writes them as they are solved.
 //!
-//! A few states and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
+//! A few states and one line buffer serve all rows: memory does not depend on the number of rows.
 
 use super::columns::{Beside, Columns};
 use super::csv_dialect::CsvDialect;
@@ -13,60 +13,61 @@ use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
 use std::io::{self, Write};
 
-/// How the rows are written.
+/// The output format of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowFormat {
     /// Comma separated values with a header.
     Csv(CsvDialect),
     /// One object: the scene, the units, and an object per row.
     Json,
-    /// Aligned columns, to this many significant digits.
+    /// Aligned columns.
     Text {
         /// Significant digits.
         digits: usize,
     },
 }
 
-/// What a sweep came to.
+/// The outcome of a sweep.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweepOutcome {
-    /// Rows written.
+    /// The number of rows written.
     pub rows: u64,
-    /// Of these, rows in which the mechanism can be: the others have no values.
+    /// The number of rows in which the mechanism can be assembled; the others have no values.
     pub valued: u64,
-    /// What could not be said beside the figures.
+    /// The counts of missing error columns.
     pub missing: Missing,
-    /// Rows in which figures that exist are not shown, and why not in the first of them.
+    /// The number of rows in which existing values are not shown.
     pub hidden: u64,
-    /// See there.
+    /// The reason in the first of these rows.
     pub first_hidden: Option<Hidden>,
 }
 
-/// What is swept, and how it is written.
+/// The input of a sweep, and its output format.
 #[derive(Clone, Copy, Debug)]
 pub struct Sweep<'a> {
-    /// The scene, which JSON names.
+    /// The scene, whose name JSON contains.
     pub scene: &'a Scene,
-    /// Its solver.
+    /// The solver of the scene.
     pub solver: &'a Solver,
-    /// The figures of each row. Nothing is solved that they do not need.
+    /// The values of each row; the solver computes only their prerequisites.
     pub columns: &'a Columns,
     /// The driver's coordinate of each row, or its time.
     pub steps: &'a Steps,
-    /// What leads from time to the driver: then time is the first column ([`Columns::over_time`]).
+    /// The conversion from time to the driver; then time is the first column
+    /// ([`Columns::over_time`]).
     pub clock: Option<&'a Clock>,
-    /// How the rows are written.
+    /// The output format.
     pub format: RowFormat,
 }
 
-/// So many rows are written between two reports of how far a sweep has come: about a millisecond.
+/// Rows between two progress reports: about a millisecond.
 const REPORTED: u64 = 1024;
 
 impl<'a> Sweep<'a> {
-    /// Solves and writes all rows; tells `watch` from time to time how many there are.
+    /// Solves and writes all rows; calls `watch` regularly with their number.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<SweepOutcome> {
         let columns = self.columns;
         match self.format {
@@ -106,8 +107,8 @@ impl<'a> Sweep<'a> {
         Ok(outcome)
     }
 
-    /// What is known of errors, where it is asked for or shows in what is read: in text zero is what may
-    /// be zero.
+    /// Returns the computation of error columns, if it is needed: for requested columns, and for
+    /// text, which shows values within their error bounds as zero.
     fn errors(&self, solver: &Solver) -> Option<ErrorCells<'a>> {
         let rounded = matches!(self.format, RowFormat::Text { .. });
         let wanted = rounded || self.columns.beside != Beside::default();
@@ -115,21 +116,21 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Solves for a few coordinates, at once where that can be, and reads the columns row by row.
+/// Solves a few coordinates, in parallel lanes if possible, and evaluates the columns row by row.
 struct RowReader<'a> {
     solver: Solver,
     quantities: &'a [Quantity],
     order: Order,
     clock: Option<&'a Clock>,
-    /// What is known of errors, if that is wanted: then rows are read one by one.
+    /// The computation of error columns, if needed; then rows are evaluated one by one.
     errors: Option<ErrorCells<'a>>,
     state: Workspace,
     lanes: Workspace<Lanes>,
-    /// What was read from the lanes, column by column.
+    /// The values from the lanes, column by column.
     columns: Vec<Lanes>,
-    /// The row that is being read.
+    /// The current row.
     cells: Vec<Option<f64>>,
-    /// Rows with figures that are not shown, and the first of them.
+    /// The number of rows with values not shown, and the first reason.
     hidden: u64,
     first_hidden: Option<Hidden>,
 }
@@ -154,8 +155,8 @@ impl<'a> RowReader<'a> {
         }
     }
 
-    /// Hands over the rows at these coordinates, no more than there are lanes; gives the number of
-    /// those that have values.
+    /// Passes on the rows at these coordinates, at most one per lane; returns the number of rows
+    /// with values.
     fn hand_over(&mut self, at: &[f64], rows: &mut impl RowWriter) -> io::Result<u64> {
         if self.errors.is_none() && self.clock.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
@@ -190,7 +191,7 @@ impl<'a> RowReader<'a> {
         Ok(valued)
     }
 
-    /// The driver's coordinate in a row, which it passes as it does then.
+    /// Returns the driver's coordinate in a row, and sets its motion at that time.
     fn driven(&mut self, row: f64) -> f64 {
         let Some(clock) = self.clock else {
             return row;
@@ -203,7 +204,7 @@ impl<'a> RowReader<'a> {
         moment.at
     }
 
-    /// Counts the row if figures that exist are not shown in it.
+    /// Counts the row if existing values are not shown in it.
     fn look_for_hidden(&mut self) {
         let cells = self.quantities.iter().zip(&self.cells);
         let empty = cells.filter(|(_, cell)| cell.is_none()).map(|(q, _)| q);
@@ -213,12 +214,13 @@ impl<'a> RowReader<'a> {
         }
     }
 
-    /// Whether every figure exists at each coordinate; then they are in the columns.
+    /// Solves all coordinates in parallel lanes. Returns `true` if every value exists; then
+    /// `columns` has them.
     fn read_at_once(&mut self, at: &[f64]) -> bool {
         let Some(&last) = at.last() else {
             return false;
         };
-        // Lanes that are not needed do what the last one does.
+        // Unused lanes repeat the last coordinate.
         let mut lanes = [last; LANES];
         lanes[..at.len()].copy_from_slice(at);
         if !self.solver.solve_lanes(lanes, self.order, &mut self.lanes) {

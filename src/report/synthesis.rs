@@ -1,4 +1,4 @@
-//! What came of a task: linkages that do it, and those that do not with the reason.
+//! Reports the result of a task: linkages that do it, and defective ones with the reasons.
 
 #[cfg(test)]
 mod tests;
@@ -15,33 +15,33 @@ use crate::task_file::TaskFile;
 use crate::wording::words;
 use serde_json::{Value, json};
 
-/// Digits of lengths, and of misses and angles.
+/// Significant digits of lengths, and of errors and angles.
 const DIGITS: usize = 6;
 pub(super) const FEW: usize = 3;
-/// Goals in a line of a scene's comment: those of one pose.
+/// Number of goals in a line of a scene's comment: those of one pose.
 const GOALS_OF_A_LINE: usize = 3;
-/// Defective ones that are told at most.
+/// Maximum number of defective candidates listed.
 const MOST_DEFECTIVE: usize = 10;
 
-/// What came of a task.
+/// The result of a task.
 #[derive(Clone, Copy, Debug)]
 pub struct SynthesisReport<'a> {
     /// The task.
     pub file: &'a TaskFile,
-    /// What came of it.
+    /// The result.
     pub found: &'a Synthesis,
-    /// How many candidates are told.
+    /// Maximum number of candidates listed.
     pub top: usize,
 }
 
 impl SynthesisReport<'_> {
-    /// Those that are told: the best of what does the task.
+    /// Returns the candidates to list: the best of those that do the task.
     #[must_use]
     pub fn told(&self) -> &[Candidate] {
         &self.found.good[..self.found.good.len().min(self.top)]
     }
 
-    /// What the scene of a candidate says of itself; candidates are counted from 1.
+    /// Returns the titles and comments of a candidate's scene; candidates are numbered from 1.
     #[must_use]
     pub fn titles(
         &self,
@@ -58,7 +58,8 @@ impl SynthesisReport<'_> {
         }
     }
 
-    /// What its scene tells of the numbers that stand in it, and how other ones still do the task.
+    /// Returns comments for its scene: the meaning of its numbers, and how to change them so that
+    /// the task is still done.
     fn comments(&self, candidate: &Candidate) -> Vec<String> {
         let few = |figure: f64| significant(figure, FEW);
         let figures = &candidate.figures;
@@ -83,13 +84,13 @@ impl SynthesisReport<'_> {
         comments
     }
 
-    /// As text for a person.
+    /// Formats the report as text.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// What was wanted and what was found.
+    /// Returns the task and the result as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -117,13 +118,13 @@ impl SynthesisReport<'_> {
         page
     }
 
-    /// The structural error of the first over its whole range.
+    /// Plots the structural error of the first candidate over its whole range, if it has one.
     fn error_of_best(&self) -> Option<Vec<String>> {
         let error = StructuralError::of(&self.file.task, self.told().first()?)?;
         error.plot(self.miss_unit())
     }
 
-    /// How many were found, and whether there are others.
+    /// Describes how many candidates were found, and whether there may be others.
     pub(crate) fn verdict(&self) -> String {
         let found = self.found;
         words().candidates_found(
@@ -135,7 +136,7 @@ impl SynthesisReport<'_> {
         )
     }
 
-    /// That nothing does the task, and why where that is known.
+    /// Explains that no linkage does the task, with the reason if known.
     pub(crate) fn nothing(&self) -> String {
         let reason = match self.found.defective.is_empty() {
             true => self.reason(),
@@ -144,7 +145,8 @@ impl SynthesisReport<'_> {
         words().nothing_does_the_task(&reason)
     }
 
-    /// Why there are none, or why there may be others; empty where a search says no more than it found.
+    /// Returns the reason why there are none, or why there may be others; empty if a search has no
+    /// reason to give.
     fn reason(&self) -> String {
         let Some(reason) = self.found.reason else {
             return String::new();
@@ -163,7 +165,7 @@ impl SynthesisReport<'_> {
         }
     }
 
-    /// The unit of what is missed.
+    /// Returns the unit of the deviation from the task.
     pub(crate) fn miss_unit(&self) -> &'static str {
         match &self.file.task.kind {
             TaskKind::Function(task) if task.output == Output::Angle => "deg",
@@ -173,7 +175,7 @@ impl SynthesisReport<'_> {
 
     fn table(&self) -> Table {
         let length = self.file.unit.symbol();
-        // A slide is no link, and no column is empty.
+        // A slide is not a link, so its column would be empty.
         let links = ["r2", "r3", "r4", "r1"].into_iter().enumerate();
         let has = |link: usize| {
             self.told()
@@ -212,7 +214,7 @@ impl SynthesisReport<'_> {
         table
     }
 
-    /// A candidate in a few figures.
+    /// Formats a candidate by its lengths.
     fn brief(&self, candidate: &Candidate) -> String {
         let lengths = candidate.proposal.all_lengths().into_iter().flatten();
         let lengths: Vec<String> = lengths.map(|length| significant(length, 4)).collect();
@@ -224,7 +226,7 @@ impl SynthesisReport<'_> {
         reasons.collect::<Vec<_>>().join("; ")
     }
 
-    /// All that was found, for programs.
+    /// Returns the whole result for programs.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let candidate = |candidate: &Candidate| {
@@ -239,7 +241,7 @@ impl SynthesisReport<'_> {
                 json!({ "state": state, "from": from, "to": to })
             };
             let figures = &candidate.figures;
-            // What was never opened has no figures.
+            // A candidate that could not be opened has no values.
             let told = |figure: f64| is_driven(candidate).then_some(figure);
             let first = candidate.proposal.places.first();
             json!({
@@ -267,7 +269,8 @@ impl SynthesisReport<'_> {
                 "defects": candidate.defects.iter().map(defect).collect::<Vec<_>>(),
             })
         };
-        // A spot of the curves of four poses: a pivot with its pin at the first pose, or the guide of a slide with it.
+        // A point of the curves of four poses: a pivot with its pin at the first pose, or the guide
+        // of a slide with the pin.
         let spot = |dyad: &PosedDyad| {
             let pin = [dyad.pin.x, dyad.pin.y];
             match dyad.held {
@@ -295,7 +298,7 @@ impl SynthesisReport<'_> {
     }
 }
 
-/// The motion that is wanted, in a few words.
+/// Describes the task in a few words.
 pub(crate) fn wanted(task: &Task) -> String {
     match &task.kind {
         TaskKind::Poses(task) => words().poses_wanted(task.poses.len()),
@@ -304,12 +307,12 @@ pub(crate) fn wanted(task: &Task) -> String {
     }
 }
 
-/// Whether the solver could open it at the first point.
+/// Returns `true` if the solver could open the candidate at the first point.
 pub(super) fn is_driven(candidate: &Candidate) -> bool {
     !candidate.defects.contains(&TaskDefect::Unopened)
 }
 
-/// Whether the crank turns fully, in a word.
+/// Returns a word that says whether the crank turns fully.
 pub(super) fn turns(candidate: &Candidate) -> &'static str {
     match candidate.figures.full_turn {
         true => words().turns_fully_shortly(),
@@ -317,7 +320,7 @@ pub(super) fn turns(candidate: &Candidate) -> &'static str {
     }
 }
 
-/// A defect in words; points are counted from 1.
+/// Describes a defect; points are numbered from 1.
 fn reason(defect: &TaskDefect) -> String {
     match *defect {
         TaskDefect::Unopened => words().stands_in_dead_point().into(),
@@ -339,7 +342,7 @@ pub(super) fn lacking(missed: &[MissedWish]) -> String {
     }
 }
 
-/// Why there are none, or why there may be others, for programs.
+/// Returns the name, for programs, of the reason why there are none or why there may be others.
 fn reason_name(reason: OpenReason) -> &'static str {
     match reason {
         OpenReason::Range => "range",
@@ -352,7 +355,7 @@ fn reason_name(reason: OpenReason) -> &'static str {
     }
 }
 
-/// As the task file names it.
+/// Returns the name of a preference in task files.
 pub(super) fn wish(wish: &MissedWish) -> &'static str {
     match wish {
         MissedWish::FullTurn => "full-turn",

@@ -1,4 +1,4 @@
-//! Candidates as CSV: one table of columns, and words that are the same in every language.
+//! Writes candidates as CSV, with names and words independent of the language.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::shortest;
@@ -7,18 +7,18 @@ use crate::Vec2;
 use crate::synthesis::{Candidate, Partner, TaskDefect};
 use std::io;
 
-/// In what a column measures.
+/// The unit of a column.
 #[derive(Clone, Copy)]
 enum ColumnMeasure {
     Plain,
     Degrees,
     /// The task's unit.
     Length,
-    /// Degrees of a function of angles, else lengths.
+    /// Degrees for a function of angles, or else lengths.
     Miss,
 }
 
-/// What stands in a cell.
+/// The content of a cell.
 enum CellValue {
     Number(Option<f64>),
     Word(String),
@@ -26,7 +26,7 @@ enum CellValue {
 
 type CandidateColumn = (&'static str, ColumnMeasure, fn(&Candidate) -> CellValue);
 
-/// All columns behind the number of the candidate.
+/// All columns after the number of the candidate.
 const COLUMNS: [CandidateColumn; 27] = {
     use CellValue::{Number, Word};
     use ColumnMeasure::{Degrees, Length, Miss, Plain};
@@ -72,11 +72,11 @@ const COLUMNS: [CandidateColumn; 27] = {
 };
 
 impl SynthesisReport<'_> {
-    /// A row for each candidate, the defective ones behind the others. `state` is `ok` or the first defect, `from` and `to`
-    /// the points between which it lies; JSON has all defects.
+    /// Writes a row for each candidate, defective ones last. `state` is `ok` or the first defect,
+    /// `from` and `to` are the points between which it lies; JSON has all defects.
     ///
     /// # Errors
-    /// Those of writing.
+    /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
         let head = |(name, measure, _): &CandidateColumn| {
             let unit = match measure {
@@ -106,7 +106,7 @@ impl SynthesisReport<'_> {
             let number: usize = number;
             rows.record(std::iter::once(number.to_string()).chain(cells(candidate)))?;
         }
-        // What is defective has no number.
+        // Defective candidates have no number.
         for candidate in &self.found.defective {
             rows.record(std::iter::once(String::new()).chain(cells(candidate)))?;
         }
@@ -114,7 +114,7 @@ impl SynthesisReport<'_> {
     }
 }
 
-/// What a linkage is, as `linkages` of a task names it.
+/// Returns the kind of linkage, as named in `linkages` of a task.
 pub(super) fn family(candidate: &Candidate) -> &'static str {
     match candidate.proposal.partner {
         Partner::Rocker(_) => "four-bar",
@@ -122,7 +122,7 @@ pub(super) fn family(candidate: &Candidate) -> &'static str {
     }
 }
 
-/// A defect in a word that no language changes, and between which points it lies, counted from 1.
+/// Returns a language-independent word for a defect, and its points, numbered from 1.
 pub(super) fn defect_words(defect: &TaskDefect) -> (&'static str, [Option<usize>; 2]) {
     let between = |from: &usize, to: &usize| [Some(from + 1), Some(to + 1)];
     let at = |point: &usize| [Some(point + 1); 2];
@@ -161,13 +161,13 @@ fn guide(candidate: &Candidate) -> Option<f64> {
     }
 }
 
-/// B or C where it opens.
+/// Returns B or C where the scene opens.
 fn pin(candidate: &Candidate, which: usize) -> Option<Vec2> {
     let first = candidate.proposal.places.first();
     first.map(|pins| pins[which])
 }
 
-/// What was never opened has no figures.
+/// Returns the value, unless the candidate could not be opened.
 fn told(candidate: &Candidate, figure: f64) -> Option<f64> {
     is_driven(candidate).then_some(figure)
 }

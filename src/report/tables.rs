@@ -1,4 +1,4 @@
-//! The position, velocity and acceleration tables of one state, laid out as in the lectures.
+//! Tables of positions, velocities and accelerations of one state, in the layout of the lectures.
 
 use super::answers::Answers;
 use super::entry::{Entry, PlaneVector, ROUNDED_UP};
@@ -8,48 +8,48 @@ use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
 use crate::{Ball, Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
 
-/// Position, velocity and acceleration: the tables in their order.
+/// The orders of the tables: position, velocity and acceleration.
 pub const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 
-/// A vector's column in the tables: entries by [`Order`].
+/// A vector's column in the tables; entries are indexed by [`Order`].
 #[derive(Clone, Debug)]
 pub struct VectorColumn {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// Its length (of a slide: the signed position along the guide) and that one's rates, in the
-    /// scene's unit, per s and s^2; `None` for a link that has no two natural ends.
+    /// Its length (for a slide, the signed position along the guide) and the rates of it, in the
+    /// scene's unit, per s and s^2; `None` for a link without two natural ends.
     pub length: Option<[Entry; 3]>,
-    /// Its direction in degrees from 0 to below 360, and that one's rates in rad/s and rad/s^2.
+    /// Its direction in degrees from 0 to below 360, and the rates of it in rad/s and rad/s^2.
     pub direction: [Entry; 3],
 }
 
 /// A joint, a centre of mass or another named point.
 #[derive(Clone, Debug)]
 pub struct PointRow {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// Whether it is a point of the ground: then the scene gives where it is.
+    /// Whether it is a point of the ground, so that its position is given.
     pub fixed: bool,
-    /// Position, velocity and acceleration; `None` where none exists.
+    /// Position, velocity and acceleration; `None` if it does not exist.
     pub motion: [Option<PlaneVector>; 3],
 }
 
-/// The driver in the state that the tables show.
+/// The driver in the state of the tables.
 #[derive(Clone, Debug)]
 pub struct DriverLine {
     /// The driven link or slide.
     pub name: String,
-    /// The link that its motor sits on, where that is not the ground.
+    /// The link that carries its motor, unless the ground does.
     pub from: Option<String>,
-    /// Whether it is a turned link; otherwise it is a pushed slide.
+    /// Whether it is a turned link; if not, it is a pushed slide.
     pub turns: bool,
-    /// Its coordinate as asked (deg, or the scene's unit), and its rates per s and s^2 (rad, or the
-    /// scene's unit).
+    /// The requested coordinate (deg, or the scene's unit), and its rates per s and s^2 (rad, or
+    /// the scene's unit).
     pub values: [f64; 3],
 }
 
 impl DriverLine {
-    /// What its values are.
+    /// Returns the aspects of its values.
     pub(super) fn aspects(&self) -> [Aspect; 3] {
         if self.turns {
             Aspect::TURNING
@@ -59,43 +59,43 @@ impl DriverLine {
     }
 }
 
-/// Everything that the tables of one state say.
+/// The contents of the tables of one state.
 #[derive(Clone, Debug)]
 pub struct Tables {
-    /// The scene's title.
+    /// The title of the scene.
     pub scene: String,
-    /// The symbol of its length unit.
+    /// The symbol of the scene's unit of length.
     pub unit: &'static str,
     /// The driver.
     pub driver: DriverLine,
-    /// What the state is.
+    /// The condition of the state.
     pub condition: Condition,
-    /// The vectors of the loop equations, in the order of the file; then the links that are given
-    /// by their points alone.
+    /// The vectors of the loop equations in the order of the file, followed by the links without
+    /// two ends.
     pub vectors: Vec<VectorColumn>,
     /// The named points: joints, further points and centres of mass.
     pub points: Vec<PointRow>,
-    /// What the given lengths do to the figures, where that was asked for.
+    /// The sensitivities of the values to the given lengths, if requested.
     pub answers: Option<Answers>,
-    /// The forces, where anything acts and they were asked for.
+    /// The forces, if requested and if there are loads.
     pub forces: Option<Forces>,
 }
 
 impl Tables {
-    /// Reads the tables from a state that was solved to accelerations, with nothing left out.
+    /// Evaluates the tables of a state solved completely up to accelerations.
     #[must_use]
     pub fn new(scene: &Scene, state: &State) -> Self {
         Tables::of(scene, state, None)
     }
 
-    /// The same, with what the errors of the figures do not exceed: `enclosure` is what
-    /// [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
+    /// Evaluates the tables with error bounds; `enclosure` is the result of
+    /// [`Solver::enclose`](crate::solver::Solver::enclose) for the state.
     #[must_use]
     pub fn bounded(scene: &Scene, state: &State, enclosure: &State<Ball>) -> Self {
         Tables::of(scene, state, Some(enclosure))
     }
 
-    /// The figures that exist, and of these how many have no bound.
+    /// Returns the number of existing values, and the number of these without a bound.
     #[must_use]
     pub fn unproved(&self) -> (u64, u64) {
         let vectors = self.vectors.iter().flat_map(|vector| {
@@ -146,18 +146,19 @@ impl Tables {
     }
 }
 
-/// A state, and what is proved of its figures.
+/// A state with its enclosure.
 pub(super) struct ProvedState<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) state: &'a State,
     pub(super) enclosure: Option<&'a State<Ball>>,
-    /// Whether the scene has a motion over time: then nobody need have typed what its driver does.
+    /// Whether the scene has a motion over time, so that the driver's rates need not be typed
+    /// values.
     pub(super) is_timed: bool,
 }
 
 impl ProvedState<'_> {
-    /// How far a distance that was had from given coordinates can be from the true one: as far as from
-    /// that of the state, and the state's from the truth.
+    /// Returns the error bound of a distance computed from given coordinates: its difference from
+    /// that of the state, plus the bound of the state.
     fn distance_bound(&self, subject: Subject, distance: f64) -> Option<f64> {
         let solved = value(subject, Aspect::Length, self.state)?;
         let bound = self.bound(subject, Aspect::Length)?;
@@ -168,7 +169,8 @@ impl ProvedState<'_> {
         bound(subject, aspect, self.state, self.enclosure?)
     }
 
-    /// A rate of the driver: given, but in another unit perhaps, and converted.
+    /// Returns a rate of the driver as a given value, with a bound if it was converted or follows a
+    /// motion.
     fn driver_rate(&self, aspect: Aspect, rate: f64) -> Entry {
         let given = Entry::given(rate);
         if !self.mechanism.has_converted_rates() && !self.is_timed {
@@ -224,25 +226,25 @@ fn plane(point: PointId, order: Order, reading: &ProvedState<'_>) -> Option<Plan
     Some(PlaneVector::new(components, bounds))
 }
 
-/// The lengths of a rigid vector: one that is given and never changes.
+/// Returns the lengths of a rigid vector: given and constant.
 const fn rigid(length: f64) -> [Entry; 3] {
     [Entry::given(length), Entry::given(0.0), Entry::given(0.0)]
 }
 
-/// What a scene says by itself about a coordinate.
+/// The origin of a coordinate, as far as the scene gives it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum GivenCoordinate {
-    /// Nothing: the coordinate is found.
+    /// The coordinate is computed.
     Nothing,
-    /// It never changes.
+    /// The coordinate is constant.
     Fixed,
-    /// It is the driver's, or goes with it.
+    /// The coordinate is the driver's, or fixed to it.
     Driven,
-    /// It is that of an input that follows the driver.
+    /// The coordinate belongs to an input that follows the driver.
     Followed,
 }
 
-/// Three figures of a subject. Rates that the scene gives exist at a dead point too.
+/// Evaluates three values of a subject. Rates given by the scene also exist at a dead point.
 fn read(
     subject: Subject,
     aspects: [Aspect; 3],
@@ -289,13 +291,13 @@ fn vector_column(
     }
 }
 
-/// The direction of a link and its rates.
+/// Returns the direction of a link and its rates.
 fn turning(mechanism: &Mechanism, link: LinkId, reading: &ProvedState<'_>) -> [Entry; 3] {
     let known = known_direction(mechanism, Body::Link(link));
     let mut entries = read(Subject::Link(link), Aspect::TURNING, known, reading);
     if known == GivenCoordinate::Driven && entries[0].value.is_some() {
-        // As it was asked, without the detour over the direction's components; but a coordinate that is not
-        // within one turn, or that follows from a time, is no longer the number that was typed.
+        // The requested angle itself, without computing it from components. An angle outside one
+        // turn, or one that follows from a time, is no longer the typed number.
         let at = reading.state.at();
         let wrapped = angle::wrapped(at);
         let away = entries[0].value.map(|value| (value - wrapped).abs());
@@ -310,7 +312,8 @@ fn turning(mechanism: &Mechanism, link: LinkId, reading: &ProvedState<'_>) -> [E
     entries
 }
 
-/// The scene gives the direction of the driven link, and of a link that cannot turn.
+/// Returns the origin of a body's direction: given for the driven link, and for a link that cannot
+/// turn.
 fn known_direction(mechanism: &Mechanism, body: Body) -> GivenCoordinate {
     let Body::Link(link) = body else {
         return GivenCoordinate::Fixed;
@@ -328,7 +331,7 @@ fn known_direction(mechanism: &Mechanism, body: Body) -> GivenCoordinate {
     }
 }
 
-/// The coordinate of an input is the driver's, or follows it.
+/// Returns the origin of an input's coordinate: the driver's, or following it.
 fn driven(mechanism: &Mechanism, input: Input) -> GivenCoordinate {
     match mechanism.timed_input(input) {
         None => GivenCoordinate::Driven,
@@ -353,7 +356,8 @@ fn slide_entries(mechanism: &Mechanism, slide: SlideId, reading: &ProvedState<'_
     )
 }
 
-/// A vector between two points of one body keeps its length, and turns as the body does.
+/// Evaluates a vector between two points. If both belong to one body, its length is constant, and
+/// it turns as the body does.
 fn between_entries(
     mechanism: &Mechanism,
     tail: PointId,
@@ -383,7 +387,8 @@ fn between_entries(
     }
 }
 
-/// The body that carries both points, and the vector between them in its frame.
+/// Returns the body that carries both points, and the vector between them in its frame; `None` for
+/// points of different bodies.
 pub(super) fn shared_body(
     mechanism: &Mechanism,
     tail: PointId,
@@ -405,7 +410,7 @@ mod tests {
     use crate::scene::presets;
     use crate::solver::Solver;
 
-    /// The table of the lecture's four-bar with another speed, at a coordinate.
+    /// Returns the tables of the lecture's four-bar with another speed, at a coordinate.
     fn tables(speed: &str, at: f64) -> Tables {
         let text = presets::find("four-bar").unwrap().text;
         let text = text.replacen("15 rad/s", speed, 1);

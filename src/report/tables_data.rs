@@ -1,4 +1,4 @@
-//! The tables for other programs: CSV, a line per figure, and JSON.
+//! Writes the tables for other programs: CSV with a line per value, and JSON.
 
 use super::answers::Answers;
 use super::csv_dialect::{CsvDialect, CsvSheet};
@@ -12,7 +12,7 @@ use crate::solver::Order;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
-/// The names and aspects of a point's figures: both components, magnitude and direction.
+/// Returns the names and aspects of a point's values: both components, magnitude and direction.
 fn point_aspects(order: Order) -> [(&'static str, Aspect); 4] {
     match order {
         Order::Position => [
@@ -45,7 +45,7 @@ fn point_entries(point: &PointRow, order: Order) -> [Entry; 4] {
     plane.map_or([none; 4], |plane| plane.entries(point.fixed))
 }
 
-/// A vector's figures in the order of the catalogue's columns.
+/// Returns a vector's values in the order of the catalogue's columns.
 fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)> {
     let lengths = vector.length.into_iter().flatten();
     let lengths = Aspect::STRETCHING.into_iter().zip(lengths);
@@ -53,12 +53,12 @@ fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)
 }
 
 impl Tables {
-    /// One line per figure: `name,value,unit,entry`, where `entry` tells given from found. Behind them,
-    /// where that was asked for, the `bound` of its error, and the `sensitivity`, the length that matters
-    /// `most` and the derivative `by` it.
+    /// Writes one line per value: `name,value,unit,entry`, where `entry` distinguishes given values
+    /// from computed ones. If requested, the error `bound` follows, and the `sensitivity`, the
+    /// length with the largest derivative (`most`) and that derivative (`by`).
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write_csv(
         &self,
         style: TableStyle,
@@ -110,8 +110,8 @@ impl Tables {
         })
     }
 
-    /// One object: the driver, the vectors and the points, keyed as the columns of a sweep are
-    /// named, bounds among them where they were asked for; a value that does not exist is `null`.
+    /// Returns one object: the driver, the vectors and the points, keyed as the columns of a sweep,
+    /// with bounds if requested; a missing value is `null`.
     #[must_use]
     pub fn to_json(&self, style: TableStyle) -> Value {
         let mut object = Map::new();
@@ -134,7 +134,7 @@ impl Tables {
         Value::Object(object)
     }
 
-    /// What is driven, and its coordinate with both rates.
+    /// Returns the driven element, and its coordinate with both rates.
     pub(super) fn driver_json(&self) -> Value {
         let mut driver = Map::new();
         driver.insert("name".into(), self.driver.name.as_str().into());
@@ -167,7 +167,7 @@ impl Tables {
     }
 }
 
-/// A double as JSON, a negative zero without its sign.
+/// Converts a double to JSON, without the sign of a negative zero.
 pub(super) fn number(value: Option<f64>) -> Value {
     value.map_or(Value::Null, |value| (value + 0.0).into())
 }
@@ -199,7 +199,7 @@ fn point_json(point: &PointRow, bounds: bool) -> Value {
     Value::Object(object)
 }
 
-/// A figure, and behind it what its error does not exceed.
+/// Inserts a value, followed by its error bound if requested.
 fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bool) {
     object.insert(name.into(), number(entry.value));
     if bounds {
@@ -214,7 +214,7 @@ struct TableCsv<'a, W: Write> {
 }
 
 impl<W: Write> TableCsv<'_, W> {
-    /// What is always there, the bound, and what the lengths do.
+    /// Writes the fixed cells, then the bound and the sensitivity if requested.
     fn record(&mut self, cells: [&str; 4], bound: &str, answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;
         let unit = self.style.units.then_some(unit);
@@ -239,7 +239,7 @@ impl<W: Write> TableCsv<'_, W> {
     }
 }
 
-/// The shortest form of a value; nothing where none exists.
+/// Returns the shortest form of a value; empty for a missing one.
 pub(super) fn cell(value: Option<f64>) -> String {
     let mut text = String::new();
     if let Some(value) = value {

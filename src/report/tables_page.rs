@@ -1,4 +1,4 @@
-//! The tables, to be read.
+//! Formats the tables as a page.
 
 use super::entry::Entry;
 use super::number::{concise, direction, significant, upwards};
@@ -9,27 +9,27 @@ use crate::scene::from_seat;
 use crate::solver::Order;
 use crate::wording::words;
 
-/// How tables are written.
+/// The style of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TableStyle {
-    /// Significant digits of text; CSV and JSON carry all.
+    /// Significant digits of text; CSV and JSON have all digits.
     pub digits: usize,
-    /// Whether there are units.
+    /// Whether units are shown.
     pub units: bool,
-    /// Whether to say what the errors do not exceed: in text a line below the figures.
+    /// Whether error bounds are shown; in text they are in a line below the values.
     pub bounds: bool,
-    /// Whether text must show the scene's title in ASCII; everything else always is.
+    /// Whether the scene's title is restricted to ASCII in text; the rest always is ASCII.
     pub ascii: bool,
 }
 
 impl Tables {
-    /// The tables as text: a column per vector, then a line per point.
+    /// Formats the tables as text: a column per vector, then a line per point.
     #[must_use]
     pub fn to_text(&self, style: TableStyle) -> String {
         self.page(style).to_text(TextStyle::plain(style.ascii))
     }
 
-    /// The tables: a column per vector, then a line per point.
+    /// Returns the tables as a page: a column per vector, then a line per point.
     #[must_use]
     pub fn page(&self, style: TableStyle) -> Page {
         let writer = TablesWriter::new(self, style);
@@ -54,14 +54,14 @@ impl Tables {
     }
 }
 
-/// Widths of the labels, so that the tables below one another line up.
+/// Widths of the labels, which align the tables below each other.
 pub(super) const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
 pub(super) fn point_labels() -> usize {
     let titles = ORDERS.map(|order| words().of_points(title(order)).chars().count());
     titles.into_iter().max().unwrap_or(0)
 }
 
-/// Names and columns with so many characters at the least.
+/// Returns a layout with these minimum widths of names and columns.
 pub(super) fn set(names: usize, columns: usize) -> Setting {
     Setting {
         names,
@@ -70,11 +70,11 @@ pub(super) fn set(names: usize, columns: usize) -> Setting {
     }
 }
 
-/// Stands in front of a line of bounds, each with so many digits.
+/// The label of a line of bounds, and their significant digits.
 pub(super) const BOUND: &str = "  +-";
 const BOUND_DIGITS: usize = 2;
 
-/// The title of a table.
+/// Returns the title of a table.
 fn title(order: Order) -> &'static str {
     match order {
         Order::Position => words().position(),
@@ -95,11 +95,12 @@ impl<'a> TablesWriter<'a> {
 }
 
 impl TablesWriter<'_> {
-    /// The title, the driver's line and the state.
+    /// Adds the title, the driver's line and the state.
     pub(super) fn add_heading(&self, page: &mut Page) {
         let driver = &self.tables.driver;
         let aspects = driver.aspects();
-        // The coordinate as it was asked; rates may come from rpm or deg/s, with digits of no use.
+        // The coordinate has all its digits; rates converted from rpm or deg/s may have meaningless
+        // ones.
         let digits = [usize::MAX, self.style.digits, self.style.digits];
         let [at, speed, acceleration]: [String; 3] = std::array::from_fn(|i| {
             let value = concise(driver.values[i], digits[i]);
@@ -113,7 +114,7 @@ impl TablesWriter<'_> {
         );
     }
 
-    /// `name [unit]`.
+    /// Returns `name [unit]`, or the name alone.
     pub(super) fn label(&self, name: &str, aspect: Aspect) -> String {
         if self.style.units {
             format!("{name} [{}]", aspect.unit(self.tables.unit))
@@ -122,7 +123,7 @@ impl TablesWriter<'_> {
         }
     }
 
-    /// The name of a column of directions.
+    /// Returns the name of a column of directions.
     pub(super) fn direction(&self) -> String {
         self.label(words().direction(), Aspect::Angle)
     }
@@ -136,7 +137,7 @@ impl TablesWriter<'_> {
             }
         };
         let vectors = &self.tables.vectors;
-        // Sign, point and star beside the digits.
+        // Sign, point and star besides the digits.
         let names = vectors.iter().map(|v| format!("{} ", v.name));
         let setting = set(VECTOR_LABELS, self.style.digits + 3);
         let mut table = Table::new(title(order), names).set(setting);
@@ -160,7 +161,7 @@ impl TablesWriter<'_> {
         table
     }
 
-    /// A star marks what was found; a blank keeps the digits of given entries under one another.
+    /// Formats an entry: a star marks a computed value; a blank keeps given ones aligned.
     fn entry(&self, entry: Entry, aspect: Aspect) -> String {
         let mark = if entry.given || entry.value.is_none() {
             ' '
@@ -178,7 +179,7 @@ impl TablesWriter<'_> {
         }
     }
 
-    /// What the error of a figure does not exceed; nothing of a figure that does not exist.
+    /// Formats the error bound of a value; empty for a missing value.
     pub(super) fn bound(&self, entry: Entry) -> String {
         match (entry.value, entry.seen_bound()) {
             (None, _) => String::new(),
@@ -224,7 +225,7 @@ impl TablesWriter<'_> {
     }
 }
 
-/// Where an order stands in the entries.
+/// Returns the index of an order in the entries.
 pub(super) fn index(order: Order) -> usize {
     match order {
         Order::Position => 0,

@@ -1,21 +1,21 @@
-//! Decodes the text files that spreadsheets write.
+//! Decodes text files written by spreadsheets.
 
 use std::borrow::Cow;
 
-/// The encoding that a file was read in.
+/// The encoding of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TextEncoding {
-    /// UTF-8, with its mark or without.
+    /// UTF-8, with or without byte order mark.
     #[default]
     Utf8,
-    /// UTF-16 with its mark.
+    /// UTF-16 with byte order mark.
     Utf16,
-    /// The Turkish code page of Windows, of which ISO 8859-9 is a part.
+    /// The Turkish code page of Windows, a superset of ISO 8859-9.
     Windows1254,
 }
 
 impl TextEncoding {
-    /// Returns the name that the encoding is registered by.
+    /// Returns the registered name of the encoding.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -26,7 +26,7 @@ impl TextEncoding {
     }
 }
 
-/// Decodes a text: UTF-16 by its mark, UTF-8 where the bytes are valid, else windows-1254.
+/// Decodes a text: UTF-16 if it has a byte order mark, UTF-8 if it is valid, or else windows-1254.
 pub(super) fn decoded(bytes: &[u8]) -> (Cow<'_, str>, TextEncoding) {
     let unit: fn([u8; 2]) -> u16 = match bytes {
         [0xff, 0xfe, ..] => u16::from_le_bytes,
@@ -46,7 +46,8 @@ pub(super) fn decoded(bytes: &[u8]) -> (Cow<'_, str>, TextEncoding) {
     (String::from_utf16_lossy(&units).into(), TextEncoding::Utf16)
 }
 
-/// Bytes 0x80 to 0x9f of windows-1254. ISO 8859-9 has controls there, which no spreadsheet writes.
+/// Bytes 0x80 to 0x9f of windows-1254. ISO 8859-9 has control characters there, which spreadsheets
+/// do not write.
 const FROM_80: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', '\u{8e}',
     '\u{8f}', '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}',

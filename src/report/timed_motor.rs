@@ -1,4 +1,4 @@
-//! The motor over the period of a motion over time, to be read and as data.
+//! Reports the motor over the period of a motion over time, as text and as data.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::motion_facts::leaves_text;
@@ -15,26 +15,26 @@ use crate::wording::words;
 use serde_json::{Value, json};
 use std::io;
 
-/// A period is written in so many steps.
+/// Number of steps written per period.
 const STEPS: u32 = 360;
 const LABEL: usize = 18;
 const DIGITS: usize = 6;
 
-/// What was found of a scene.
+/// The result for a scene.
 #[derive(Clone, Debug)]
 pub struct TimedMotorReport {
     scene: String,
     duty: TimedDuty,
     fit: MotorFit,
     turns: bool,
-    /// The driver's coordinate, as columns name it.
+    /// The header of the driver's coordinate.
     coordinate: String,
-    /// The unit of the driver's coordinate, and that of lengths.
+    /// The units of the driver's coordinate and of lengths.
     units: [String; 2],
 }
 
 impl TimedMotorReport {
-    /// Of a period that was gone through, against a motor.
+    /// Creates the report on a computed period, compared with a motor.
     #[must_use]
     pub fn new(scene: &Scene, duty: TimedDuty, motor: &Motor) -> TimedMotorReport {
         TimedMotorReport {
@@ -50,7 +50,7 @@ impl TimedMotorReport {
         }
     }
 
-    /// In words, why there is nothing to tell of a period.
+    /// Returns a sentence on why there are no values for a period.
     #[must_use]
     pub fn nothing(scene: &Scene, why: &NoTimedDuty) -> String {
         let catalogue = Catalogue::new(scene);
@@ -63,13 +63,13 @@ impl TimedMotorReport {
         }
     }
 
-    /// As text for a person; the title in ASCII alone if asked.
+    /// Formats the report as text; `ascii` restricts the title to ASCII.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// All that was found.
+    /// Returns the whole report as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let (duty, mut page) = (&self.duty, Page::aligned());
@@ -112,7 +112,7 @@ impl TimedMotorReport {
         page
     }
 
-    /// What torque, and what speed is in.
+    /// Returns the units of the effort and of the speed.
     fn effort_and_speed(&self) -> [String; 2] {
         match self.turns {
             true => ["N m".to_owned(), "rad/s".to_owned()],
@@ -139,7 +139,7 @@ impl TimedMotorReport {
         }
     }
 
-    /// What of the torque goes into what acts, where that is more than one of them.
+    /// Adds the parts of the effort by cause, if there are several.
     fn tell_parts(&self, facts: &mut Facts) {
         let parts = &self.duty.parts;
         let most = parts.iter().map(|part| part.rms).fold(0.0, f64::max);
@@ -156,11 +156,12 @@ impl TimedMotorReport {
         }
     }
 
-    /// The period step by step, as comma separated values: where the driver is and how fast, what it must do, its parts,
-    /// its power, the work done since the beginning, and what the ground feels. What does not exist there is empty.
+    /// Writes the period step by step as comma separated values: the driver's coordinate, speed and
+    /// effort, its parts and power, the work done since the beginning, and the load on the ground.
+    /// A missing value is empty.
     ///
     /// # Errors
-    /// Where it cannot be written.
+    /// Returns the errors of the writer.
     pub fn write_csv(
         &self,
         (clock, solver): (&Clock, &Solver),
@@ -193,7 +194,7 @@ impl TimedMotorReport {
         csv.finish()
     }
 
-    /// The motor, as far as it is known.
+    /// Adds the comparison with the motor, as far as it is known.
     fn add_fit(&self, page: &mut Page) {
         let Some(is_enough) = self.fit.is_enough() else {
             return;
@@ -215,7 +216,7 @@ impl TimedMotorReport {
         });
     }
 
-    /// As data; the names are promises.
+    /// Returns the report as data; the names must stay stable.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let duty = &self.duty;

@@ -1,4 +1,5 @@
-//! What tolerances do to all figures at once, in a line each: how much, and who has the largest share of it.
+//! Summarizes the effect of tolerances on all values, one line each: the deviation, and its main
+//! contributor.
 
 use super::number::{concise, significant};
 use super::tolerance_page::contributor;
@@ -7,31 +8,31 @@ use crate::scene::Scene;
 use crate::study::ToleranceStudy;
 use crate::wording::words;
 
-/// What tolerances do to all figures at one coordinate of the driver, at the first order.
+/// The first-order effect of tolerances on all values at one coordinate of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToleranceAnswers {
-    /// The figures that are off.
+    /// The values that deviate.
     pub list: Vec<ToleranceAnswer>,
 }
 
-/// What tolerances do to one figure.
+/// The effect of tolerances on one value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToleranceAnswer {
-    /// The figure's name with its unit.
+    /// The name of the value with its unit.
     pub header: String,
     /// The root of the sum of squares.
     pub root_sum_square: f64,
-    /// Who has the largest share of it.
+    /// The main contributor.
     pub most: String,
-    /// That share.
+    /// The share of the main contributor.
     pub share: f64,
 }
 
-/// Digits of what is read by eye.
+/// Significant digits in text.
 const DIGITS: usize = 3;
 
 impl ToleranceAnswers {
-    /// Of a study of this scene at a coordinate.
+    /// Computes the effect in a study of this scene at a coordinate.
     #[must_use]
     pub fn at(scene: &Scene, study: &mut ToleranceStudy, at: f64) -> Self {
         let found = study.first_order(at);
@@ -51,7 +52,7 @@ impl ToleranceAnswers {
         }
     }
 
-    /// A row per figure.
+    /// Returns a table with a row per value.
     #[must_use]
     pub fn table(&self) -> Table {
         let heads = [

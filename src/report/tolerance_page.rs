@@ -1,4 +1,5 @@
-//! What tolerances do to figures at one coordinate of the driver: for people, and for other programs.
+//! Reports the effect of tolerances on values, at one coordinate of the driver or over the whole
+//! motion, as text and for other programs.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::{concise, significant};
@@ -15,24 +16,24 @@ use crate::wording::{for_programs, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
-/// Digits of a figure, and of what is small beside it.
+/// Significant digits of a value, and of deviations.
 const DIGITS: usize = 6;
 const FEW_DIGITS: usize = 4;
-/// Blanks before what belongs to a figure.
+/// Indent of the lines that belong to a value.
 const INDENT: usize = 2;
 
-/// What tolerances do to figures at one coordinate of the driver.
+/// The effect of tolerances on values, at one coordinate of the driver or over the whole motion.
 #[derive(Clone, Debug)]
 pub struct ToleranceReport {
     scene: String,
-    /// Where; over the whole motion there is no such place.
+    /// The place; `None` for values of the whole motion.
     place: Option<ToldPlace>,
-    /// A part for each figure.
+    /// The results for each value.
     pub figures: Vec<ToldTolerance>,
     samples: Option<ToldSamples>,
 }
 
-/// A place of the driver, and in which condition the mechanism is there.
+/// A coordinate of the driver, with the condition of the mechanism there.
 #[derive(Clone, Debug)]
 struct ToldPlace {
     driver: Quantity,
@@ -40,22 +41,22 @@ struct ToldPlace {
     condition: Condition,
 }
 
-/// A figure, and what tolerances do to it.
+/// The effect of tolerances on a value.
 #[derive(Clone, Debug)]
 pub struct ToldTolerance {
-    /// The figure's name,
+    /// The name of the value.
     pub name: String,
-    /// and its unit, if it has one.
+    /// The unit of the value; empty if it has none.
     pub unit: String,
-    /// What was found; `None` where it does not exist here.
+    /// The result; `None` if the value does not exist here.
     pub found: Option<ToleranceFigure>,
-    /// Who contributes, by name.
+    /// The contributions, with the names of the contributors.
     pub contributions: Vec<(String, Contribution)>,
-    /// How it is spread among the samples.
+    /// The distribution among the samples.
     pub percentiles: Option<Percentiles>,
 }
 
-/// What became of the samples as a whole.
+/// The results of all samples.
 #[derive(Clone, Copy, Debug)]
 struct ToldSamples {
     order: SampleOrder,
@@ -64,7 +65,8 @@ struct ToldSamples {
 }
 
 impl ToleranceReport {
-    /// Of a study of this scene at a coordinate, where the mechanism is in this condition.
+    /// Creates the report of a study of this scene at a coordinate, where the mechanism has this
+    /// condition.
     #[must_use]
     pub fn at(
         scene: &Scene,
@@ -87,7 +89,7 @@ impl ToleranceReport {
         ToleranceReport::of(scene, Some(place), names.zip(found), sampled)
     }
 
-    /// Of figures of the whole motion.
+    /// Creates the report on values of the whole motion.
     #[must_use]
     pub fn of_whole(scene: &Scene, study: &mut WholeTolerance, samples: SampleOrder) -> Self {
         let found = study.found();
@@ -132,13 +134,13 @@ impl ToleranceReport {
         }
     }
 
-    /// As text for a person; the title in ASCII alone if asked.
+    /// Formats the report as text; `ascii` restricts the title to ASCII.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// All that was found.
+    /// Returns the whole report as a page.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
@@ -184,10 +186,11 @@ impl ToleranceReport {
         }
     }
 
-    /// A line for each number: `name,value,unit`. Names are those of the columns over the motion.
+    /// Writes a line for each number: `name,value,unit`. The names are those of the columns over
+    /// the motion.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, to);
         csv.record(["name", "value", "unit"])?;
@@ -209,7 +212,7 @@ impl ToleranceReport {
         csv.finish()
     }
 
-    /// One object.
+    /// Returns the whole report as one object.
     #[must_use]
     pub fn to_json(&self) -> Value {
         let units = self.figures.iter();
@@ -265,7 +268,7 @@ impl ToldSamples {
 }
 
 impl ToldTolerance {
-    /// Who contributes.
+    /// Returns the table of contributions.
     fn table(&self) -> Table {
         let heads = [
             words().head_tolerance(),
@@ -381,7 +384,7 @@ impl ToldTolerance {
     }
 }
 
-/// What is off, by its name: `r3.length`, and of a loose pin `r3.B.clearance`.
+/// Returns the name of a contributor: `r3.length`, or `r3.B.clearance` for a pin.
 pub(super) fn contributor(scene: &Scene, of: ToleranceOf) -> String {
     match of {
         ToleranceOf::Length(length) => length_name(scene, length),
@@ -462,12 +465,12 @@ fn spread_text(all: &Percentiles) -> Vec<String> {
     ]
 }
 
-/// An end of a worst case, if it has one.
+/// Returns a limit of a worst case, if it is finite.
 pub(super) fn bounded(end: f64) -> Option<f64> {
     Some(end).filter(|end| end.is_finite())
 }
 
-/// An end of a worst case, or why there is none.
+/// Returns a limit of a worst case as JSON, or the reason why there is none.
 fn end_json(end: f64) -> Value {
     match bounded(end) {
         Some(end) => number(Some(end)),
@@ -475,12 +478,12 @@ fn end_json(end: f64) -> Value {
     }
 }
 
-/// A part of the whole in percent.
+/// Formats a fraction in percent.
 fn percent(part: f64) -> String {
     format!("{} %", concise(part * 100.0, 3))
 }
 
-/// How a worst case was found, as files for other programs have it.
+/// Returns the word for the method of a worst case in files for other programs.
 pub(super) fn worst_word(kind: WorstKind) -> &'static str {
     match kind {
         WorstKind::Corners => "corners",
@@ -493,7 +496,8 @@ pub(super) fn worst_word(kind: WorstKind) -> &'static str {
     }
 }
 
-/// Whether all machines within their tolerances close, as files for other programs have it.
+/// Returns the word, in files for other programs, for whether all mechanisms within the tolerances
+/// close.
 pub(super) fn closes_word(worst: &WorstCase) -> &'static str {
     match worst.fails {
         true => "not-always",

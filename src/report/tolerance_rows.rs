@@ -1,4 +1,4 @@
-//! What tolerances do to figures over the motion, row by row.
+//! Writes the effect of tolerances on values over the motion, row by row.
 
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::number::significant;
@@ -13,22 +13,22 @@ use crate::study::{SampleOrder, ToleranceStudy};
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
-/// What is told over the motion.
+/// The input of a study over the motion, and its output format.
 #[derive(Clone, Copy, Debug)]
 pub struct ToleranceRows<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Its solver, with the lengths as they were given.
+    /// The solver of the scene, with nominal lengths.
     pub solver: &'a Solver,
     /// The driver's coordinate of each row.
     pub steps: &'a Steps,
-    /// The samples of each row, if they are wanted.
+    /// The samples of each row, if requested.
     pub samples: Option<SampleOrder>,
-    /// How they are written.
+    /// The output format.
     pub format: ToleranceFormat,
 }
 
-/// How rows are written.
+/// The output format of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToleranceFormat {
     /// Aligned columns.
@@ -39,34 +39,34 @@ pub enum ToleranceFormat {
     Json,
 }
 
-/// What the rows came to.
+/// The outcome of a study over the motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ToleranceOutcome {
-    /// Rows written.
+    /// The number of rows written.
     pub rows: u64,
-    /// Of these, rows in which the mechanism closes as it was given.
+    /// The number of rows in which the nominal mechanism closes.
     pub valued: u64,
-    /// Rows in which a worst case is only estimated.
+    /// The number of rows in which a worst case is only an estimate.
     pub estimated: u64,
-    /// Rows in which it is known that not every machine within its tolerances closes.
+    /// The number of rows in which some mechanism within the tolerances is known not to close.
     pub fails: u64,
 }
 
-/// A cell: its column, what stands in it for other programs, and for people.
+/// A cell with a number or a word.
 enum ToleranceCell {
     Number(Option<f64>),
     Word(&'static str),
 }
 
-/// Digits for people, and characters of a number beside them.
+/// Significant digits of text, and the other characters of a number.
 const DIGITS: usize = 6;
 const BESIDE_DIGITS: usize = 7;
 
 impl ToleranceRows<'_> {
-    /// Solves and writes all rows; tells `watch` how many there are.
+    /// Solves and writes all rows; calls `watch` with their number.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write(
         &self,
         study: &mut ToleranceStudy,
@@ -130,7 +130,7 @@ impl ToleranceRows<'_> {
         to.write_all(b"\n]\n}\n")
     }
 
-    /// The names of the columns, and their units.
+    /// Returns the names of the columns, and their units.
     fn columns(&self, figures: &[Quantity]) -> Vec<(String, String)> {
         let driver = Catalogue::new(self.scene).driver().clone();
         let mut columns = vec![(driver.name, driver.unit)];

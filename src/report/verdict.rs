@@ -1,5 +1,4 @@
-//! What a designer watches while a linkage takes shape: how far it turns, of what class it is, and where its forces pass
-//! worst.
+//! Summarizes a linkage during design: range of motion, class, and worst transmission angle.
 
 use super::loop_facts::LoopFacts;
 use super::motion_facts::MotionFacts;
@@ -10,26 +9,26 @@ use crate::scene::Scene;
 use crate::solver::{Range, Solver, Transmission};
 use crate::wording::words;
 
-/// Significant digits of an end of the range, and of where the transmission is worst.
+/// Significant digits of an end of the range, and of the place of the worst transmission.
 const PLACES: usize = 5;
-/// A place smaller than this part of the range is 0.
+/// Coordinates below this fraction of the range are shown as 0.
 const NOUGHT: f64 = 1e-9;
-/// Of more groups than this the whole motion is not looked at after every edit.
+/// Maximum number of groups for which transmission is evaluated after every edit.
 const MOST_GROUPS: usize = 200;
 
-/// A linkage judged as a whole, whatever the driver's place.
+/// A summary of a linkage over its whole motion.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verdict {
-    /// Its parts, the most telling first; a part that does not apply keeps its place.
+    /// The parts, the most important first; a part that does not apply is `None`.
     pub parts: [Option<VerdictPart>; 5],
 }
 
-/// A part of a verdict in words, and in fewer where there is little room.
+/// A part of a summary, as a long and a short text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VerdictPart {
-    /// All that there is to say.
+    /// The full text.
     pub long: String,
-    /// What matters of it.
+    /// The short text.
     pub short: String,
 }
 
@@ -44,8 +43,9 @@ impl VerdictPart {
 }
 
 impl Verdict {
-    /// Of a scene as it was assembled: the driver's range, the class of its first loop, change points on the way, the
-    /// transmission angle that is furthest from 90 degrees, and what its motion over time asks for.
+    /// Summarizes an assembled scene: the driver's range, the class of its first loop, change
+    /// points, the transmission angle with the maximum deviation from 90 degrees, and the motion
+    /// over time.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver) -> Verdict {
         let catalogue = Catalogue::new(scene);
@@ -69,14 +69,14 @@ impl Verdict {
     }
 }
 
-/// How far the driver moves, and what stops it, in words.
+/// Describes the driver's range and its stops.
 #[must_use]
 pub fn motion_text(scene: &Scene, solver: &Solver) -> String {
     let catalogue = Catalogue::new(scene);
     range_part(scene, solver, &catalogue.driver().unit).long
 }
 
-/// How far the driver moves, and what stops it.
+/// Describes the driver's range and its stops.
 fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
     let Range::Limited { low, high } = solver.motion().range else {
         return VerdictPart::of(words().range_whole());
@@ -96,7 +96,7 @@ fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
     }
 }
 
-/// What stops the driver, if anything does.
+/// Names the stops of the driver, if there are any.
 fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
     let met = stops(scene, solver).into_iter().map(|stop| stop.called());
     let mut names: Vec<String> = met.collect();
@@ -110,7 +110,7 @@ fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
     }
 }
 
-/// The same, and where, if that is not where both ends are.
+/// Names the stops of the driver; a single stop with its place.
 fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) -> Option<String> {
     match stops(scene, solver).as_slice() {
         [stop] => Some(words().stop_in_verdict(&stop.called(), &place(stop.at))),
@@ -118,12 +118,13 @@ fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) ->
     }
 }
 
-/// What rounding has left of a place at 0, in a range of this size, is no digit to read.
+/// Returns 0 for a coordinate that is a rounding error of 0 in a range of this size.
 fn without_rounding(at: f64, size: f64) -> f64 {
     if at.abs() < NOUGHT * size { 0.0 } else { at }
 }
 
-/// The transmission angle that is furthest from 90 degrees; with its dyad's name where there are several.
+/// Describes the transmission angle with the maximum deviation from 90 degrees; with the name of
+/// its dyad if there are several.
 fn transmission(scene: &Scene, solver: &Solver, unit: &str) -> Option<VerdictPart> {
     if solver.plan().groups.len() > MOST_GROUPS {
         return None;

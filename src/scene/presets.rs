@@ -1,9 +1,9 @@
-//! The scenes that are built in.
+//! The built-in scenes.
 
 /// A scene built into the program.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
-    /// As it is called on the command line.
+    /// The name on the command line.
     pub name: &'static str,
     /// The scene file's text.
     pub text: &'static str,
@@ -56,13 +56,13 @@ static PRESETS: &[Preset] = presets! {
     "lift-table"
 };
 
-/// All presets, in the order in which they are listed.
+/// Returns all presets, in their order in lists.
 #[must_use]
 pub fn all() -> &'static [Preset] {
     PRESETS
 }
 
-/// The preset of this name.
+/// Returns the preset of this name.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)

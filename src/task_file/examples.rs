@@ -1,9 +1,9 @@
-//! The tasks that are built in.
+//! The built-in tasks.
 
 /// A task built into the program.
 #[derive(Clone, Copy, Debug)]
 pub struct ExampleTask {
-    /// As it is called on the command line.
+    /// The name on the command line.
     pub name: &'static str,
     /// The task file's text.
     pub text: &'static str,
@@ -27,13 +27,13 @@ static EXAMPLES: &[ExampleTask] = tasks! {
 };
 
 impl ExampleTask {
-    /// All of them, in the order in which they are listed.
+    /// Returns all built-in tasks, in their order in lists.
     #[must_use]
     pub fn all() -> &'static [ExampleTask] {
         EXAMPLES
     }
 
-    /// The one of this name.
+    /// Returns the built-in task of this name.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static ExampleTask> {
         EXAMPLES.iter().find(|task| task.name == name)

@@ -1,4 +1,4 @@
-//! Functions: pairs, or a formula over a range.
+//! Reads function tasks, given by pairs or by a formula over a range.
 
 use super::{Reader, WrittenTask, lacks, measured, rows};
 use crate::document::{Diagnostic, Lenient, Misplaced};
@@ -10,12 +10,12 @@ use serde::Deserialize;
 const PAIRS: &str = "pairs = [[0, 0], [30, 42], [60, 71]]";
 const FUNCTION: &str = r#"{ y = "log10(x)", from = 1, to = 2, points = 3 }"#;
 const SIDE: &str = "{ swing = 60, start = 45 }";
-/// Where a formula is looked at between its pairs.
+/// Number of intervals in which a formula is sampled between its pairs.
 const DENSE: u32 = 180;
-/// Pairs at most.
+/// Maximum number of pairs.
 const MOST: usize = 1000;
 
-/// `function` as it is written.
+/// `function` as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct WrittenFunction {
     y: Option<Lenient<String>>,
@@ -24,7 +24,7 @@ pub(super) struct WrittenFunction {
     points: Option<Lenient<f64>>,
 }
 
-/// `crank` or `output` as it is written.
+/// `crank` or `output` as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct WrittenSide {
     start: Option<Lenient<f64>>,
@@ -32,7 +32,7 @@ pub(super) struct WrittenSide {
     scale: Option<Lenient<f64>>,
 }
 
-/// The pairs, and what lies between them.
+/// The pairs of a function, and a denser sample between them.
 #[derive(Default)]
 struct FunctionCourse {
     pairs: Vec<[f64; 2]>,
@@ -40,7 +40,7 @@ struct FunctionCourse {
 }
 
 impl FunctionCourse {
-    /// The y that it has everywhere, where that is one.
+    /// Returns the value of y if it is constant.
     fn stands_at(&self) -> Option<f64> {
         let mut all = self.between.iter().chain(&self.pairs).map(|[_, y]| *y);
         let first = all.next()?;
@@ -74,7 +74,7 @@ pub(super) fn function(
         return None;
     }
     let all = || course.between.iter().chain(&course.pairs);
-    // Of a formula the first in between is where its range begins; of pairs the first is the least.
+    // The first sample of a formula is the start of its range; pairs begin with the smallest x.
     let [x, y] = *all().next()?;
     let courses = [(0, x), (1, y)].map(|(part, first)| ValueCourse {
         first,
@@ -191,15 +191,15 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     })
 }
 
-/// The x, or the y, of a course.
+/// The values of x, or of y, of a function.
 struct ValueCourse {
-    /// Its value at the least x.
+    /// Its value at the minimum x.
     first: f64,
-    /// From its least value to its greatest.
+    /// The difference between its maximum and minimum.
     span: f64,
 }
 
-/// How far the x, or the y, of a course goes.
+/// Returns the difference between the maximum and minimum of x or of y.
 fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> f64 {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = points.fold(ends, |(low, high), point| {
@@ -208,7 +208,7 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> f64 {
     high - low
 }
 
-/// Datum and scale of one side. What is not said of the scale is 1; of the start, that it may be anything.
+/// Reads datum and scale of one side. The scale defaults to 1; without a start the datum is free.
 fn side(
     reader: &mut Reader<'_>,
     key: &str,

@@ -1,4 +1,4 @@
-//! Poses and paths.
+//! Reads pose and path tasks.
 
 use super::{ByteSpan, Reader, WrittenTask, lacks, numbers, points, rows, same_twice};
 use crate::Vec2;
@@ -10,10 +10,10 @@ use crate::wording::words;
 
 const POSES: &str = "poses = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]";
 const POINTS: &str = "points = [[20, 20], [20, 25], [20, 30]]";
-/// Poses that a method takes.
+/// Minimum and maximum number of poses that the methods accept.
 const FEWEST: usize = 3;
 const MOST: usize = 5;
-/// Points of a path that a method takes.
+/// Maximum number of points of a path.
 const MOST_POINTS: usize = 1000;
 
 pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseTask> {
@@ -73,7 +73,7 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
     })
 }
 
-/// A turn more is the same pose.
+/// Returns `true` if two poses agree up to full turns.
 fn same_pose(one: &[f64; 3], other: &[f64; 3]) -> bool {
     let turned = crate::angle::wrapped(one[2]) == crate::angle::wrapped(other[2]);
     one[..2] == other[..2] && turned
@@ -96,7 +96,7 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
         );
         return None;
     }
-    // Points may come again, as where a curve crosses itself; the next one to each is another.
+    // Points may repeat, as where a curve crosses itself, but not consecutively.
     for (k, pair) in read.windows(2).enumerate() {
         if pair[0].0 == pair[1].0 {
             let help = words().take_out_one_point();
@@ -153,7 +153,7 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
     })
 }
 
-/// As many numbers as there are points.
+/// Reads as many numbers as there are points.
 fn as_many(
     reader: &mut Reader<'_>,
     key: &str,
@@ -172,13 +172,13 @@ fn as_many(
     None
 }
 
-/// Reports a second pivot where slider-cranks alone are looked for, at `linkages`.
+/// Reports a second pivot if `linkages` contains slider-cranks only.
 pub(super) fn slider_cranks_have_one_pivot(
     reader: &mut Reader<'_>,
     file: &WrittenTask,
     linkages: &ByteSpan,
 ) {
-    // What is no list of points is reported where it is read.
+    // An invalid list of points is reported where it is read.
     let pivots = file.pivots.as_ref().and_then(|pivots| pivots.get());
     if let Some(second) = pivots.and_then(|pivots| pivots.get(1)) {
         reader.report(
@@ -190,7 +190,7 @@ pub(super) fn slider_cranks_have_one_pivot(
     }
 }
 
-/// Pivots or pins that are given, each once.
+/// Reads given pivots or pins, and reports repeated ones.
 fn given(
     reader: &mut Reader<'_>,
     key: &str,
@@ -207,7 +207,8 @@ fn given(
     Some(read)
 }
 
-/// The crank's turns count from the first point, go one way, and of a closed path end before it is come to again.
+/// Checks that the crank's turns start at the first point with 0 and are monotonic; for a closed
+/// path they must stay below a full turn.
 fn turns_fit(
     reader: &mut Reader<'_>,
     turns: &[f64],

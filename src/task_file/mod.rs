@@ -1,4 +1,4 @@
-//! The task file: a motion that is wanted, as a person writes it down.
+//! The task file: the description of a required motion.
 //!
 //! ```toml
 //! kind   = "poses"
@@ -10,7 +10,7 @@
 //! transmission = 40
 //! ```
 //!
-//! It is read as a scene is: formulas wherever a number stands, and every fault with its line.
+//! It is parsed as a scene is: numbers may be formulas, and every fault is reported with its line.
 
 mod examples;
 mod functions;
@@ -28,27 +28,27 @@ use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
 use serde::Deserialize;
 
-/// A list of numbers as it is written.
+/// A list of numbers as written.
 type NumberList = Lenient<Vec<Lenient<f64>>>;
-/// A list of such lists.
+/// A list of lists of numbers.
 type RowList = Lenient<Vec<NumberList>>;
 
 /// A task with its names.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TaskFile {
-    /// The title (`name`), or the file's stem where there is none.
+    /// The title (`name`), or the file's stem if there is none.
     pub name: String,
-    /// Where the task comes from (`source`).
+    /// The origin of the task (`source`).
     pub source: Option<String>,
-    /// What there is to know (`note`).
+    /// A note on the task (`note`).
     pub note: Option<String>,
     /// The unit of every length.
     pub unit: Unit,
-    /// What is wanted, in numbers.
+    /// The task itself.
     pub task: Task,
 }
 
-/// A task as its file writes it.
+/// A task as written in its file.
 #[derive(Debug, Deserialize)]
 struct WrittenTask {
     kind: Option<Lenient<String>>,
@@ -72,7 +72,7 @@ struct WrittenTask {
     wishes: Option<Lenient<wishes::WrittenWishes>>,
 }
 
-/// The kinds of tasks that are written.
+/// The kinds of tasks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum WrittenKind {
     Poses,
@@ -83,7 +83,7 @@ enum WrittenKind {
 impl WrittenKind {
     const ALL: [WrittenKind; 3] = [WrittenKind::Poses, WrittenKind::Function, WrittenKind::Path];
 
-    /// As `kind` has it.
+    /// Returns the value of `kind`.
     fn name(self) -> &'static str {
         match self {
             WrittenKind::Poses => "poses",
@@ -92,7 +92,7 @@ impl WrittenKind {
         }
     }
 
-    /// The keys that it has, and not every other kind.
+    /// Returns its own keys, which not every kind has.
     fn keys(self) -> &'static [&'static str] {
         match self {
             WrittenKind::Poses => &["poses", "pivots", "pins"],
@@ -103,7 +103,7 @@ impl WrittenKind {
 }
 
 impl TaskFile {
-    /// Whether a file is meant as a task: it has a `kind`, which no scene has.
+    /// Returns `true` if a file is a task: it has a `kind`, which no scene has.
     #[must_use]
     pub fn is_meant(bytes: &[u8]) -> bool {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
@@ -113,7 +113,7 @@ impl TaskFile {
     /// Reads a task from the bytes of a file; `origin` is the name of the file in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Returns all faults found, with their places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<TaskFile, Diagnostics> {
         if bytes.len() > LARGEST_FILE {
             return Err(scene::too_large(origin));
@@ -124,10 +124,10 @@ impl TaskFile {
         }
     }
 
-    /// Reads a task from a text; `origin` is the name of the file in messages.
+    /// Parses a task; `origin` is the name of the file in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Returns all faults found, with their places.
     pub fn parse(text: &str, origin: &str) -> Result<TaskFile, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
@@ -198,7 +198,7 @@ fn task_file(
     })
 }
 
-/// The kind, if it is one, where no key of another stands.
+/// Reads the kind of the task; reports keys of other kinds.
 fn kind(
     reader: &mut Reader<'_>,
     root: &Lenient<WrittenTask>,
@@ -240,7 +240,8 @@ fn kind(
     Some(kind)
 }
 
-/// Which linkages are looked for: four-bars where nothing is said.
+/// Reads the linkages to search, as flags for four-bars and slider-cranks; the default is four-bars
+/// only.
 fn linkages(
     reader: &mut Reader<'_>,
     written: Option<&Lenient<Vec<Lenient<String>>>>,
@@ -273,7 +274,7 @@ fn linkages(
     (found[0], found[1])
 }
 
-/// The items of a list; none where it is none, which is reported.
+/// Returns the items of a list; reports another value, and returns an empty slice for it.
 fn list<'v, T>(
     reader: &mut Reader<'_>,
     what: &str,
@@ -290,7 +291,7 @@ fn list<'v, T>(
     }
 }
 
-/// A number that measures what stands there: a formula that measures something else is reported.
+/// Reads a number; reports a formula of another dimension than `wanted`.
 fn measured(
     reader: &mut Reader<'_>,
     what: &str,
@@ -314,7 +315,7 @@ fn measured(
     }
 }
 
-/// The numbers of a list; `None` where one of them is none.
+/// Reads the numbers of a list; returns `None` if one of them is invalid.
 fn numbers(
     reader: &mut Reader<'_>,
     key: &str,
@@ -330,7 +331,8 @@ fn numbers(
     read.into_iter().collect()
 }
 
-/// Rows of `N` numbers with their places, each number of its own measure; `None` where one of them is none.
+/// Reads rows of `N` numbers with their places, each number with its own dimension. Returns `None`
+/// if one of them is invalid.
 fn rows<const N: usize>(
     reader: &mut Reader<'_>,
     key: &str,
@@ -364,7 +366,7 @@ fn rows<const N: usize>(
     (reader.found.len() == before).then_some(rows)
 }
 
-/// Points with their places; empty where the key is not given.
+/// Reads points with their places; returns an empty list if the key is missing.
 fn points(
     reader: &mut Reader<'_>,
     key: &str,
@@ -379,14 +381,14 @@ fn points(
     Some(rows.into_iter().map(point).collect())
 }
 
-/// Reports a key that must be given.
+/// Reports a missing key, and returns `None`.
 fn lacks<T>(reader: &mut Reader<'_>, kind: &str, key: &str, example: &str) -> Option<T> {
     reader
         .report(Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)));
     None
 }
 
-/// Reports two places that are the same one.
+/// Reports two equal places.
 fn same_twice(
     reader: &mut Reader<'_>,
     first: (usize, &ByteSpan),
@@ -401,7 +403,7 @@ fn same_twice(
     );
 }
 
-/// A name in a message.
+/// Formats a name for a message.
 fn named(text: &str, span: &ByteSpan) -> String {
     Name {
         text,

@@ -1,4 +1,4 @@
-//! Task files, and what is wrong with them.
+//! Tests of task files and their diagnostics.
 
 use super::*;
 use crate::synthesis::{Given, Sense};

@@ -1,4 +1,4 @@
-//! What would be liked beside the motion, and whether it can be had.
+//! Reads the preferences of a task, and checks that they are compatible.
 
 use super::{Reader, RowList, WrittenTask, measured, named, points};
 use crate::Vec2;
@@ -8,7 +8,7 @@ use crate::synthesis::{FunctionTask, Given, Output, Sense, Task, TaskKind, Wishe
 use crate::wording::words;
 use serde::Deserialize;
 
-/// The wishes as they are written.
+/// The preferences as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct WrittenWishes {
     #[serde(rename = "full-turn")]
@@ -26,11 +26,11 @@ const SENSES: [(&str, Sense); 2] = [
     ("clockwise", Sense::Clockwise),
 ];
 
-/// Wishes, and whether the order was told.
+/// The preferences, with the order only if it was given.
 pub(super) struct ReadWishes {
     wishes: Wishes,
     ordered: Option<bool>,
-    /// Where the direction and the box are told.
+    /// The places of the direction and of the box.
     direction: Option<ByteSpan>,
     inside: Option<ByteSpan>,
 }
@@ -146,7 +146,8 @@ fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> 
 }
 
 impl ReadWishes {
-    /// Points are come through in their order where nothing else is said.
+    /// Returns the preferences for the synthesis; points are visited in order unless the file says
+    /// the opposite.
     pub(super) fn for_motion(&self) -> Wishes {
         Wishes {
             ordered: self.ordered.unwrap_or(true),
@@ -154,7 +155,7 @@ impl ReadWishes {
         }
     }
 
-    /// Reports what cannot be had together.
+    /// Reports incompatible preferences.
     pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, file: &WrittenTask) {
         if let (Some(corners), Some(written)) = (self.wishes.inside, &file.pivots) {
             let given = points(reader, "pivots", Some(written)).unwrap_or_default();
@@ -189,7 +190,8 @@ impl ReadWishes {
         }
     }
 
-    /// Reports a direction against which the crank turns by what is given; where that is told at no place, at the direction.
+    /// Reports a direction that contradicts the given turns of the crank. Without a place for
+    /// these, the fault is reported at the direction.
     fn agrees_with_turning(
         &self,
         reader: &mut Reader<'_>,
@@ -214,7 +216,7 @@ impl ReadWishes {
         });
     }
 
-    /// Reports a box in which the pivots of a function do not lie.
+    /// Reports a box that does not contain the pivots of a function.
     fn holds_pivots(&self, reader: &mut Reader<'_>, function: &FunctionTask) {
         let (Some(corners), Some(place)) = (self.wishes.inside, self.inside.clone()) else {
             return;

@@ -1,4 +1,5 @@
-//! Joins what the solver found wrong, by ids, to names and lines of the scene file.
+//! Converts faults of the solver, which contain ids, to diagnostics with names and lines of the
+//! scene file.
 
 use crate::angle::TURN;
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
@@ -8,11 +9,11 @@ use crate::{
     Body, ElementId, Input, Limit, LimitId, LimitOf, LinkId, PointId, SlideId, Slider, Vec2,
 };
 
-/// Elements that one message points at.
+/// Maximum number of elements marked in one message.
 const POINTED_AT: usize = 6;
 
 impl Scene {
-    /// Says in the words of the scene file why its mechanism cannot be solved, and what would mend it.
+    /// Explains in terms of the scene file why its mechanism cannot be solved, and suggests fixes.
     #[must_use]
     pub fn explain(&self, fault: &Fault) -> Diagnostics {
         let item = match fault {
@@ -118,7 +119,7 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
     item.help(words().are_dimensions_equal())
 }
 
-/// The mend where guides repeat each other.
+/// Returns the hint for guides that repeat each other's constraints; `None` for fewer than two.
 fn parallel_guides(scene: &Scene, elements: &[ElementId]) -> Option<&'static str> {
     let of_slides = elements.iter().filter(|e| matches!(e, ElementId::Slide(_)));
     let all = guides(scene, elements);
@@ -134,8 +135,8 @@ fn element_list(scene: &Scene, elements: &[ElementId]) -> String {
     names.join(", ")
 }
 
-/// Points at which a floating link ends in nothing, each with another moving point whose name differs
-/// only in case.
+/// Returns points at which a floating link has a free end, each with another moving point whose
+/// name differs only in case.
 fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
     let mechanism = &scene.mechanism;
     let slid = |point| {
@@ -183,7 +184,8 @@ fn over_constrained(
         item = item.note(words().the_others_are(&element_list(scene, others)));
     }
     let item = item.help(words().correct_its_dimensions());
-    // A misfit grows on the way: what is proposed is a power of ten of at least this many times its size.
+    // The misfit grows during the motion, so the suggested value is the next power of ten at or
+    // above five times its size.
     let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());
     if accepted > FEW_DIGITS * longest(scene) {
         return item;
@@ -192,7 +194,7 @@ fn over_constrained(
 }
 
 const GROWTH: f64 = 5.0;
-/// A misfit of up to this part of the longest link may be one of digits.
+/// Maximum misfit, relative to the longest link, that may come from rounded digits.
 const FEW_DIGITS: f64 = 1e-3;
 
 fn longest(scene: &Scene) -> f64 {
@@ -201,7 +203,8 @@ fn longest(scene: &Scene) -> f64 {
     lengths.fold(0.0, f64::max)
 }
 
-/// Two points of the ground that a link joins, with their places.
+/// Returns two points of the ground joined by a link, with their coordinates; `None` if it has
+/// fewer.
 fn pinned_twice(scene: &Scene, link: LinkId) -> Option<[(PointId, Vec2); 2]> {
     let mechanism = &scene.mechanism;
     let members = mechanism.link(link).members.iter();
@@ -220,10 +223,10 @@ fn frame_as_link(
     let vector = format!("{} = [\"{tail}\", \"{head}\"]", key(scene.link_name(link)));
     let distance = length(scene, (to - at).norm());
     let misfit = length(scene, misfit);
-    // A link between its two ends alone fits by its length.
+    // A link with two points only can be fixed by its length.
     let ends = scene.mechanism.link(link).ends;
     let is_rod = ends == Some((one, other)) || ends == Some((other, one));
-    // All its digits: with fewer it would not fit either.
+    // All digits are shown, because a rounded length would not fit either.
     let mend = is_rod.then(|| words().frame_fits_with(&(to - at).norm().to_string()));
     let fault = Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
         .at(scene.place(ElementId::Link(link)), words().cannot_move())
@@ -293,7 +296,7 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2], behind: &[OpenChoice])
     item.help(words().give_a_position_each(&all.join("\n")))
 }
 
-/// The lines of `[start]` that put a point to one of its places.
+/// Returns the lines of `[start]` that select each of a point's places.
 fn start_lines(scene: &Scene, point: PointId, choices: &[Vec2]) -> Vec<String> {
     let bare = bare_name(scene, point);
     let key = key(&bare);
@@ -324,8 +327,8 @@ fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
         true => words().degrees(&figure(value)),
         false => length(scene, value),
     };
-    // The turn next to the stops is that in which they are judged; stops within the first turn are written as tables
-    // have an angle, from 0 to below 360 deg.
+    // Stops are compared in the turn next to them. For stops within the first turn the angle is
+    // shown as in tables, from 0 to below 360 deg.
     let turn = 0.0..=TURN;
     let is_of_tables =
         matches!(of, LimitOf::Angle { .. }) && turn.contains(&low) && turn.contains(&high);
@@ -356,7 +359,7 @@ fn held_by_stops(scene: &Scene, down: LimitId, up: LimitId) -> Diagnostic {
         .help(words().open_between_stops(coordinate))
 }
 
-/// A group as the command line names it.
+/// Returns the name of a group on the command line.
 fn group_text(scene: &Scene, group: ElementId) -> String {
     let of_link = |link| scene.link_name(link);
     let of_point = |point| scene.point_name(point);
@@ -436,7 +439,8 @@ fn singular(scene: &Scene, elements: &[ElementId], is_here_only: bool) -> Diagno
     }
 }
 
-/// The slides among the elements, and those of which an element slides or carries the guide.
+/// Returns the slides among the elements, and those whose slider or guide belongs to one of the
+/// elements.
 fn guides(scene: &Scene, elements: &[ElementId]) -> Vec<ElementId> {
     let mechanism = &scene.mechanism;
     let takes_part = |id: SlideId| {
@@ -466,13 +470,13 @@ fn point_name(scene: &Scene, point: PointId) -> String {
     }
 }
 
-/// The name as the file writes it, for a line that may be copied.
+/// Returns the name as written in the file, for a line that may be copied.
 fn bare_name(scene: &Scene, point: PointId) -> String {
     let name = scene.point_name(point).unwrap_or("POINT");
     name.to_owned()
 }
 
-/// The sliding link whose hidden origin this is.
+/// Returns the sliding link with this hidden origin.
 fn carrier_of_origin(scene: &Scene, point: PointId) -> Option<LinkId> {
     let slides = scene.mechanism.slides();
     slides.iter().find_map(|slide| match slide.slider {

@@ -1,13 +1,13 @@
-//! Which known word a mistyped one was probably meant to be.
+//! Suggests the known word closest to a mistyped one.
 
 use crate::wording::words;
 
-/// Characters of a text beyond which it is no slip of the pen: comparing costs the product of the
-/// lengths.
+/// Maximum length of a text to compare. A longer one is not a typing error, and the cost is the
+/// product of the lengths.
 const LONGEST: usize = 64;
 
-/// The known word nearest to a text, if it is near enough to have been meant; one that differs only
-/// in case is as near as can be.
+/// Returns the known word closest to a text, if it is similar enough. A difference in case counts
+/// as distance zero.
 pub fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     if text.len() > LONGEST {
         return None;
@@ -24,13 +24,13 @@ pub fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Opti
         .into_iter()
         .filter(|word| word.len().abs_diff(text.len()) <= allowed)
         .map(|word| (distance(word), word))
-        // In a name of one letter every other letter is one slip away.
+        // For a name of one letter, every other letter is one edit away.
         .filter(|&(d, word)| d <= allowed && d < text.len().max(word.len()))
         .min_by_key(|&(d, _)| d)
         .map(|(_, word)| word)
 }
 
-/// "did you mean ...?", if something is near.
+/// Returns "did you mean ...?" if a known word is similar enough.
 pub fn did_you_mean<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Option<String> {
     nearest(text, known).map(|word| words().did_you_mean(word))
 }

@@ -1,4 +1,4 @@
-//! Columns over the driver's coordinate: of each the largest difference, and where.
+//! Compares columns over the driver's coordinate: the maximum difference of each, and its place.
 
 use super::DIGITS;
 use super::foreign::ForeignCourse;
@@ -9,17 +9,18 @@ use crate::report::number::significant;
 use crate::solver::{Condition, Order, Solver};
 use crate::wording::words;
 
-/// The largest difference of a column.
+/// The comparison of a column.
 #[derive(Clone, Copy, Default)]
 struct Furthest {
     rows: usize,
     at: f64,
     off: f64,
-    /// The root of the sum of the squares of all differences: those may be beyond any double.
+    /// The root of the sum of the squares of all differences. It is accumulated by `hypot`, because
+    /// the sum itself could overflow.
     root: f64,
-    /// The largest of krank's figures in the column.
+    /// The maximum absolute value of krank in the column.
     most: f64,
-    /// As often the difference is more than rounding to the digits of the other figure.
+    /// The number of differences that exceed the rounding of the other value.
     beyond: usize,
 }
 
@@ -28,7 +29,7 @@ pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver
     add_table(page, file, course, solver);
 }
 
-/// The same without its title.
+/// Adds the comparison without its title.
 pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
     page.text(words().beside_course(file, course.rows.len()));
     let furthest = furthest(course, solver);
@@ -82,7 +83,7 @@ impl Furthest {
     }
 }
 
-/// The largest difference of each column.
+/// Compares each column.
 fn furthest(course: &ForeignCourse, solver: &Solver) -> Vec<Furthest> {
     let orders = course.columns.iter().map(|quantity| quantity.order());
     let order = orders.max().unwrap_or(Order::Position);

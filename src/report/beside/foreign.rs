@@ -1,4 +1,4 @@
-//! A table of cells that somebody else wrote: what of it are figures that krank knows.
+//! Reads a table from another program or from notes, and recognizes the values that krank knows.
 
 use crate::document::quoted;
 use crate::quantity::{Catalogue, Quantity, unit_factor};
@@ -7,52 +7,54 @@ use crate::report::text_encoding::TextEncoding;
 use crate::study::WrittenFigure;
 use crate::wording::words;
 
-/// What is read at the most.
+/// Maximum number of rows.
 const MOST_ROWS: usize = 100_000;
 
-/// Figures of notes or of another program: a row for each (`figure, unit, value`, the unit may be missing), or a
-/// table over the driver's coordinate as `krank sweep` writes one.
+/// Values from notes or from another program. The table is a list with a row for each value
+/// (`figure, unit, value`, the unit optional), or a table over the driver's coordinate as
+/// `krank sweep` writes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForeignFigures {
     name: String,
     rows: Vec<Vec<String>>,
-    /// On which line of the file each row begins.
+    /// The line of the file on which each row begins.
     lines: Vec<u64>,
     encoding: TextEncoding,
 }
 
-/// Why a file holds no figures.
+/// The reason why a file has no usable values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoFigures {
-    /// No row has a name and a number beside it.
+    /// Every row lacks a name or a number after it.
     Nothing,
-    /// It has too many rows or columns.
+    /// The table has too many rows or columns.
     TooLong,
 }
 
-/// What was made of it.
+/// The interpretation of a table.
 pub(super) enum ForeignTable {
     List(Vec<ForeignRow>),
     Course(ForeignCourse),
 }
 
-/// A figure of a list.
+/// A value of a list.
 pub(super) struct ForeignRow {
-    /// As it stands there.
+    /// The name as written.
     pub(super) name: String,
-    /// As it stands there.
+    /// The value as written.
     pub(super) written: String,
-    /// Which that is, and its value in krank's unit; `None` where krank has none of that name, or in no such unit.
+    /// The corresponding quantity, and the value in krank's unit; `None` if krank has no quantity
+    /// of this name, or the unit does not fit.
     pub(super) figure: Option<(Quantity, ForeignValue)>,
 }
 
-/// A figure in krank's unit.
+/// A value in krank's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ForeignValue {
     pub(super) value: f64,
-    /// Half a unit of its last digit.
+    /// Half a unit of the last written digit.
     pub(super) rounding: f64,
-    /// By how much it is more where its mark stands behind thousands.
+    /// The factor of the value if its decimal mark in fact separates thousands.
     thousands: Option<f64>,
 }
 
@@ -60,19 +62,19 @@ pub(super) struct ForeignValue {
 pub(super) struct ForeignCourse {
     pub(super) driver: Quantity,
     pub(super) columns: Vec<Quantity>,
-    /// The coordinate, and the value in each column, if there is one.
+    /// The coordinate, and the value in each column, if any.
     pub(super) rows: Vec<(f64, Vec<Option<ForeignValue>>)>,
-    /// Heads that are no columns of krank's.
+    /// Headers that are not columns of krank.
     pub(super) strangers: Vec<String>,
-    /// Cells where a number should stand and something else does: the line, the column and what stands there.
+    /// Cells that should contain a number but do not: line, column and text.
     pub(super) unread: Vec<(u64, String, String)>,
 }
 
-/// Cells that a message lists at most.
+/// Maximum number of cells listed in a message.
 const LISTED: usize = 5;
 
 impl ForeignCourse {
-    /// What was left out of the file, in words, if anything was.
+    /// Returns a sentence about the omitted cells, if any.
     pub(super) fn left_out(&self) -> Option<String> {
         let listed: Vec<_> = (self.unread.iter().take(LISTED))
             .map(|(line, column, cell)| (*line, column.as_str(), quoted(cell)))
@@ -81,7 +83,7 @@ impl ForeignCourse {
         (!listed.is_empty()).then(|| words().cells_left_out(&listed, more))
     }
 
-    /// Leaves out the columns that are not wanted.
+    /// Removes the columns for which `wanted` returns `false`.
     pub(super) fn keep(&mut self, wanted: impl Fn(&Quantity) -> bool) {
         let kept: Vec<bool> = self.columns.iter().map(wanted).collect();
         let mut marks = kept.iter();
@@ -99,10 +101,10 @@ impl ForeignCourse {
 }
 
 impl ForeignFigures {
-    /// Reads a file of this name: cells between commas, semicolons or tabs.
+    /// Parses a file of this name, with cells separated by commas, semicolons or tabs.
     ///
     /// # Errors
-    /// Where no row has a name with a number beside it, or a number at all; or where there are too many.
+    /// Returns an error if no row has a name followed by a number, or if there are too many rows.
     pub fn read(name: &str, bytes: &[u8]) -> Result<ForeignFigures, NoFigures> {
         let ReadCells {
             rows,
@@ -122,19 +124,20 @@ impl ForeignFigures {
         }
     }
 
-    /// The encoding of the file.
+    /// Returns the encoding of the file.
     #[must_use]
     pub fn encoding(&self) -> TextEncoding {
         self.encoding
     }
 
-    /// The name of the file.
+    /// Returns the name of the file.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// A table over the driver where one of the heads is the driver's, else a list.
+    /// Interprets the table: over the driver's coordinate if a header is the driver's, or else as a
+    /// list.
     pub(super) fn table(&self, catalogue: &Catalogue) -> ForeignTable {
         let driver = catalogue.driver();
         let heads = self.rows.first().map_or(&[][..], Vec::as_slice);
@@ -168,7 +171,7 @@ impl ForeignFigures {
                 .and_then(|quantity| unit_factor(unit, &quantity.unit));
             match (found, factor) {
                 (Some(quantity), Some(factor)) => columns.push((k, factor, quantity)),
-                // A column of words is none of figures.
+                // A column without numbers is not reported.
                 _ if self
                     .rows
                     .iter()
@@ -196,7 +199,7 @@ impl ForeignFigures {
             let is_row = turned.is_some() && (0..cells.len()).any(is_there);
             let read = |k: usize| cells.get(k).is_some_and(|cell| number(cell).is_some());
             let cell = |k: usize| cells.get(k).cloned().unwrap_or_default();
-            // Without its place nothing of a row is read.
+            // A row without a coordinate is not read.
             if is_row && !read(place) {
                 unread.push((*line, driver.name.clone(), cell(place)));
                 continue;
@@ -219,7 +222,8 @@ impl ForeignFigures {
     }
 }
 
-/// A row of a list: a name, and the last cell behind it that is a number. Heads have none, and are none.
+/// Reads a row of a list: a name, and the last number after it. Headers have no number and are
+/// skipped.
 fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
     let (name, unit) = head(cells.first()?);
     let rest = cells.get(1..)?;
@@ -232,7 +236,7 @@ fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
         let value = number(&rest[place])?.times(unit_factor(&unit, &quantity.unit)?);
         Some((quantity, value))
     });
-    // The unit of the row is krank's: another one stands beside the figure.
+    // A unit equal to krank's is already in the row's name; another one is shown with the value.
     let is_own = |(quantity, _): &(Quantity, ForeignValue)| unit == quantity.unit;
     let written = match unit.is_empty() || figure.as_ref().is_some_and(is_own) {
         true => rest[place].clone(),
@@ -245,7 +249,7 @@ fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
     })
 }
 
-/// `C.v [mm/s]`: a name and its unit.
+/// Splits `C.v [mm/s]` into name and unit.
 fn head(cell: &str) -> (String, String) {
     match cell.trim_end_matches(']').split_once('[') {
         Some((name, unit)) => (name.trim().to_owned(), unit.trim().to_owned()),
@@ -253,7 +257,7 @@ fn head(cell: &str) -> (String, String) {
     }
 }
 
-/// A number without a unit; a degree sign may stand behind it.
+/// Parses a number without a unit; a degree sign is accepted. Returns `None` for other cells.
 fn number(cell: &str) -> Option<ForeignValue> {
     let (written, unit) = WrittenFigure::read(cell)?;
     let is_bare = unit.is_empty() || unit == "°";
@@ -275,7 +279,8 @@ impl ForeignValue {
         }
     }
 
-    /// Nobody knows whether `8,259` are thousands: as what it is nearer to krank's figure, `apart` from it.
+    /// Resolves an ambiguous mark, as in `8,259`: takes thousands if the result is closer to
+    /// krank's value. `apart` computes the difference from it.
     pub(super) fn nearer(self, apart: impl Fn(f64) -> f64) -> ForeignValue {
         let whole = self.thousands.map(|factor| self.times(factor));
         let is_nearer = |whole: &ForeignValue| apart(whole.value).abs() < apart(self.value).abs();

@@ -1,4 +1,4 @@
-//! A list of figures of one state.
+//! Compares a list of values of one state.
 
 use super::DIGITS;
 use super::foreign::{ForeignRow, ForeignValue};
@@ -54,7 +54,7 @@ pub(super) fn add_to(
     }
 }
 
-/// The difference of two figures; of directions the short way round.
+/// Returns the difference of two values; for directions, the shorter way around.
 pub(super) fn apart(quantity: &Quantity, foreign: f64, own: f64) -> f64 {
     let half = angle::TURN / 2.0;
     match quantity.is_direction() {
@@ -63,14 +63,14 @@ pub(super) fn apart(quantity: &Quantity, foreign: f64, own: f64) -> f64 {
     }
 }
 
-/// Whether the digits of the other figure do not tell it from krank's.
+/// Returns `true` if the difference is within the rounding of the other value.
 pub(super) fn is_rounding(foreign: ForeignValue, (own, off): (f64, f64)) -> bool {
-    // A last digit that was rounded up in doubles may be off by a rounding more.
+    // The decimal rounding may be off by the rounding of doubles.
     off.abs() <= foreign.rounding * (1.0 + 1e-9) + 4.0 * f64::EPSILON * own.abs()
 }
 
-/// The difference, and the part of the figure that it is; nothing where the digits of the other figure do not tell
-/// one.
+/// Formats the difference, absolute and relative; says that the values agree if it is within
+/// rounding.
 fn told(quantity: &Quantity, foreign: ForeignValue, (own, off): (f64, f64)) -> [String; 2] {
     if is_rounding(foreign, (own, off)) {
         return [words().agrees().to_owned(), "-".into()];

@@ -1,4 +1,4 @@
-//! Measurements over the driver's coordinate, row by row beside what krank has there.
+//! Compares measurements over the driver's coordinate with krank's values, row by row.
 
 use super::course;
 use super::foreign::{ForeignCourse, ForeignFigures, ForeignTable};
@@ -12,15 +12,15 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 use std::io::{self, Write};
 
-/// Columns that were measured over the driver's coordinate.
+/// Columns measured over the driver's coordinate.
 pub struct Measured {
     file: String,
     course: ForeignCourse,
 }
 
 impl ForeignFigures {
-    /// The file as measurements of these figures, or of all that krank knows; `None` where it is no table over the
-    /// driver's coordinate, or has none of them.
+    /// Interprets the file as measurements of the given values, or of all that krank knows. Returns
+    /// `None` if it is not a table over the driver's coordinate, or has none of the values.
     #[must_use]
     pub fn measured(&self, catalogue: &Catalogue, of: Option<&[Quantity]>) -> Option<Measured> {
         let ForeignTable::Course(mut course) = self.table(catalogue) else {
@@ -38,25 +38,26 @@ impl ForeignFigures {
 }
 
 impl Measured {
-    /// What was measured.
+    /// Returns the measured quantities.
     #[must_use]
     pub fn figures(&self) -> &[Quantity] {
         &self.course.columns
     }
 
-    /// Heads that are no columns of krank's, or in no such unit.
+    /// Returns headers that are not columns of krank, or whose unit does not fit.
     #[must_use]
     pub fn strangers(&self) -> &[String] {
         &self.course.strangers
     }
 
-    /// Cells that are no numbers and were left out, each with its line and column, in words; `None` where all were read.
+    /// Returns a sentence about cells that are not numbers and were omitted, with line and column;
+    /// `None` if all cells were read.
     #[must_use]
     pub fn left_out(&self) -> Option<String> {
         self.course.left_out()
     }
 
-    /// The driver's coordinate and the value of every measurement of a figure.
+    /// Returns the driver's coordinate and the value of every measurement of a quantity.
     #[must_use]
     pub fn points(&self, figure: usize) -> Vec<(f64, f64)> {
         let rows = self.course.rows.iter();
@@ -67,11 +68,12 @@ impl Measured {
         rows.filter_map(value).collect()
     }
 
-    /// Writes a row for each of the file: of every figure krank's, the measured one and by how much that is more. Text
-    /// has the root mean square and the largest of the differences below.
+    /// Writes a row for each row of the file: krank's value, the measured one and measured minus
+    /// computed, for every quantity. Text ends with the root mean square and the maximum of the
+    /// differences.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Returns the errors of the writer.
     pub fn write(
         &self,
         (scene, solver): (&Scene, &Solver),
@@ -92,7 +94,7 @@ impl Measured {
         Ok(outcome)
     }
 
-    /// The root mean square and the largest difference of each figure.
+    /// Formats the root mean square and the maximum difference of each quantity.
     fn summary(&self, solver: &Solver, ascii: bool) -> String {
         let mut page = Page::default();
         course::add_table(&mut page, &self.file, &self.course, solver);

@@ -1,4 +1,4 @@
-//! krank's figures beside those of a lecture's notes or of another program, which come as a table of cells.
+//! Compares krank's values with those of lecture notes or of another program, given as a table.
 
 mod course;
 mod foreign;
@@ -18,8 +18,8 @@ use foreign::ForeignTable;
 const DIGITS: usize = 3;
 
 impl ForeignFigures {
-    /// The figures beside krank's: of a list those of a state, which was solved with forces; of a table over the
-    /// driver the largest difference of each column.
+    /// Adds the comparison to a page. A list is compared with a state solved with forces; for a
+    /// table over the driver the maximum difference of each column is shown.
     pub(super) fn add_to(
         &self,
         page: &mut Page,

@@ -1,4 +1,5 @@
-//! What is asked of a state: all that is sought in its tables, and how its points move.
+//! Determines the values requested in an exercise: the unknowns of the tables, and the motion of
+//! the points.
 
 use crate::Ball;
 use crate::quantity::{Catalogue, Quantity};
@@ -8,12 +9,13 @@ use crate::scene::{Scene, VectorKind};
 use crate::solver::{Order, Solver, State};
 use crate::study::{AnswerKey, AskedFigure, LinkPoints, SolutionChain};
 
-/// Smaller parts of the largest figure of a kind are 0.
+/// Values below this fraction of the largest value of their kind are 0.
 const NOUGHT: f64 = 1e-9;
-/// Values of the loops are not read here.
+/// Number of digits passed to the loops; their values are not used here.
 const DIGITS: usize = 6;
 
-/// What is asked of a state that was solved with forces and enclosed, and what else has a name in `more`.
+/// Returns the answer key of a state solved with forces and enclosed, including the values named in
+/// `more`.
 #[must_use]
 pub fn answer_key(
     scene: &Scene,
@@ -53,7 +55,7 @@ pub fn answer_key(
         let Some(value) = quantity.value(state) else {
             continue;
         };
-        // What is 0 but for rounding is 0.
+        // Values that are 0 up to rounding errors become 0.
         let is_nought = !quantity.is_direction() && scales.is_nought(&quantity, enclosure);
         let exact = if is_nought { 0.0 } else { value };
         let figure = AskedFigure {
@@ -87,7 +89,7 @@ pub fn answer_key(
     }
 }
 
-/// The points of every link with their places on it.
+/// Returns the points of every link with their local coordinates.
 fn link_points(scene: &Scene) -> Vec<LinkPoints> {
     let links = scene.mechanism.links().iter();
     let points = links.map(|link| {
@@ -97,7 +99,7 @@ fn link_points(scene: &Scene) -> Vec<LinkPoints> {
     points.collect()
 }
 
-/// The names of what is sought of the vectors, by order.
+/// Returns the names of the unknowns of the vectors, by order of derivative.
 fn vector_names(scene: &Scene, tables: &Tables) -> Vec<String> {
     let mut names = Vec::new();
     for order in [0, 1, 2] {
@@ -106,7 +108,7 @@ fn vector_names(scene: &Scene, tables: &Tables) -> Vec<String> {
             let [length, angle] = own_parts(scene, vector.map(|vector| vector.kind));
             let of_length = length.then_some(column.length).flatten();
             let lengths = of_length.map(|entries| (entries[order], STRETCHING[order]));
-            // What turns with a link has an angle of its own, and the link's rates.
+            // A vector fixed to a link has its own angle, but the rates of the link.
             let is_asked = angle || order == 0;
             let angles = is_asked.then_some((column.direction[order], TURNING[order]));
             for (entry, aspect) in lengths.into_iter().chain(angles) {
@@ -119,7 +121,7 @@ fn vector_names(scene: &Scene, tables: &Tables) -> Vec<String> {
     names
 }
 
-/// The names of what is sought of the points, by order.
+/// Returns the names of the unknowns of the points, by order of derivative.
 fn point_names(tables: &Tables) -> Vec<String> {
     let mut names = Vec::new();
     for (order, aspect) in [(1, "v"), (2, "a")] {
@@ -137,7 +139,7 @@ fn point_names(tables: &Tables) -> Vec<String> {
 const STRETCHING: [&str; ORDERS.len()] = ["length", "rate", "accel"];
 const TURNING: [&str; ORDERS.len()] = ["angle", "omega", "alpha"];
 
-/// Whether a vector has a length and an angle whose rates are its own.
+/// Returns whether the rates of a vector's length and of its angle are its own.
 fn own_parts(scene: &Scene, kind: Option<VectorKind>) -> [bool; 2] {
     match kind {
         None | Some(VectorKind::Link(_)) => [false, true],
@@ -156,11 +158,11 @@ fn is_rigid(scene: &Scene, kind: Option<VectorKind>) -> bool {
     }
 }
 
-/// How large figures of each unit are in a state.
+/// The magnitude of values of each unit in a state.
 struct FigureScales<'a> {
     catalogue: &'a Catalogue,
     state: &'a State,
-    /// The largest of each unit.
+    /// The maximum absolute value of each unit.
     largest: Vec<(String, f64)>,
 }
 
@@ -183,8 +185,8 @@ impl FigureScales<'_> {
         scales
     }
 
-    /// Where everything of a kind is 0, rounding is the largest of it: rates are no smaller than what the speeds make
-    /// of angles and lengths.
+    /// Raises the maxima of rates to the sizes implied by speeds, angles and lengths. If all values
+    /// of a kind are 0, the maximum would be a rounding error.
     fn raise(&mut self, length: &str) {
         let of = |unit: &str| self.of_unit(unit);
         let size = of(length);
@@ -192,7 +194,7 @@ impl FigureScales<'_> {
             true => of(&format!("{length}/s")) / size,
             false => 0.0,
         };
-        // Per second, and per second of that.
+        // Per second, and squared per second squared.
         let pace = of("rad/s").max(by_velocity);
         let floors = [
             ("rad/s".to_owned(), pace),
@@ -213,15 +215,16 @@ impl FigureScales<'_> {
         known.map_or(0.0, |(_, size)| *size)
     }
 
-    /// The largest figure with the same unit.
+    /// Returns the maximum absolute value with the same unit.
     fn of(&self, quantity: &Quantity) -> f64 {
         let own = quantity.value(self.state).map_or(0.0, f64::abs);
         own.max(self.of_unit(&quantity.unit))
     }
 
-    /// Whether a size is 0: so small beside others of its kind, or no larger than its error may be.
+    /// Returns `true` if a value is 0: negligible compared with others of its kind, or within its
+    /// error bound.
     fn is_nought(&self, quantity: &Quantity, enclosure: &State<Ball>) -> bool {
-        // A direction that exists is as good as any; that of nothing is none.
+        // A direction is negligible if its magnitude is.
         let size_of = quantity.name.strip_suffix(".angle");
         let size = size_of.and_then(|name| self.catalogue.find(name));
         let of = match (&size, quantity.is_direction()) {
@@ -235,7 +238,7 @@ impl FigureScales<'_> {
     }
 }
 
-/// The positions of the other assemblies that close: one group at a time has another way.
+/// Returns the positions of the other assemblies that close, with one group changed at a time.
 fn other_states(solver: &Solver, at: f64) -> Vec<State> {
     let groups = solver.plan().numbered().filter(|(_, g)| g.has_choices());
     let choices = groups.flat_map(|(id, _)| solver.choices(at, id));

@@ -1,4 +1,5 @@
-//! The file that a student answers in: a row for each figure, written empty and read filled.
+//! Writes empty answer files for students, with a row for each value, and reads the completed
+//! files.
 
 use super::row_names::{column_named, parted};
 use crate::quantity::{Catalogue, known_unit, unit_factor};
@@ -9,17 +10,17 @@ use crate::scene::Scene;
 use crate::study::{AnswerKey, GivenAnswer, WrittenFigure};
 use std::io::{self, Write};
 
-/// The heads of the columns, and the rows that are no figures: promises.
+/// The column headers, and the names of special rows. These must stay stable.
 const HEADS: [&str; 3] = ["figure", "unit", "answer"];
 const SHEET: &str = "sheet";
 const STUDENT: &str = "student";
-/// Rows that are read.
+/// Maximum number of rows.
 const MOST_ROWS: usize = 10_000;
 
-/// Writes an empty file of answers to a sheet of this name.
+/// Writes an empty answer file for a sheet of this name.
 ///
 /// # Errors
-/// What the output says.
+/// Returns the errors of the output.
 pub fn blank_answers(
     key: &AnswerKey,
     sheet: &str,
@@ -36,15 +37,15 @@ pub fn blank_answers(
     rows.finish()
 }
 
-/// Whether a file holds no more than an empty file of answers to this sheet does, in any dialect: no row of it is
-/// another than those that were handed out.
+/// Returns `true` if a file contains only rows of the empty answer file for this sheet, in any
+/// dialect.
 #[must_use]
 pub fn is_blank(bytes: &[u8], key: &AnswerKey, sheet: &str) -> bool {
     let is_asked = |name: &str, unit: &str| {
         let mut figures = key.figures.iter();
         figures.any(|of| of.quantity.name == name && of.quantity.unit == unit)
     };
-    // Rows come without the empty cells at their end.
+    // Compared without the empty cells at the end of a row.
     let is_ours = |row: &[&str]| match row {
         [] | [STUDENT] => true,
         [SHEET, "", name] => *name == sheet,
@@ -52,7 +53,7 @@ pub fn is_blank(bytes: &[u8], key: &AnswerKey, sheet: &str) -> bool {
         [figure, unit] => is_asked(figure, unit),
         row => *row == HEADS,
     };
-    // What has too many rows to be read is not ours either.
+    // A file with too many rows is not an empty answer file.
     ReadCells::read(bytes, MOST_ROWS).is_some_and(|read| {
         read.rows.iter().all(|row| {
             let cells: Vec<&str> = row.iter().map(String::as_str).collect();
@@ -62,25 +63,25 @@ pub fn is_blank(bytes: &[u8], key: &AnswerKey, sheet: &str) -> bool {
     })
 }
 
-/// A file of answers as it was read.
+/// A parsed answer file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct AnswerFile {
-    /// The name of the sheet that is answered.
+    /// The name of the answered sheet.
     pub sheet: Option<String>,
-    /// Who answers.
+    /// The name of the student.
     pub student: Option<String>,
-    /// The figures, and what stands beside them.
+    /// The rows with values and answers.
     pub answers: Vec<AnsweredRow>,
-    /// The encoding of its text.
+    /// The encoding of the text.
     pub encoding: TextEncoding,
 }
 
-/// A row of a file of answers, as it was written.
+/// A row of an answer file, as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct AnsweredRow {
     /// The line of the file, from 1.
     pub line: u64,
-    /// The name of a figure.
+    /// The name of the value.
     pub figure: String,
     /// Its unit.
     pub unit: String,
@@ -88,42 +89,43 @@ pub struct AnsweredRow {
     pub answer: String,
 }
 
-/// A cell of the file that is not what was asked for, or a row of which the name is none of the scene.
+/// A cell of the file that could not be interpreted, or a row whose name the scene does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StrangeCell {
     /// The line of the file, from 1.
     pub line: u64,
     /// The name in the row.
     pub figure: String,
-    /// What stands there: a unit or an answer.
+    /// The text of the cell: a unit or an answer.
     pub text: String,
 }
 
-/// Which cells of a row are read.
+/// The positions of the cells to read in a row.
 struct RowPlaces {
     figure: usize,
     unit: Option<usize>,
     answer: usize,
-    /// The cells of the head row.
+    /// The number of cells in the header row.
     width: usize,
-    /// Where cells stand between commas, a decimal comma parts a number.
+    /// Whether cells are separated by commas, so that a decimal comma splits a number.
     is_parted: bool,
 }
 
-/// Why a file is no file of answers.
+/// The reason why a file is not an answer file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoAnswers {
-    /// It has no row of a figure.
+    /// It has no row with a value.
     NoFigure,
     /// It has too many rows.
     TooLong,
 }
 
 impl AnswerFile {
-    /// Reads a file of answers: cells between commas, semicolons or tabs, in any order of rows.
+    /// Parses an answer file with cells separated by commas, semicolons or tabs, and rows in any
+    /// order.
     ///
     /// # Errors
-    /// Where it holds no figure at all, or too many rows.
+    /// Returns an error if it has no values, or too many rows.
     pub fn read(bytes: &[u8]) -> Result<AnswerFile, NoAnswers> {
         let ReadCells {
             rows,
@@ -145,7 +147,7 @@ impl AnswerFile {
         }
     }
 
-    /// Gives the rows the names that their figures have in a scene, where they have one.
+    /// Replaces the names in the rows by the scene's column names, where known.
     #[must_use]
     pub fn of_scene(mut self, scene: &Scene) -> AnswerFile {
         let catalogue = Catalogue::new(scene);
@@ -181,14 +183,15 @@ impl AnswerFile {
         }
     }
 
-    /// The names of all figures.
+    /// Returns the names of all values.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         let rows = self.answers.iter();
         rows.map(|row| row.figure.clone()).collect()
     }
 
-    /// The answers to what is asked for, in its order; of a figure that is answered twice the last.
+    /// Returns the answers to the requested values, in their order; the last one of repeated
+    /// answers counts.
     #[must_use]
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
@@ -199,7 +202,7 @@ impl AnswerFile {
         given.collect()
     }
 
-    /// Units that are not known or measure something else, in their own cells or behind the numbers.
+    /// Returns unknown or unsuitable units, in their own cells or after the numbers.
     #[must_use]
     pub fn strange_units(&self, key: &AnswerKey) -> Vec<StrangeCell> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
@@ -211,7 +214,7 @@ impl AnswerFile {
         strange.collect()
     }
 
-    /// Rows that name no figure of the key.
+    /// Returns rows whose name is not a value of the key.
     #[must_use]
     pub fn strangers(&self, key: &AnswerKey) -> Vec<StrangeCell> {
         let is_known = |name: &str| key.figures.iter().any(|f| f.quantity.name == name);
@@ -219,7 +222,7 @@ impl AnswerFile {
         strange.map(|row| row.strange(row.answer.clone())).collect()
     }
 
-    /// Answers that do not count since the same figure is answered further down.
+    /// Returns answers superseded by a later answer to the same value.
     #[must_use]
     pub fn repeated(&self) -> Vec<StrangeCell> {
         let answered = || self.answers.iter().filter(|row| !row.answer.is_empty());
@@ -233,7 +236,7 @@ impl AnswerFile {
             .collect()
     }
 
-    /// Answers that are no numbers.
+    /// Returns answers that are not numbers.
     #[must_use]
     pub fn unreadable(&self, key: &AnswerKey) -> Vec<StrangeCell> {
         let rows = key
@@ -247,7 +250,7 @@ impl AnswerFile {
             .collect()
     }
 
-    /// The row that counts for a figure: the last with an answer.
+    /// Returns the row that counts for a value: the last one with an answer, or else the last one.
     fn row(&self, name: &str) -> Option<&AnsweredRow> {
         let rows = || self.answers.iter().rev().filter(|row| row.figure == name);
         rows().find(|row| !row.answer.is_empty()).or(rows().next())
@@ -255,7 +258,7 @@ impl AnswerFile {
 }
 
 impl AnsweredRow {
-    /// Returns whether the row may be one of a figure: it has the point of a name, or a number for an answer.
+    /// Returns `true` if the row may be that of a value: its name has a dot, or its answer a digit.
     fn is_likely(&self) -> bool {
         self.figure.contains('.') || self.answer.contains(|c: char| c.is_ascii_digit())
     }
@@ -268,7 +271,7 @@ impl AnsweredRow {
         }
     }
 
-    /// The unit behind the number or in its cell that is not known or measures something else.
+    /// Returns the unit after the number or in its cell, if it is unknown or unsuitable.
     fn strange_unit(&self, unit: &str) -> Option<String> {
         let (_, behind) = WrittenFigure::read(&self.answer)?;
         let written = [behind, self.unit.clone()];
@@ -276,8 +279,8 @@ impl AnsweredRow {
         strange.find(|own| unit_factor(own, unit).is_none())
     }
 
-    /// The answer in the unit that is asked for. A unit behind the number is meant; else the one in its cell. One that
-    /// is not known is taken for the one that was asked for.
+    /// Returns the answer in the requested unit. A unit after the number takes precedence over the
+    /// one in its cell. An unknown unit is ignored.
     fn given(&self, unit: &str) -> GivenAnswer {
         if self.answer.is_empty() {
             return GivenAnswer::Empty;
@@ -287,7 +290,7 @@ impl AnsweredRow {
         };
         let factor = match unit_factor(&behind, unit) {
             Some(factor) if !behind.is_empty() => factor,
-            // What is known and measures something else is no answer.
+            // A known unit of another quantity makes the answer invalid.
             None if known_unit(&behind).is_some() => return GivenAnswer::Unreadable,
             _ => unit_factor(&self.unit, unit).unwrap_or(1.0),
         };
@@ -302,7 +305,7 @@ impl AnsweredRow {
 }
 
 impl RowPlaces {
-    /// Where the head row says so; else the third cell is the answer.
+    /// Finds the columns by the header row; without one, the third cell is the answer.
     fn of(rows: &[Vec<String>], separator: char) -> RowPlaces {
         let place = |row: &[String], head: &str| {
             let mut cells = row.iter();
@@ -324,7 +327,8 @@ impl RowPlaces {
         }
     }
 
-    /// The answer, whose decimals may stand in a cell of their own, one more than there are heads.
+    /// Returns the answer. A decimal comma may have split it into two cells, so that the row has
+    /// one cell more than the header.
     fn answer_in(&self, cells: &[String]) -> String {
         let cell = |place: usize| cells.get(place).map_or("", String::as_str);
         let (whole, decimals) = (cell(self.answer), cell(self.answer + 1));

@@ -1,4 +1,4 @@
-//! The answers of a class: a row for each student.
+//! Formats the results of a class: a row for each student.
 
 use super::blank::StrangeCell;
 use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
@@ -9,7 +9,7 @@ use crate::study::FigureVerdict;
 use crate::wording::words;
 use std::io::{self, Write};
 
-/// The columns: a promise.
+/// The columns. These must stay stable.
 const HEADS: [&str; 24] = [
     "student",
     "sheet",
@@ -37,11 +37,11 @@ const HEADS: [&str; 24] = [
     "misread",
 ];
 
-/// Writes a row for each student: who, how many figures of each verdict, the first figure that is not right and the
-/// first that is worth no point, each with its verdict.
+/// Writes a row for each student: name, number of values by verdict, the first value that is not
+/// right, and the first without a point, each with its verdict.
 ///
 /// # Errors
-/// What the output says.
+/// Returns the errors of the output.
 pub fn class_csv(
     class: &[GradedAnswers],
     dialect: CsvDialect,
@@ -84,7 +84,7 @@ pub fn class_csv(
     rows.finish()
 }
 
-/// Lists cells of a file of answers: `line figure: text`, between semicolons.
+/// Lists cells of an answer file in one cell, as `line figure: text` separated by semicolons.
 fn in_cell(cells: &[StrangeCell]) -> String {
     let listed = cells
         .iter()
@@ -92,7 +92,7 @@ fn in_cell(cells: &[StrangeCell]) -> String {
     listed.collect::<Vec<_>>().join("; ")
 }
 
-/// The same to be read.
+/// Formats the class results as a page.
 #[must_use]
 pub fn class_page(class: &[GradedAnswers]) -> Page {
     let mut page = Page::default();
@@ -124,8 +124,8 @@ pub fn class_page(class: &[GradedAnswers]) -> Page {
     page
 }
 
-/// The students who come more than once, each with the files that say so: one of them may be an older one, or name
-/// somebody else.
+/// Returns the students with several files, and their files: one of these may be outdated, or have
+/// a wrong name.
 #[must_use]
 pub fn named_again(class: &[GradedAnswers]) -> Vec<(&str, Vec<&str>)> {
     let mut all: Vec<(&str, Vec<&str>)> = Vec::new();
@@ -165,7 +165,7 @@ fn numbers(one: &GradedAnswers) -> [usize; 10] {
     ]
 }
 
-/// A verdict as the columns are called.
+/// Returns the name of a verdict's column.
 fn code(verdict: FigureVerdict) -> &'static str {
     match verdict {
         FigureVerdict::Right => "right",
@@ -179,8 +179,8 @@ fn code(verdict: FigureVerdict) -> &'static str {
     }
 }
 
-/// A cell that a spreadsheet takes for no formula, and in which nothing acts on a terminal: students write into their
-/// files what they like.
+/// Makes a cell safe for spreadsheets and terminals: it is neither a formula nor contains control
+/// characters. Students may write anything into their files.
 fn harmless(cell: &str) -> String {
     let is_number = cell.replace(',', ".").parse::<f64>().is_ok();
     let cell = sanitized(cell, false);

@@ -1,4 +1,4 @@
-//! One student's answers, graded.
+//! Grades the answers of one student.
 
 use super::blank::{AnswerFile, StrangeCell};
 use crate::page::{Page, Setting, Table};
@@ -12,51 +12,51 @@ use std::path::Path;
 /// The answers of one student with their verdicts.
 #[derive(Clone, Debug)]
 pub struct GradedAnswers {
-    /// Who answered: by the file's own word, or the file's name.
+    /// The student's name from the file, or the file's name.
     pub student: String,
-    /// The sheet that was answered.
+    /// The answered sheet.
     pub sheet: String,
-    /// The file in which the answers stand, as it was named.
+    /// The file with the answers, as named by the user.
     pub file: String,
-    /// What was asked for, in the order in which it is found.
+    /// The requested values in the order of their solution.
     pub figures: Vec<GradedFigure>,
-    /// What was not asked for and is judged all the same, without points.
+    /// Other answered values, which are graded without points.
     pub besides: Vec<GradedFigure>,
-    /// What of the file could not be read as it stands.
+    /// Problems of the file.
     pub remarks: FileRemarks,
-    /// The given value that was misread, where that explains the answers.
+    /// The misread given value, if that explains the answers.
     pub misread: Option<MisreadValue>,
 }
 
-/// What of a file of answers could not be read as it stands.
+/// Parts of an answer file that could not be interpreted as written.
 #[derive(Clone, Debug, Default)]
 pub struct FileRemarks {
-    /// Rows that name no figure of the scene.
+    /// Rows whose name is not a value of the scene.
     pub strangers: Vec<StrangeCell>,
-    /// Units that are not known, or measure something else.
+    /// Unknown or unsuitable units.
     pub strange_units: Vec<StrangeCell>,
-    /// Answers that are no numbers.
+    /// Answers that are not numbers.
     pub unreadable: Vec<StrangeCell>,
-    /// Answers that a later row repeats.
+    /// Answers superseded by a later row.
     pub repeated: Vec<StrangeCell>,
     /// The encoding of the file.
     pub encoding: TextEncoding,
 }
 
-/// A figure with its verdict.
+/// A value with its verdict.
 #[derive(Clone, Debug)]
 pub struct GradedFigure {
-    /// Which.
+    /// The quantity.
     pub quantity: Quantity,
-    /// Its value.
+    /// The exact value.
     pub exact: f64,
-    /// What was answered, as it was written.
+    /// The answer as written.
     pub written: String,
-    /// What is to be said of that.
+    /// The verdict.
     pub verdict: FigureVerdict,
 }
 
-/// How often each verdict was given.
+/// The number of values with each verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct VerdictCounts {
     pub(super) right: usize,
@@ -70,7 +70,8 @@ pub(super) struct VerdictCounts {
 }
 
 impl VerdictCounts {
-    /// Figures that are worth a point: right, but for rounding and for what was wrong before.
+    /// Returns the number of values worth a point: right, apart from rounding and from earlier
+    /// mistakes.
     pub(super) fn points(self) -> usize {
         self.right + self.rounded + self.followed
     }
@@ -87,7 +88,7 @@ impl FileRemarks {
         }
     }
 
-    /// Returns the remarks in words, one sentence for each kind.
+    /// Returns the problems as sentences, one for each kind.
     pub(super) fn sentences(&self) -> Vec<String> {
         let listed = |cells: &[StrangeCell]| {
             let cells: Vec<String> = cells.iter().map(in_words).collect();
@@ -114,13 +115,13 @@ fn in_words(cell: &StrangeCell) -> String {
     words().cell_of_line(*line, &shortened(figure), &shortened(text))
 }
 
-/// Digits of exact figures, and of answers that stand in a sentence at the most.
+/// Significant digits of exact values, and maximum length of an answer in a sentence.
 const DIGITS: usize = 6;
 const LONGEST: usize = 24;
 
 impl GradedAnswers {
-    /// Grades answers that were read from the file of this path; where they do not say whose they are, they are those of
-    /// the file's name without folder and ending.
+    /// Grades the answers from the file of this path. Without a student's name in the file, the
+    /// file's stem is used.
     #[must_use]
     pub fn new(
         key: &AnswerKey,
@@ -159,14 +160,14 @@ impl GradedAnswers {
         }
     }
 
-    /// The first figure that is not right.
+    /// Returns the first value that is not right, if any.
     #[must_use]
     pub fn first(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();
         figures.find(|figure| figure.verdict != FigureVerdict::Right)
     }
 
-    /// The first figure that is worth no point: what went wrong before is not counted against it.
+    /// Returns the first value without a point, if any; consequences of earlier mistakes have one.
     #[must_use]
     pub fn mistake(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();
@@ -191,7 +192,7 @@ impl GradedAnswers {
         counts
     }
 
-    /// All answers, one below the other, and what there is to say of them as a whole.
+    /// Formats all answers in a table, with remarks on the whole.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::default();
@@ -241,7 +242,7 @@ impl GradedAnswers {
         table
     }
 
-    /// A verdict in words.
+    /// Describes a verdict.
     pub(super) fn told(&self, figure: &GradedFigure) -> String {
         let name = |number: usize| {
             let of = self.figures.iter().chain(&self.besides).nth(number);
@@ -283,7 +284,7 @@ impl GradedFigure {
     }
 }
 
-/// What somebody wrote into a cell, as far as it is shown.
+/// Returns the text of a cell, sanitized and truncated for display.
 fn shortened(text: &str) -> String {
     let clean = crate::scene::sanitized(text, false);
     match clean.char_indices().nth(LONGEST) {

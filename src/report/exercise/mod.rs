@@ -1,4 +1,4 @@
-//! Exercises on paper and in a spreadsheet: what is asked, files to answer in, and what became of them.
+//! Exercises on paper and in spreadsheets: requested values, answer files, and grading.
 
 mod asked;
 mod blank;

@@ -1,8 +1,9 @@
-//! Finds the figure that a row of answers names: by its column, or by the symbol of the lecture notes.
+//! Identifies the value named in a row of answers: by its column, or by the symbol of the lecture
+//! notes.
 
 use crate::quantity::Catalogue;
 
-/// Symbols of angles with the number of times they are differentiated, longer ones first.
+/// Symbols of angles with their order of derivative, longer ones first.
 const TURNING: [(&str, usize); 9] = [
     ("theta", 0),
     ("teta", 0),
@@ -16,19 +17,20 @@ const TURNING: [(&str, usize); 9] = [
 ];
 const ANGLES: [&str; 3] = ["angle", "omega", "alpha"];
 const LENGTHS: [&str; 3] = ["length", "rate", "accel"];
-/// The end of a direction's column.
+/// Suffix of a direction's column.
 const DIRECTION: &str = ".angle";
-/// Dots above a letter: one for a rate, two for the rate of that.
+/// Dots above a letter: one for the first derivative, two for the second.
 const DOT: char = '\u{307}';
 const TWO_DOTS: char = '\u{308}';
 
-/// Returns the column that a row names: `r4.angle` for `θ4`, `theta_4` and `R4.angle`.
+/// Returns the column named by a row: `r4.angle` for `θ4`, `theta_4` and `R4.angle`. Returns `None`
+/// if the scene has no such column.
 pub(super) fn column_named(row: &str, catalogue: &Catalogue) -> Option<String> {
     let is_known = |name: &String| catalogue.find(name).is_some();
     columns_meant(row).into_iter().find(is_known)
 }
 
-/// Returns the columns that a row may name, whatever the scene is.
+/// Returns the columns that a row may name, independent of the scene.
 fn columns_meant(row: &str) -> Vec<String> {
     let (name, _) = parted(row);
     let mut columns = vec![row.to_owned(), name.to_owned(), name.to_lowercase()];
@@ -37,7 +39,7 @@ fn columns_meant(row: &str) -> Vec<String> {
     columns
 }
 
-/// Parts a row's name from the unit in brackets behind it: `θ4 [deg]`, `θ4 (rad) =`.
+/// Splits a row's name from the unit in brackets after it: `θ4 [deg]`, `θ4 (rad) =`.
 pub(super) fn parted(row: &str) -> (&str, &str) {
     let row = row.trim_end_matches([' ', '=', '?', ':']);
     for (open, close) in [('[', ']'), ('(', ')')] {
@@ -48,14 +50,15 @@ pub(super) fn parted(row: &str) -> (&str, &str) {
     (row, "")
 }
 
-/// A spreadsheet may write the first letter of a cell large or small.
+/// Returns the name with its first letter in upper case; spreadsheets may change that letter.
 fn capitalised(name: &str) -> Option<String> {
     let first = name.chars().next()?;
     let rest = &name[first.len_utf8()..];
     Some(first.to_uppercase().collect::<String>() + rest)
 }
 
-/// Returns a symbol without blanks and TeX marks, subscripts on the line, one letter for each Greek one.
+/// Returns a symbol without blanks and TeX marks, with plain subscripts, and with one variant of
+/// each Greek letter.
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for c in name.chars() {
@@ -73,7 +76,7 @@ fn plain(name: &str) -> String {
     plain
 }
 
-/// Returns the columns that a symbol may stand for.
+/// Returns the columns that a symbol may denote.
 fn meant_by_symbol(symbol: &str) -> Vec<String> {
     let (inner, order) = derivative(symbol);
     let mut columns = Vec::new();
@@ -100,7 +103,7 @@ fn meant_by_symbol(symbol: &str) -> Vec<String> {
     columns
 }
 
-/// Returns a symbol without its dots or its `d/dt`, and how often it is differentiated.
+/// Returns a symbol without its dots or `d/dt`, and its order of derivative.
 fn derivative(symbol: &str) -> (String, usize) {
     let twice = |text: &str| {
         let inner = text.strip_prefix("d2")?;
@@ -118,12 +121,12 @@ fn derivative(symbol: &str) -> (String, usize) {
     (inner.replace([DOT, TWO_DOTS], ""), order + dots)
 }
 
-/// Returns what stands behind a symbol's letter.
+/// Returns the index after a symbol's letter.
 fn index_of(rest: &str) -> &str {
     rest.strip_prefix('_').unwrap_or(rest)
 }
 
-/// Returns the vectors that an index may mean: `r3` by `3`, `ram` by its name.
+/// Returns the vectors that an index may denote: `r3` for `3`, `ram` for its name.
 fn bodies(index: &str) -> impl Iterator<Item = String> {
     let numbered = index.starts_with(|c: char| c.is_ascii_digit());
     let numbered = numbered.then(|| format!("r{index}"));
@@ -131,7 +134,7 @@ fn bodies(index: &str) -> impl Iterator<Item = String> {
     numbered.into_iter().chain(named)
 }
 
-/// Returns the columns of a point's symbol: `aB`, `v_B`, `aG3`, `aB.angle`.
+/// Returns the columns denoted by a point's symbol: `aB`, `v_B`, `aG3`, `aB.angle`.
 fn point_columns(symbol: &str) -> Vec<String> {
     let (symbol, end) = match symbol.strip_suffix(DIRECTION) {
         Some(symbol) => (symbol, DIRECTION),

@@ -1,4 +1,4 @@
-//! The sheet that is handed out: the drawing, what is given, and tables to fill.
+//! Writes the exercise sheet for students: the drawing, the given values, and tables to complete.
 
 use crate::page::{Content, Facts, Page, Table};
 use crate::report::check::DriverKind;
@@ -11,19 +11,20 @@ use crate::study::AnswerKey;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, SlideId, Slider, Vec2};
 
-/// Stands for what is to be found.
+/// Mark of an unknown value.
 const SOUGHT: &str = "?";
-/// Digits of given figures that are no shorter: of a frame's length, say.
+/// Digits of computed given values, such as the length of the frame.
 const DIGITS: usize = 9;
-/// Digits of what is given by more of them than anybody types: it was computed from what was typed.
+/// Maximum number of digits of a typed value; longer ones were computed from typed values.
 const MOST_DIGITS: usize = 12;
-/// How the names of what is asked of a point end.
+/// Suffixes of the requested values of a point.
 const POINT_ENDS: [&str; 4] = [".v", ".a", ".v.angle", ".a.angle"];
-/// Digits of a speed in the unit of the tables, behind the one in which it is given.
+/// Digits of a speed in the unit of the tables, shown after the given one.
 const SPEED_DIGITS: usize = 6;
 
 impl Report {
-    /// The sheet of an exercise on a state that was solved with all rates; answers belong into a file of this name.
+    /// Creates the sheet of an exercise on a state solved with all rates; answers belong in a file
+    /// of this name.
     #[must_use]
     pub fn sheet(
         scene: &Scene,
@@ -58,7 +59,7 @@ impl Report {
     }
 }
 
-/// The points that are asked for.
+/// Returns the names of the requested points.
 fn asked_points(key: &AnswerKey) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for figure in &key.figures {
@@ -71,7 +72,8 @@ fn asked_points(key: &AnswerKey) -> Vec<&str> {
     names
 }
 
-/// How the file of answers calls what the tables ask for: the points, whose names stand in their table, by an example.
+/// Explains the names in the answer file. Those of points follow from their table, so one example
+/// is given.
 fn names_in_answers(key: &AnswerKey, page: &mut Page) {
     let points = asked_points(key);
     let is_of_point = |name: &str| {
@@ -89,7 +91,7 @@ fn names_in_answers(key: &AnswerKey, page: &mut Page) {
     }
 }
 
-/// The points that are asked for, with their velocities and accelerations.
+/// Adds the table of requested points, with their velocities and accelerations.
 fn points(key: &AnswerKey, page: &mut Page) {
     let names = asked_points(key);
     if names.is_empty() {
@@ -117,7 +119,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
     page.table(table);
 }
 
-/// All dimensions, and how the driver moves.
+/// Returns all dimensions, and the motion of the driver.
 fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState<'_>) -> Facts {
     let mechanism = &scene.mechanism;
     let mut facts = Facts::default();
@@ -143,7 +145,7 @@ fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState
     facts
 }
 
-/// Where the driver stands, and how fast it is.
+/// Describes the position and the speed of the driver.
 fn driver_told(scene: &Scene, state: &State) -> String {
     let unit = scene.unit.symbol();
     let (name, [at, speed, acceleration]) = match scene.mechanism.driver().input {
@@ -166,7 +168,7 @@ fn driver_told(scene: &Scene, state: &State) -> String {
     )
 }
 
-/// A rate of the driver as it is given, and in the unit of the tables where that is another one.
+/// Formats a rate of the driver as given, and in the unit of the tables if that differs.
 fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> String {
     let is_it = |v: &Value| v.owner == ValueOwner::Driver && measures.contains(&v.measure);
     match scene.values().into_iter().find(is_it) {
@@ -181,17 +183,17 @@ fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> S
     }
 }
 
-/// A given figure, with all digits that anybody has typed.
+/// Formats a given value with all typed digits.
 fn figure(value: f64) -> String {
     without_noughts(concise(value, MOST_DIGITS))
 }
 
-/// A place by its coordinates.
+/// Formats a point by its coordinates.
 fn place(at: Vec2) -> String {
     format!("({}, {})", figure(at.x), figure(at.y))
 }
 
-/// A link: its ends and its length, then its further points.
+/// Describes a link: its ends and its length, then its further points.
 fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
     let of = scene.mechanism.link(link);
     let unit = scene.unit.symbol();
@@ -222,7 +224,7 @@ fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
     told
 }
 
-/// A slide: what moves along what, and how a link that does not turn on its guide lies to it.
+/// Describes a slide: slider, guide, and the angle between a sliding link and its guide.
 fn slide_told(scene: &Scene, slide: SlideId, reported: &ReportedState<'_>) -> Vec<String> {
     let of = scene.mechanism.slide(slide);
     let (what, turn) = match of.slider {

@@ -1,4 +1,4 @@
-//! The figures that the lecture notes print, graded; and answers that are wrong in one way each.
+//! Tests of grading: values printed in lecture notes, and answers with one kind of mistake each.
 
 use super::*;
 use crate::report::{Report, ReportFormat};
@@ -40,7 +40,7 @@ fn key_of(scene: &Scene, solver: &Solver, at: f64, more: &[String]) -> AnswerKey
     answer_key(scene, solver, state.state(), enclosure.state(), more)
 }
 
-/// `figure answer` line by line, graded.
+/// Grades answers given as lines of `figure answer`.
 fn graded(name: &str, answers: &str) -> GradedAnswers {
     let rows = answers.lines().map(|line| {
         let (figure, answer) = line.trim().split_once(' ').unwrap();
@@ -49,12 +49,12 @@ fn graded(name: &str, answers: &str) -> GradedAnswers {
     graded_rows(name, None, &rows.collect::<String>())
 }
 
-/// A file of answers, graded.
+/// Grades the rows of an answer file.
 fn graded_rows(name: &str, at: Option<f64>, rows: &str) -> GradedAnswers {
     graded_file(preset(name), at, rows.as_bytes())
 }
 
-/// The bytes of a file of answers to a scene, graded.
+/// Grades the bytes of an answer file to a scene.
 fn graded_file(scene: &str, at: Option<f64>, bytes: &[u8]) -> GradedAnswers {
     let (scene, solver) = opened(scene);
     let at = at.unwrap_or(scene.mechanism.driver().start);
@@ -68,7 +68,7 @@ fn graded_file(scene: &str, at: Option<f64>, bytes: &[u8]) -> GradedAnswers {
     GradedAnswers::new(&key, &file, Path::new("notes.csv"), ("sheet.toml", sheet))
 }
 
-/// What was answered, and the verdicts in words.
+/// Returns the answers with their verdicts as text.
 fn told(name: &str, answers: &str) -> Vec<String> {
     told_of(&graded(name, answers))
 }
@@ -542,7 +542,8 @@ fn a_sheet_asks_and_does_not_tell() {
     }
 }
 
-/// The sheet of a scene where it opens, on one line: sentences are broken elsewhere on other media.
+/// Returns the sheet of a scene at its opening on one line, because line breaks depend on the
+/// medium.
 fn sheet_of(scene: &Scene) -> String {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
@@ -592,7 +593,7 @@ fn what_is_given_is_told_as_it_is_given() {
     assert!(longest_number(&sheet) <= 12, "{sheet}");
 }
 
-/// How many digits the longest number has.
+/// Returns the number of digits of the longest number.
 fn longest_number(text: &str) -> usize {
     let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
     let digits = numbers.map(|n| n.chars().filter(char::is_ascii_digit).count());
@@ -643,7 +644,7 @@ fn a_sheet_names_all_that_it_asks() {
     }
 }
 
-/// The bytes of a file in `tests/answers`.
+/// Reads a file in `tests/answers`.
 fn answers(name: &str) -> Vec<u8> {
     std::fs::read(Path::new("tests/answers").join(name)).unwrap()
 }
@@ -652,7 +653,7 @@ fn sheet_in_tests(name: &str) -> String {
     String::from_utf8(answers(name)).unwrap()
 }
 
-/// The figures that are worth no point.
+/// Returns the names of values without a point.
 fn lost(graded: &GradedAnswers) -> Vec<&str> {
     let figures = graded.figures.iter();
     let lost = figures.filter(|f| !f.verdict.is_worth_a_point());
@@ -671,7 +672,7 @@ fn cells(cells: &[StrangeCell]) -> Vec<(u64, &str, &str)> {
         .collect()
 }
 
-/// The name of the figure that a verdict follows from.
+/// Returns the name of the value from which a verdict follows.
 fn cause<'a>(graded: &'a GradedAnswers, name: &str) -> Option<&'a str> {
     match verdict_of(graded, name) {
         FigureVerdict::Followed(by) => Some(&graded.figures[by].quantity.name),
@@ -799,7 +800,7 @@ fn a_misread_speed_costs_one_point() {
     assert!((misread.number / rpm - 1.0).abs() < 1e-5, "{misread:?}");
 }
 
-/// The answers to a scene by somebody who solved another, to so many digits.
+/// Returns the answers of a student who solved another scene, with so many digits.
 fn answered(key: &AnswerKey, by: &AnswerKey, digits: usize) -> String {
     let value = |name: &str| {
         let mut figures = by.figures.iter();
@@ -903,7 +904,7 @@ fn an_answer_of_0_is_worth_a_point() {
     assert_eq!(graded.counts().points(), 3);
 }
 
-/// The symbols that a sheet asks for.
+/// Returns the symbols of the unknowns on a sheet.
 fn asked_symbols(sheet: &str) -> Vec<&str> {
     let words: Vec<&str> = sheet.split_whitespace().collect();
     let asked = words.windows(3).filter(|three| three[1..] == ["=", "?"]);
@@ -968,7 +969,8 @@ fn same_is_asked(made: &Exercise, name: &str) {
     }
 }
 
-/// Whether a row asks for the size or the direction of a point's velocity or acceleration.
+/// Returns `true` if a row requests the magnitude or the direction of a point's velocity or
+/// acceleration.
 fn is_of_vector(row: &str) -> bool {
     let row = row.strip_suffix(".angle").unwrap_or(row);
     row.ends_with(".v") || row.ends_with(".a")

@@ -1,4 +1,4 @@
-//! What the ram of a press does over the cycle.
+//! Formats the motion of a press's ram over the cycle.
 
 use super::telling::{columns_of, figure, indented, indented_facts, none, timed};
 use super::{ALL_DECIMALS, DECIMALS, DIGITS};

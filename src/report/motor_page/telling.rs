@@ -1,4 +1,4 @@
-//! How figures and facts of the motor are told.
+//! Formats the values and facts of the motor.
 
 use super::DIGITS;
 use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
@@ -9,28 +9,28 @@ use crate::study::motor::{
 };
 use crate::wording::words;
 
-/// Columns of a label, and of a figure behind it.
+/// Widths of a label, and of the value after it.
 pub(super) const LABEL: usize = 18;
 const FIGURE: usize = 10;
 
-/// A label below a heading.
+/// Indents a label below a heading.
 pub(super) fn indented(label: &str) -> String {
     format!("  {label}")
 }
 
-/// What is told below a heading.
+/// Returns labelled texts, indented below a heading.
 pub(super) fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
     let told = told.into_iter();
     facts(told.map(|(label, text)| (indented(label), text)))
 }
 
-/// The same of what there is.
+/// Returns labelled texts, indented below a heading; skips missing ones.
 pub(super) fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)>) -> Content {
     let told = told.into_iter();
     indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
 }
 
-/// A way, and the time that it takes where that is known.
+/// Formats a travel of the driver, with its duration if known.
 pub(super) fn timed(way: String, seconds: Option<f64>) -> String {
     match seconds {
         Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),
@@ -38,7 +38,7 @@ pub(super) fn timed(way: String, seconds: Option<f64>) -> String {
     }
 }
 
-/// Labels, and what is told of each.
+/// Returns labelled texts.
 pub(super) fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content {
     let mut facts = Facts {
         names: LABEL + 1,
@@ -50,7 +50,7 @@ pub(super) fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content
     Content::Facts(facts)
 }
 
-/// A table whose first columns say most: a narrow screen shows no more than it can.
+/// Creates a table whose first columns are the most important: a narrow screen omits the last ones.
 pub(super) fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Table {
     Table::new(title, heads).set(Setting {
         names: LABEL,
@@ -61,7 +61,7 @@ pub(super) fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h 
     })
 }
 
-/// What stands for a figure that does not exist.
+/// Returns the mark of a missing value.
 pub(super) fn none() -> String {
     "-".into()
 }
@@ -70,19 +70,20 @@ pub(super) fn figure(value: Option<f64>) -> String {
     value.map_or_else(none, |v| significant(v, DIGITS))
 }
 
-/// To all digits, without zeros at the end: a speed comes back from radians as it was given.
+/// Formats a value with all digits, without trailing zeros: a speed converted to radians reads as
+/// given.
 pub(super) fn trimmed(value: f64) -> String {
     number::trimmed(value, DIGITS)
 }
 
-/// 0 for what rounding has left of figures of a size.
+/// Returns 0 for rounding errors of values of this magnitude.
 pub(super) fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
     let size = size.unwrap_or(0.0);
     value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
 }
 
-/// Whether a motor has what is asked, and what is left or how much of it that is; one of its own unit is so many of that
-/// which is told.
+/// Compares a motor's rating with the demand, and shows the excess or the covered fraction. `scale`
+/// converts the values to `unit`.
 pub(super) fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
     let [wants, has, left] =
         [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
@@ -95,7 +96,7 @@ pub(super) fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
     }
 }
 
-/// What is less than the whole is never told as 100 %.
+/// Rounded down, so that less than the whole is never shown as 100 %.
 fn percent(share: f64) -> String {
     match share {
         0.1.. => concise((1000.0 * share).floor() / 10.0, 3),
@@ -103,7 +104,7 @@ fn percent(share: f64) -> String {
     }
 }
 
-/// Whether it is the same all the way, but for rounding.
+/// Returns `true` if the effort is constant up to rounding errors.
 pub(super) fn is_constant(effect: &DriveEffort) -> bool {
     let both = effect.largest.zip(effect.least);
     both.is_some_and(|(most, least)| {
@@ -112,7 +113,8 @@ pub(super) fn is_constant(effect: &DriveEffort) -> bool {
     })
 }
 
-/// What is said of a fluctuation: that a large one is no more than a rough figure, and one beyond all is none.
+/// Qualifies the text on a fluctuation: a large one is only approximate, and one beyond the limit
+/// is impossible.
 pub(super) fn rough(says: String, fluctuation: f64) -> String {
     match fluctuation {
         share if share > LARGEST_FLUCTUATION => words().impossible(&says),

@@ -1,4 +1,5 @@
-//! Vectors to scale: the polygon of each loop, and velocities and accelerations from one pole.
+//! Draws vectors to scale: the polygon of each loop, and velocities and accelerations from one
+//! pole.
 
 use super::{ReportedState, picture};
 use crate::Vec2;
@@ -11,13 +12,13 @@ use crate::solver::Order;
 use crate::wording::words;
 use std::sync::Arc;
 
-/// Of more points the parts would hide each other.
+/// Maximum number of points for which component vectors are drawn; more would hide each other.
 const MOST_IN_PARTS: usize = 8;
-/// A smaller part of the longest vector is rounding, or too short to be seen.
+/// Vectors below this fraction of the longest one are rounding errors, or too short to be visible.
 const SEEN: f64 = 1e-3;
 
 impl ReportedState<'_> {
-    /// The polygon that the vectors of each loop close.
+    /// Adds the closed polygon of the vectors of each loop.
     pub(super) fn polygons(&self, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
             if let Some(diagram) = polygon(of, self.scene.unit.symbol()) {
@@ -27,13 +28,13 @@ impl ReportedState<'_> {
                 };
                 let against = against(of);
                 let caption = format!("{sum}{}{against}", words().dashes_and_arcs());
-                // Characters have neither dashes nor arcs.
+                // Text drawings have neither dashes nor arcs.
                 show(page, &diagram, (caption, Some(sum + "." + &against)));
             }
         }
     }
 
-    /// Velocities and accelerations of points: a table, and diagrams to scale.
+    /// Adds a table of velocities and accelerations of points, and diagrams to scale.
     pub(super) fn diagrams(&self, page: &mut Page) {
         let motions = self
             .working
@@ -98,7 +99,7 @@ impl ReportedState<'_> {
                 }
             });
             let [symbol, _] = &motion.symbols;
-            // Its symbol without the letter of the velocity is its name.
+            // The symbol of the velocity without its letter is the name of the point.
             let name = symbol.trim_start_matches('v').trim_start_matches('_');
             table.row(name, cells);
         }
@@ -106,7 +107,7 @@ impl ReportedState<'_> {
     }
 }
 
-/// Of a vector of negative length, why its arrow does not lie in its arc.
+/// Explains arrows opposite to their angle arc: their vectors have a negative length.
 fn against(of: &LoopVectors) -> String {
     let is_negative = |side: &&LoopVector| {
         let along = |vector: Vec2| vector.dot(angle::unit(side.theta.0));
@@ -117,7 +118,7 @@ fn against(of: &LoopVectors) -> String {
     told.map(|told| format!(" {told}")).collect()
 }
 
-/// A diagram with its caption, and another one for what is drawn in characters.
+/// Adds a diagram with its caption, and another caption for the text drawing.
 fn show(
     page: &mut Page,
     diagram: &VectorDiagram,
@@ -135,7 +136,8 @@ fn show(
     );
 }
 
-/// The vectors of a loop, head to tail, with the angles at their tails.
+/// Draws the vectors of a loop, head to tail, with the angles at their tails; returns `None`
+/// without an assembly.
 fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
     let mut diagram = VectorDiagram {
         unit: unit.to_owned(),
@@ -163,7 +165,7 @@ fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
     Some(diagram)
 }
 
-/// Velocities or accelerations from one pole, with the parts that they are the sums of.
+/// Draws velocities or accelerations from one pole, with the components of which they are sums.
 fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagram {
     let is_velocity = order == Order::Velocity;
     let whole = |motion: &PointMotion| match is_velocity {
@@ -197,7 +199,7 @@ fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagra
                 ],
             };
             let parts: Vec<_> = parts.into_iter().filter(|(v, _)| is_seen(*v)).collect();
-            // One part from the pole is the whole.
+            // A single component from the pole equals the whole vector.
             if parts.len() == 1 && !is_seen(base) {
                 continue;
             }
@@ -224,7 +226,7 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::Solver;
 
-    /// The vectors of a polygon as they are drawn, in their order.
+    /// Returns the vectors of a polygon in drawing order.
     fn drawn(diagram: &VectorDiagram) -> Vec<Vec2> {
         let art = diagram.artwork("loop");
         let of = |element: &ArtElement| match element {

@@ -1,4 +1,4 @@
-//! The linkage as it stands, and with the forces that act.
+//! Draws the linkage in its state, and with its forces.
 
 use super::{ReportedState, picture};
 use crate::drawing::{
@@ -10,19 +10,21 @@ use crate::wording::words;
 use crate::{LinkId, Vec2};
 use std::sync::Arc;
 
-/// Columns of a picture on paper and in characters, rows at most, and the height of a cell for its width.
+/// Columns and maximum rows of a picture on paper and as text, and the ratio of a cell's height to
+/// its width.
 const PAPER: (u16, u16) = (84, 44);
 const CHARACTERS: (u16, u16) = (76, 26);
 const FREE: (u16, u16) = (64, 26);
 const FREE_CHARACTERS: (u16, u16) = (76, 20);
 const ASPECT: f64 = 2.0;
-/// Each link is drawn by itself, up to this many.
+/// Maximum number of links for which free-body diagrams are drawn.
 const MOST_CUT_FREE: usize = 12;
-/// An instant centre further from the middle than this, in parts of the linkage's size, would leave it no room.
+/// Maximum distance of an instant centre from the middle, relative to the size of the linkage; a
+/// farther one would make the linkage too small.
 const NEAR: f64 = 1.5;
 
 impl ReportedState<'_> {
-    /// The linkage in its state.
+    /// Adds a drawing of the linkage in its state.
     pub(in crate::report) fn drawing(&self, page: &mut Page) {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
@@ -30,17 +32,17 @@ impl ReportedState<'_> {
         self.show(&Wanted::default(), &[], caption, page);
     }
 
-    /// What is worked out of forces, with the linkage and all that acts on it, and each link cut free where its
-    /// equations stand.
+    /// Adds the calculation of forces, a drawing of the linkage with its loads, and a free-body
+    /// diagram of each link before its equations.
     pub(super) fn forces(&self, blocks: impl Iterator<Item = Block>, page: &mut Page) {
         let exist = self.state.known().drive().is_some();
         let mechanism = &self.scene.mechanism;
         let links = || mechanism.link_ids().filter(|_| exist);
-        // Of more links the pictures alone would fill a book.
+        // With more links there would be too many pictures.
         let is_small = links().count() <= MOST_CUT_FREE;
         let mut is_apart = false;
         for block in blocks {
-            // What follows a picture was set below a heading.
+            // The block after a picture keeps the spacing that it would have had.
             let is_apart_now = std::mem::take(&mut is_apart) || block.is_apart;
             let block = Block {
                 is_apart: is_apart_now,
@@ -69,7 +71,7 @@ impl ReportedState<'_> {
         }
     }
 
-    /// A link by itself; false where nothing is drawn.
+    /// Adds the free-body diagram of a link; returns `false` if nothing is drawn.
     fn cut_free(&self, link: LinkId, page: &mut Page) -> bool {
         let (scene, state) = (self.scene, self.state);
         let forces = self.working.on_link(scene, self.solver, state, link);
@@ -95,7 +97,8 @@ impl ReportedState<'_> {
         true
     }
 
-    /// The same with the instant centres of links that have no pivot, and their lines.
+    /// Adds a drawing with the instant centres of links without a pivot, and their construction
+    /// lines.
     pub(super) fn centres(&self, page: &mut Page) {
         let all = self
             .working
@@ -129,7 +132,7 @@ impl ReportedState<'_> {
         }
     }
 
-    /// The linkage with what is wanted of its motion, and with further shapes.
+    /// Adds a drawing of the linkage with the wanted overlay and further shapes.
     fn show(&self, wanted: &Wanted, more: &[Shape], caption: String, page: &mut Page) {
         let overlay = Overlay::of(self.scene, self.solver, &self.reach, wanted);
         let reach = overlay.reach(&self.reach);

@@ -1,25 +1,25 @@
-//! The ways to write a report.
+//! Output formats of a report.
 
 use super::Report;
 use crate::page::TextStyle;
 use std::path::Path;
 
-/// How a report is written.
+/// The output format of a report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ReportFormat {
-    /// One HTML file with its pictures inside.
+    /// One HTML file with embedded pictures.
     #[default]
     Html,
-    /// LaTeX with its pictures in TikZ.
+    /// LaTeX with pictures in TikZ.
     Latex,
-    /// Markdown, pictures in characters.
+    /// Markdown with text drawings.
     Markdown,
-    /// Plain text, pictures in characters.
+    /// Plain text with text drawings.
     Text,
 }
 
 impl ReportFormat {
-    /// All that there are.
+    /// All formats.
     pub const ALL: [ReportFormat; 4] = [
         ReportFormat::Html,
         ReportFormat::Latex,
@@ -27,7 +27,7 @@ impl ReportFormat {
         ReportFormat::Text,
     ];
 
-    /// Its name: a promise.
+    /// Returns its name, which must stay stable.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl ReportFormat {
         }
     }
 
-    /// The usual ending of a file's name.
+    /// Returns the usual extension of a file name.
     #[must_use]
     pub fn ending(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl ReportFormat {
         }
     }
 
-    /// The one that a file is to have by the ending of its name.
+    /// Returns the format for the extension of a path; `None` for an unknown one.
     #[must_use]
     pub fn of_ending(path: &Path) -> Option<ReportFormat> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -64,7 +64,7 @@ impl ReportFormat {
 }
 
 impl Report {
-    /// The report as a text; with `ascii` Greek letters are spelled where it is read as it is.
+    /// Formats the report; with `ascii`, Greek letters are spelled out in Markdown and text.
     #[must_use]
     pub fn written(&self, format: ReportFormat, ascii: bool) -> String {
         match format {

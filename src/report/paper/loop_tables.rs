@@ -1,4 +1,4 @@
-//! Tables with a column per vector, as the lecture has them: empty, and then filled.
+//! Tables with a column per vector, as in the lecture: first empty, then completed.
 
 use super::ReportedState;
 use crate::page::{Cell, Page, Row, Table};
@@ -8,13 +8,14 @@ use crate::study::AnswerKey;
 use crate::wording::words;
 
 impl ReportedState<'_> {
-    /// The tables of an order before anything is found.
+    /// Adds the tables of an order with unknowns marked.
     pub(super) fn asked(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
         self.tables(order, &VectorFigure::asked, page);
     }
 
-    /// The tables of an order that ask for what an answer key asks for, without a word before them.
+    /// Adds the tables of an order that request the values of an answer key, without an
+    /// introduction.
     pub(in crate::report) fn asked_tables(&self, order: Order, key: &AnswerKey, page: &mut Page) {
         let vectors = || self.loops.iter().flat_map(|of| &of.vectors);
         let is_found_here = |column: &str| {
@@ -32,7 +33,7 @@ impl ReportedState<'_> {
         self.tables(order, &write, page);
     }
 
-    /// The tables of an order with all that was found.
+    /// Adds the completed tables of an order.
     pub(super) fn told(&self, order: Order, page: &mut Page) {
         let exists = match order {
             Order::Position => self.has_positions(),

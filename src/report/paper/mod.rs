@@ -1,7 +1,8 @@
-//! A report: the working of one state as it is handed in, with the drawing, vector polygons, tables empty
-//! and then filled, diagrams of velocities and accelerations to scale, and plots over the whole motion.
+//! Writes a report: the worked solution of one state for submission, with the drawing, vector
+//! polygons, tables before and after the solution, velocity and acceleration diagrams to scale, and
+//! plots over the whole motion.
 //!
-//! The working is that of [`Working`]; what is added stands between its parts.
+//! The solution is that of [`Working`]; the additions are inserted between its parts.
 
 mod diagrams;
 mod drawings;
@@ -24,11 +25,11 @@ use crate::wording::words;
 /// A report on one state of a scene.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// What is to be read.
+    /// The page.
     pub page: Page,
 }
 
-/// What a report is written from.
+/// The data from which a report is written.
 pub(super) struct ReportedState<'a> {
     scene: &'a Scene,
     solver: &'a Solver,
@@ -41,14 +42,13 @@ pub(super) struct ReportedState<'a> {
 }
 
 impl Report {
-    /// The report on a state that was solved as far as there is anything and enclosed, to so many significant
-    /// digits.
+    /// Creates the report on a solved and enclosed state, with so many significant digits.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Report {
         Report::in_notation(scene, solver, state, digits, WorkingNotation::Lecture)
     }
 
-    /// The same in a notation.
+    /// Creates the report in a given notation.
     #[must_use]
     pub fn in_notation(
         scene: &Scene,
@@ -67,8 +67,8 @@ impl Report {
         }
     }
 
-    /// Adds the figures of a lecture's notes or of another program beside krank's: those of the state that is
-    /// reported, which was solved with forces, or a table over the driver.
+    /// Adds a comparison with values from lecture notes or another program: for the reported state,
+    /// which must be solved with forces, or for a table over the driver.
     pub fn add_beside(
         &mut self,
         figures: &ForeignFigures,
@@ -80,7 +80,7 @@ impl Report {
 }
 
 impl<'a> ReportedState<'a> {
-    /// A state that was solved as far as there is anything, to so many significant digits.
+    /// Prepares the report on a solved state, with so many significant digits.
     pub(super) fn new(
         scene: &'a Scene,
         solver: &'a Solver,
@@ -102,12 +102,12 @@ impl<'a> ReportedState<'a> {
 }
 
 impl ReportedState<'_> {
-    /// Whether there are tables with a column per vector.
+    /// Returns `true` if there are tables with a column per vector.
     pub(super) fn has_loops(&self) -> bool {
         !self.loops.is_empty()
     }
 
-    /// What the loops call the point from which a slide's position is counted.
+    /// Returns the name in the loops of the point from which a slide's position is measured.
     pub(super) fn guide_point(&self, slide: SlideId) -> Option<&str> {
         self.working.guide_point(slide)
     }
@@ -138,7 +138,7 @@ impl ReportedState<'_> {
             let blocks = written.by_ref().take(end - begin).collect();
             found.push((*part, blocks));
         }
-        // On paper the unit vectors are defined at the top.
+        // A report defines the unit vectors at its beginning.
         found.sort_by_key(|(part, _)| match part {
             WorkingPart::Opening => 0,
             WorkingPart::UnitVectors => 1,
@@ -152,7 +152,7 @@ impl ReportedState<'_> {
         page
     }
 
-    /// A part of the working with what belongs to it.
+    /// Adds a part of the solution with its additions.
     fn part(&self, part: WorkingPart, blocks: Vec<Block>, page: &mut Page) {
         let mut blocks = blocks.into_iter();
         match part {
@@ -165,11 +165,11 @@ impl ReportedState<'_> {
                 page.blocks.extend(blocks);
                 self.polygons(page);
             }
-            // The vectors of loops stand in tables of their own, and are not told before they are found.
+            // The vectors of loops have tables of their own, which must not reveal results.
             WorkingPart::PositionTable if !self.loops.is_empty() => {
                 page.blocks.extend(blocks.next());
                 self.asked(Order::Position, page);
-                // What stands below the table.
+                // Keep the blocks after the table.
                 page.blocks.extend(blocks.skip(1));
             }
             WorkingPart::PositionTable | WorkingPart::Equations | WorkingPart::Check => {
@@ -193,13 +193,13 @@ impl ReportedState<'_> {
         }
     }
 
-    /// Velocities or accelerations: the table empty, how they are found, and the table filled.
+    /// Adds velocities or accelerations: the empty table, the solution, and the completed table.
     fn rates(&self, order: Order, mut blocks: impl Iterator<Item = Block>, page: &mut Page) {
         page.blocks.extend(blocks.next());
         if !self.loops.is_empty() {
             self.asked(order, page);
         }
-        // What follows was set below a heading.
+        // The following block keeps the spacing that it would have had after the heading.
         let first = blocks.next().map(|block| Block {
             is_apart: true,
             ..block
@@ -208,7 +208,7 @@ impl ReportedState<'_> {
         self.told(order, page);
     }
 
-    /// What was understood of the scene, and holds for its whole motion.
+    /// Adds the facts of the scene for its whole motion.
     fn facts(&self, page: &mut Page) {
         page.part(words().facts_part());
         let check = Check::new(self.scene, self.solver).page();
@@ -219,7 +219,7 @@ impl ReportedState<'_> {
     }
 }
 
-/// A picture behind what leads to it.
+/// Adds a picture to a page.
 fn picture(page: &mut Page, illustration: Illustration) {
     page.add(Content::Picture(illustration));
 }

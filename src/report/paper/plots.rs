@@ -1,4 +1,4 @@
-//! Positions and rates of every vector over the whole motion.
+//! Plots positions and rates of every vector over the whole motion.
 
 use super::{ReportedState, picture};
 use crate::Vec2;
@@ -10,7 +10,7 @@ use crate::scene::VectorKind;
 use crate::wording::words;
 use std::sync::Arc;
 
-/// As many curves as dashes tell apart.
+/// Maximum number of curves that different dashes can distinguish.
 const MOST_CURVES: usize = 5;
 const SIZE: Vec2 = Vec2 { x: 760.0, y: 420.0 };
 const COLUMNS: u16 = 76;
@@ -18,7 +18,7 @@ const ROWS: u16 = 22;
 const ASPECT: f64 = 2.0;
 
 impl ReportedState<'_> {
-    /// A plot for positions, velocities and accelerations each; of many vectors several.
+    /// Adds plots for positions, velocities and accelerations; several for many vectors.
     pub(super) fn plots(&self, page: &mut Page) {
         page.part(words().plots_part());
         let captions = [
@@ -36,7 +36,7 @@ impl ReportedState<'_> {
         }
     }
 
-    /// The figures of vectors that move, by what they are.
+    /// Returns the values of this aspect for all vectors that move.
     fn figures(&self, of: Aspect) -> Vec<Quantity> {
         let catalogue = Catalogue::new(self.scene);
         let mechanism = &self.scene.mechanism;
@@ -56,7 +56,7 @@ impl ReportedState<'_> {
     }
 
     fn plot(&self, figures: &[Quantity], caption: &str, page: &mut Page) {
-        // Over the driver there is always something.
+        // A plot over the driver's coordinate never fails.
         let curves = Curves::new(self.scene, self.solver, figures, Abscissa::Driver, None);
         let Ok(curves) = curves else { return };
         let plot = Plot::of(&curves);

@@ -1,4 +1,4 @@
-//! What is told where poses have no linkage, and of the curves of four.
+//! Tests of reports on poses without a linkage, and on the curves of four poses.
 
 use super::SynthesisReport;
 use crate::synthesis::{Synthesis, SynthesisOrder};
@@ -11,7 +11,7 @@ const ORDER: SynthesisOrder = SynthesisOrder {
     threads: 2,
 };
 
-/// The text and the JSON of a task with these poses.
+/// Returns the text and the JSON of a task with these poses.
 fn told(poses: &str) -> (String, Value) {
     let text = format!("kind = \"poses\"\nunit = \"mm\"\nposes = {poses}\n");
     let file = TaskFile::parse(&text, "task").unwrap();

@@ -1,5 +1,5 @@
-//! Vectors between two points of a body that follow from where these lie on it: how long they are, and how they lie to
-//! the body.
+//! Derives vectors between two points of one body from their coordinates: length, and angle to the
+//! body.
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
@@ -11,7 +11,8 @@ use crate::page::UNIT;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
 
-/// Length and angle of every vector where neither the scene nor its coordinates show them.
+/// Writes length and angle of every vector for which neither the scene nor the coordinates show
+/// them.
 pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
     let mut is_told = false;
@@ -19,7 +20,7 @@ pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
         let SideShape::Rigid(body, local) = side.shape else {
             continue;
         };
-        // Along an axis both can be seen.
+        // Along an axis both are obvious.
         if local.x == 0.0 || local.y == 0.0 || is_given(context, body, side) {
             continue;
         }
@@ -31,7 +32,7 @@ pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// Whether the scene gives a vector itself, by its length and its angle to the link.
+/// Returns `true` if the scene gives the vector itself, by its length and its angle to the link.
 fn is_given(context: &Context<'_>, body: Body, side: &Side) -> bool {
     let Body::Link(link) = body else {
         return false;
@@ -76,7 +77,7 @@ fn vector(
         Body::Link(link) if is_given && context.has_positions() => {
             turned(context, draft, (side, reading), link, own);
         }
-        // Its link's angle is sought: a value would be told before it is found.
+        // The angle of its link is unknown, so its value must not appear yet.
         Body::Link(link) => {
             let ahead = Expression::figure(f.angle(own.value()), own.value());
             let theta = symbols::theta(context.scene.link_name(link));
@@ -89,7 +90,7 @@ fn vector(
     }
 }
 
-/// `θ_r4e = θ4 + ... = value`, where the link's angle is known.
+/// Writes `θ_r4e = θ4 + ... = value` for a known angle of the link.
 fn turned(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -106,7 +107,8 @@ fn turned(
     draft.agree_angle(&symbol, worked, reading.theta, 1.0);
 }
 
-/// The angles of the vectors that turn with what a group has found, unless its own loops have told them.
+/// Writes the angles of the vectors that rotate with links found by a group, except those in its
+/// own loops.
 pub(super) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let is_own = |number: usize| {
         let loops = stage

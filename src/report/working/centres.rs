@@ -1,5 +1,5 @@
-//! Where the instant centre of every moving link lies, and what tells it: a pivot, two lines by Kennedy's
-//! theorem, or the velocity of a point.
+//! Finds the instant centre of every moving link: a pivot, the intersection of two lines by
+//! Kennedy's theorem, or from the velocity of a point.
 
 use super::Working;
 use super::draft::Context;
@@ -9,56 +9,57 @@ use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2, angle};
 
-/// Lines that cross at a smaller sine tell no point: by so much the rounding of printed figures is larger.
+/// Minimum sine of the angle between two lines. Below it, the rounding of printed values is
+/// magnified too much.
 const CROSSING: f64 = 1e-3;
-/// A link that turns by less, in parts of the fastest velocity over the longest vector, does not turn as far as
-/// doubles can tell.
+/// Minimum rotation of a link, relative to the fastest velocity over the longest vector, that
+/// doubles can distinguish from translation.
 const TURNING: f64 = 1e-12;
-/// What a quotient of two figures of the solver loses: a few roundings.
+/// The relative error of a quotient of two solved values: a few rounding errors.
 const LOSS: f64 = 64.0 * f64::EPSILON;
 
-/// The instant centre of a link against the frame, as it is drawn.
+/// The instant centre of a link relative to the frame, for drawings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InstantCentre {
-    /// Its symbol: `I_r3`.
+    /// The symbol: `I_r3`.
     pub symbol: String,
-    /// Where it lies; `None` at infinity.
+    /// The position; `None` at infinity.
     pub at: Option<Vec2>,
-    /// From where the lines come on which it lies: two, where Kennedy's theorem tells it.
+    /// Points on the construction lines: two, if Kennedy's theorem applies.
     pub lines: Vec<Vec2>,
 }
 
-/// Where a centre lies.
+/// The position of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CentrePlace {
     At(Vec2),
-    /// At infinity, this way and the other.
+    /// At infinity in this direction and the opposite one.
     Far(Vec2),
-    /// Nowhere: nothing of the link moves.
+    /// Undefined, because the link is at rest.
     Rest,
 }
 
-/// What tells where a centre lies.
+/// The construction of an instant centre.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum CentreBasis {
     /// A pivot on the ground.
     Pivot(PointId),
-    /// The link cannot turn.
+    /// The link cannot rotate.
     Guided,
-    /// Two lines; the joint of the first is the further one.
+    /// The intersection of two lines; the joint of the first is farther away.
     Lines([CentreLine; 2]),
     /// The velocity of a point.
     Velocity(PointId),
 }
 
-/// A line through a joint, at right angles to its velocity.
+/// A line through a joint, perpendicular to its velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CentreLine {
     pub joint: PointId,
-    /// The other link of the joint and its centre; none where the joint slides along a guide of the ground, or
-    /// where the other link's centre lies at infinity.
+    /// The other link of the joint, and its centre. `None` if the joint slides along a guide of the
+    /// ground, or if the other centre is at infinity.
     pub through: Option<(LinkId, Vec2)>,
-    /// Its direction.
+    /// The unit vector along the line.
     pub u: Vec2,
 }
 
@@ -68,12 +69,13 @@ pub(super) struct LinkCentre {
     pub link: LinkId,
     pub place: CentrePlace,
     pub basis: CentreBasis,
-    /// How far a figure can be off that is divided by the angular velocity, in parts of its size.
+    /// The relative error of a value divided by the angular velocity.
     pub loss: f64,
 }
 
 impl Working {
-    /// The instant centres of all moving links; nothing where no rates exist, or nothing moves.
+    /// Returns the instant centres of all moving links; empty if there are no rates, or if nothing
+    /// moves.
     #[must_use]
     pub fn instant_centres(
         &self,
@@ -105,23 +107,23 @@ impl Working {
     }
 }
 
-/// `I_r3`.
+/// Returns the symbol of a link's instant centre, such as `I_r3`.
 pub(super) fn symbol(context: &Context<'_>, link: LinkId) -> String {
     format!("I_{}", context.scene.link_name(link))
 }
 
-/// `xB`.
+/// Returns the symbol of a point's coordinate, such as `xB`.
 pub(super) fn coordinate(context: &Context<'_>, axis: &str, point: PointId) -> String {
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 
-/// The longest vector: what a position is rounded by.
+/// Returns the length of the longest vector, which determines the rounding errors of positions.
 pub(super) fn longest(context: &Context<'_>) -> f64 {
     let lengths = context.readings.iter().map(|reading| reading.r.abs());
     lengths.fold(0.0, f64::max)
 }
 
-/// The centres of all links, in the order in which the plan solves them.
+/// Returns the centres of all links, in solution order.
 pub(super) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     if !context.has_rates() || !(context.fastest[0] > 0.0) {
         return Vec::new();
@@ -133,16 +135,16 @@ pub(super) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     finder.found
 }
 
-/// What is known while centres are found.
+/// The state of the search for instant centres.
 struct CentreFinder<'a> {
     context: &'a Context<'a>,
     longest: f64,
-    /// For every point when it is placed.
+    /// The position of every point in the solution order.
     places: Vec<usize>,
-    /// For every point the guides of the ground along which it slides.
+    /// The guides of the ground along which every point slides.
     guides: Vec<Vec<SlideId>>,
     found: Vec<LinkCentre>,
-    /// For every link its number among those that are found.
+    /// The index of every link in `found`.
     numbers: Vec<Option<usize>>,
 }
 
@@ -166,8 +168,9 @@ impl<'a> CentreFinder<'a> {
         }
     }
 
-    /// Pivots and what is guided first: the lines of other links run through them. Then whatever has two lines by
-    /// then; where nothing has, the first one is told by a velocity.
+    /// Finds the centres of a group's links. Pivots and guided links come first, because lines of
+    /// other links pass through their centres. Then every link with two lines follows; if none has
+    /// two, the first one is found by a velocity.
     fn group(&mut self, links: &[LinkId]) {
         let mut left: Vec<LinkId> = links.to_vec();
         left.retain(|link| self.numbers[link.index()].is_none());
@@ -179,7 +182,8 @@ impl<'a> CentreFinder<'a> {
                 CentreBasis::Velocity(_) => 2,
             };
             let best = all.iter().map(rank).min();
-            // Of those that a velocity would tell, the first one may give the others their lines.
+            // If only velocities are left, use one of them; its centre may provide lines for the
+            // others.
             let take = if best == Some(2) { 1 } else { usize::MAX };
             let chosen = all.into_iter().filter(|centre| Some(rank(centre)) == best);
             for centre in chosen.take(take) {
@@ -204,7 +208,7 @@ impl<'a> CentreFinder<'a> {
             let at = state.position(pivot);
             return of(CentrePlace::At(at), CentreBasis::Pivot(pivot));
         }
-        // The point that was placed first.
+        // The point placed first in the solution order.
         let base = named(context, link).min_by_key(|point| self.places[point.index()]);
         let Some(base) = base else {
             return of(CentrePlace::Rest, CentreBasis::Guided);
@@ -228,8 +232,8 @@ impl<'a> CentreFinder<'a> {
         of(CentrePlace::At(at), CentreBasis::Velocity(base))
     }
 
-    /// The lines on which a link's centre lies: through its joints and the centres of what it is pinned to, and
-    /// at right angles to the guides of the ground along which its joints slide.
+    /// Returns the lines through a link's centre: through its joints and the centres of adjacent
+    /// links, and perpendicular to the guides of the ground along which its joints slide.
     fn lines(&self, link: LinkId) -> Vec<CentreLine> {
         let (mechanism, state) = (&self.context.scene.mechanism, self.context.state);
         let mut lines = Vec::new();
@@ -264,14 +268,14 @@ impl<'a> CentreFinder<'a> {
     }
 }
 
-/// The point of the ground about which a link turns.
+/// Returns the point of the ground about which a link rotates, if it has one.
 fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
     let mechanism = &context.scene.mechanism;
     let mut points = mechanism.link(link).members.iter().map(|m| m.point);
     points.find(|&point| mechanism.point(point).ground.is_some())
 }
 
-/// The points of a link that have names.
+/// Returns the named points of a link.
 pub(super) fn named<'c>(
     context: &'c Context<'_>,
     link: LinkId,
@@ -281,7 +285,8 @@ pub(super) fn named<'c>(
     points.filter(|&point| context.scene.point_name(point).is_some())
 }
 
-/// Where those two of the lines cross that cross best, the further joint first.
+/// Returns the intersection of the two lines with the largest angle between them, the farther joint
+/// first; `None` if that angle is too small.
 fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
     let pairs = lines.iter().enumerate().flat_map(|(k, one)| {
         let others = lines.iter().skip(k + 1);
@@ -303,7 +308,7 @@ fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [Centr
 }
 
 impl CentreLine {
-    /// Its direction in degrees.
+    /// Returns the direction in degrees.
     pub(super) fn degrees(&self) -> f64 {
         angle::degrees(self.u)
     }

@@ -1,4 +1,4 @@
-//! The loop equations of a scene as a chain in which figures follow from each other.
+//! Converts the loop equations of a scene to a chain of dependent values.
 
 use super::Working;
 use super::draft::Context;
@@ -11,11 +11,11 @@ use crate::study::{ChainGroup, LoopSum, SolutionChain, SoughtKind, SoughtVector,
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 impl Working {
-    /// How the figures of a state follow from each other; `None` where it has no rates, or the loops do not tell all that
-    /// is sought.
+    /// Returns the dependencies between the values of a state. Returns `None` if it has no rates,
+    /// or if the loops do not determine all unknowns.
     #[must_use]
     pub fn chain(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<SolutionChain> {
-        // An angle between two links is no side of a loop.
+        // An angle between two links is not a side of a loop.
         if !state.has(Order::Acceleration) || scene.mechanism.elbows().next().is_some() {
             return None;
         }
@@ -23,7 +23,8 @@ impl Working {
         Variables::new(&context).chain(&context)
     }
 
-    /// The values of the chain's variables in another state, of another assembly perhaps: angles in rad.
+    /// Returns the values of the chain's variables in another state, possibly of another assembly;
+    /// angles in rad. Returns `None` if the state lacks one.
     #[must_use]
     pub fn positions(&self, scene: &Scene, solver: &Solver, state: &State) -> Option<Vec<f64>> {
         let context = self.context(scene, solver, state, DIGITS);
@@ -37,7 +38,7 @@ impl Working {
     }
 }
 
-/// Nothing is written from it.
+/// Number of digits passed to the context; nothing is formatted with it.
 const DIGITS: usize = 6;
 
 /// The variables of the loops, the driver's coordinate first.
@@ -98,7 +99,7 @@ impl Variables {
         })
     }
 
-    /// A loop as a sum.
+    /// Converts a loop to a sum; returns `None` if it contains a vector between two bodies.
     fn sum(&self, context: &Context<'_>, terms: &[Term]) -> Option<LoopSum> {
         let mut sum = LoopSum::default();
         for term in terms {
@@ -134,7 +135,8 @@ impl Variables {
         Some(VectorPart::Sought(place, 0.0))
     }
 
-    /// The angle of a link, with what it turns.
+    /// Returns the angle of a link: known, or that of the link with which it rotates plus a
+    /// constant.
     fn angle(&self, context: &Context<'_>, link: LinkId) -> Option<VectorPart> {
         let locks: &Locks = &context.polygon.locks;
         Some(match locks.turns(Body::Link(link), 0.0) {
@@ -152,7 +154,8 @@ fn kind(unknown: LoopUnknown) -> SoughtKind {
     super::methods::kind(unknown)
 }
 
-/// The values of a variable in the state: of an angle in rad.
+/// Returns the value and the rates of a variable in the state; an angle in rad. Returns `None` for
+/// the length or direction of a vector between two bodies.
 fn exact(context: &Context<'_>, unknown: LoopUnknown) -> Option<[f64; 3]> {
     let state = context.state;
     Some(match unknown {
@@ -169,14 +172,14 @@ fn exact(context: &Context<'_>, unknown: LoopUnknown) -> Option<[f64; 3]> {
     })
 }
 
-/// The angle of a guide.
+/// Returns the angle of a guide.
 fn guide(mechanism: &Mechanism, slide: SlideId, links: &[VectorPart]) -> Option<VectorPart> {
     let slide = mechanism.slide(slide);
     let own = angle::radians(slide.angle);
     turned(slide.on, own, links)
 }
 
-/// A direction at an angle to a body.
+/// Returns a direction at an angle to a body.
 fn turned(body: Body, by: f64, links: &[VectorPart]) -> Option<VectorPart> {
     Some(match body {
         Body::Ground => VectorPart::Known(by),
@@ -187,7 +190,7 @@ fn turned(body: Body, by: f64, links: &[VectorPart]) -> Option<VectorPart> {
     })
 }
 
-/// The shortest way to every point, over links and guides.
+/// Finds the shortest path to every point, over links and guides.
 fn ways(
     mechanism: &Mechanism,
     links: &[VectorPart],
@@ -234,7 +237,7 @@ fn has(ways: &[Option<LoopSum>], point: PointId) -> bool {
     ways.get(point.index()).is_some_and(Option::is_some)
 }
 
-/// Keeps the first way to a point.
+/// Stores the first path to a point; returns `true` for a new point.
 fn reach(ways: &mut [Option<LoopSum>], point: PointId, way: LoopSum) -> bool {
     match ways.get_mut(point.index()) {
         Some(place @ None) => {
@@ -245,7 +248,8 @@ fn reach(ways: &mut [Option<LoopSum>], point: PointId, way: LoopSum) -> bool {
     }
 }
 
-/// From a point along every link that carries it, to the points of that and along the guides on it.
+/// Returns the paths that extend one along the links of a point, to their other points and along
+/// the guides on them.
 fn steps(
     mechanism: &Mechanism,
     links: &[VectorPart],
@@ -289,7 +293,7 @@ fn steps(
     steps
 }
 
-/// A way that goes on along a guide.
+/// Extends a path along a guide.
 fn along(slides: &[[VectorPart; 2]], slide: SlideId, mut way: LoopSum) -> Option<LoopSum> {
     let [length, angle] = *slides.get(slide.index())?;
     way.sought.push(SoughtVector {

@@ -1,4 +1,5 @@
-//! The check: how well the loops close, and how far the working is from the solver's state.
+//! Writes the check: the residuals of the loops, and the differences between the solution and the
+//! solver's state.
 
 use super::draft::{Context, Draft};
 use super::equations::{EquationTerm, LoopSide, Multiplier};
@@ -7,7 +8,8 @@ use crate::page::UNIT;
 use crate::solver::Order;
 use crate::wording::words;
 
-/// Every loop with all numbers in place, and the largest difference between the working and the state.
+/// Writes every loop with all numbers substituted, and the largest difference between the solution
+/// and the state.
 pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
     draft.page.part(words().check_part());
     if !context.has_positions() {
@@ -22,7 +24,7 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         .max_by(|a, b| a.part().total_cmp(&b.part()))
     {
         let (part, symbol) = (worst.part(), &worst.symbol);
-        // Less than half a place of a double is the rounding of a figure that should be 0.
+        // Less than half an epsilon is the rounding error of a value that should be 0.
         let text = if part < f64::EPSILON / 2.0 {
             words().figures_do_not_differ().to_owned()
         } else {

@@ -1,5 +1,5 @@
-//! The loop equations collected: multiplied out in sines and cosines, with everything that is known in a
-//! coefficient, so that the unknowns stand alone and a program can be written from them.
+//! Collects the loop equations: expanded in sines and cosines, with all known factors in
+//! coefficients, so that the unknowns are isolated and a program can be written from them.
 
 use super::draft::{Context, Draft};
 use super::equations::{
@@ -15,42 +15,42 @@ use super::symbols;
 use crate::page::UNIT;
 use crate::wording::words;
 
-/// The equations of a loop with their coefficients, about to be written.
+/// The equations of a loop with their coefficients.
 #[derive(Default)]
 pub(super) struct Collection {
     coefficients: Vec<Coefficient>,
     equations: Vec<Vec<CollectedTerm>>,
 }
 
-/// What is known, under a letter.
+/// A known coefficient, named by a letter.
 struct Coefficient {
-    /// The formulas by which it is found: in symbols, with numbers.
+    /// Its formula, in symbols and with numbers.
     formulas: Vec<String>,
     figure: String,
     value: f64,
-    /// The size of the terms of its formula: its rounding is that of these.
+    /// The magnitude of the formula's terms, which determines its rounding error.
     size: f64,
-    /// Of what power of a length it is.
+    /// The power of a length in its dimension.
     power: usize,
 }
 
-/// A coefficient by its number, times what is sought.
+/// A coefficient, by its index, times unknown factors.
 struct CollectedTerm {
     negative: bool,
     coefficient: Option<usize>,
     factors: Vec<SoughtFactor>,
 }
 
-/// What is sought, or its sine or cosine.
+/// An unknown, or its sine or cosine.
 #[derive(Clone)]
 struct SoughtFactor {
     text: String,
     value: f64,
-    /// How large it can be.
+    /// Its maximum absolute value.
     size: f64,
 }
 
-/// What turns by an angle that is sought: along it and to its left.
+/// Sides that rotate by an unknown angle: components along its direction and to the left.
 struct CollectedArm {
     theta: String,
     degrees: f64,
@@ -87,7 +87,7 @@ impl SoughtFactor {
     }
 }
 
-/// The letter of a coefficient: A to Z, then A26.
+/// Returns the letter of a coefficient: A to Z, then A26.
 fn letter(number: usize) -> String {
     match u8::try_from(number) {
         Ok(n) if n < 26 => char::from(b'A' + n).to_string(),
@@ -95,10 +95,10 @@ fn letter(number: usize) -> String {
     }
 }
 
-/// The letters behind the coefficients of the pair: of the one equation that both make.
+/// The letters of the coefficients in the single equation that follows from a pair.
 const SQUARED: [&str; 3] = ["P", "Q", "R"];
 
-/// Writes the equations of a loop collected, where all but what its group seeks is known.
+/// Writes the collected equations of a loop in which only the unknowns of its group are unknown.
 pub(super) fn collected(context: &Context<'_>, draft: &mut Draft, number: usize, stage: &Stage) {
     if !context.has_positions() || stage.form == ProblemForm::Nothing {
         return;
@@ -146,7 +146,8 @@ impl LoopCollector<'_> {
         self.context.member(term, self.stage)
     }
 
-    /// What is known along an axis, or minus that, as a coefficient.
+    /// Adds the known terms along an axis, optionally negated, as a coefficient; returns `None` if
+    /// there are none.
     fn known(&self, into: &mut Collection, axis: &Multiplier, minus: bool) -> Option<usize> {
         let all = pieces(&self.members, axis, self.figures());
         let mut of: Vec<EquationTerm> = all.into_iter().filter(|p| p.unknown.is_none()).collect();
@@ -169,13 +170,13 @@ impl LoopCollector<'_> {
         }))
     }
 
-    /// A coefficient by its formula.
+    /// Adds a coefficient given by a formula.
     fn formula(&self, into: &mut Collection, formula: &Expression, power: usize) -> usize {
         let value = formula.value();
         let size = if power == 0 { 1.0 } else { self.size() };
         let numbers = formula.numbers();
         let figure = match (formula, power) {
-            // A length alone is written as it is given.
+            // A length alone is written as given.
             (Expression::Known { .. }, _) => numbers.clone(),
             (Expression::Minus(of), _) if matches!(**of, Expression::Known { .. }) => {
                 numbers.clone()
@@ -192,7 +193,7 @@ impl LoopCollector<'_> {
         })
     }
 
-    /// The length of a side, behind its sign.
+    /// Returns the length of a side, with its sign.
     fn length(&self, member: &LoopSide<'_>) -> Expression {
         let f = self.figures();
         let r = member.reading.r;
@@ -203,7 +204,7 @@ impl LoopCollector<'_> {
         Expression::known(member.side.name.as_str(), figure, r).minus_if(member.reversed)
     }
 
-    /// A side's direction, where it is known.
+    /// Returns the known direction of a side.
     fn theta(&self, member: &LoopSide<'_>) -> Expression {
         let degrees = member.reading.theta;
         Expression::known(
@@ -213,7 +214,7 @@ impl LoopCollector<'_> {
         )
     }
 
-    /// One side, or several that turn together.
+    /// Returns the components of one side, or of several that rotate together.
     fn arm(&self, arm: &[Term]) -> CollectedArm {
         let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
         if let [one] = &members[..] {
@@ -247,7 +248,9 @@ impl LoopCollector<'_> {
         }
     }
 
-    /// A side's part along a direction, or to its left, behind which it lies by an angle that never changes.
+    /// Returns a side's component along a direction or to its left; `ahead` is the constant angle
+    /// from that direction to the side. Returns `None` for a component that is 0 because `ahead`
+    /// is.
     fn turned(
         &self,
         member: &LoopSide<'_>,
@@ -264,7 +267,8 @@ impl LoopCollector<'_> {
         Some(length * Expression::of(function, [angle]))
     }
 
-    /// Two angles: each equation has lost the length of one arm's own side.
+    /// Collects a loop with two unknown angles: each equation eliminates the length of one arm's
+    /// own side.
     fn triangle(&self, a: &[Term], b: &[Term]) -> (Collection, Vec<String>) {
         let mut into = Collection::default();
         let [a, b] = [a, b].map(|arm| self.arm(arm));
@@ -302,7 +306,8 @@ impl LoopCollector<'_> {
         (into, multipliers.into())
     }
 
-    /// An angle, and a position along a guide of known direction: the first equation has the angle alone.
+    /// Collects a loop with an unknown angle, and a position along a guide of known direction; the
+    /// first equation contains only the angle.
     fn quadratic(&self, arm: &[Term], slide: Term) -> (Collection, Vec<String>) {
         let mut into = Collection::default();
         let arm = self.arm(arm);
@@ -342,13 +347,13 @@ impl LoopCollector<'_> {
         (into, self.both_of(&slide))
     }
 
-    /// The names of both unit vectors of a side.
+    /// Returns the names of both unit vectors of a side.
     fn both_of(&self, member: &LoopSide<'_>) -> Vec<String> {
         let (notation, theta) = (self.context.notation, member.side.theta());
         vec![notation.across(&theta), notation.along(&theta)]
     }
 
-    /// Length and angle of one vector, with what turns with it.
+    /// Collects a loop with unknown length and angle of one vector, and sides that rotate with it.
     fn along(&self, own: Term, arm: &[Term]) -> (Collection, Vec<String>) {
         let mut into = Collection::default();
         let member = self.member(own);
@@ -405,7 +410,7 @@ impl LoopCollector<'_> {
         (into, self.both_of(&member))
     }
 
-    /// Two positions along guides of known directions: an equation for each.
+    /// Collects a loop with two positions along guides of known directions: an equation for each.
     fn guides(&self, a: Term, b: Term) -> (Collection, Vec<String>) {
         let mut into = Collection::default();
         let mut multipliers = Vec::new();
@@ -431,7 +436,7 @@ impl LoopCollector<'_> {
         (into, multipliers)
     }
 
-    /// A loop of a coupled group: both components, with a coefficient to every side.
+    /// Collects a loop of a coupled group: both components, with a coefficient for every side.
     fn components(&self) -> Collection {
         let mut into = Collection::default();
         let mut equations = Vec::new();
@@ -482,7 +487,7 @@ impl LoopCollector<'_> {
         into
     }
 
-    /// The angle of a side by that of the link with which it turns.
+    /// Returns the angle of a side, expressed by that of the link with which it rotates.
     fn argument(&self, member: &LoopSide<'_>) -> String {
         match member.side.turns {
             Turns::With(link, ahead) if member.side.shape != SideShape::Link(link) => {
@@ -496,7 +501,8 @@ impl LoopCollector<'_> {
         }
     }
 
-    /// One equation in one angle: both components squared and added, in which the other angle is lost.
+    /// Writes one equation in one angle: squaring and adding both components eliminates the other
+    /// angle.
     fn of_one_unknown(
         &self,
         draft: &mut Draft,
@@ -505,7 +511,7 @@ impl LoopCollector<'_> {
         arms: [&Vec<Term>; 2],
     ) {
         let [lost, kept] = arms.map(|arm| self.arm(arm));
-        // Of arms of several sides the squares would be those of their parts.
+        // For arms of several sides, the squares would contain those of their components.
         if lost.left.is_some() || kept.left.is_some() || pair.coefficients.len() != 4 {
             return;
         }
@@ -552,7 +558,7 @@ impl LoopCollector<'_> {
     }
 }
 
-/// A figure times what stands behind it; nothing where it is 0.
+/// Adds a value times a factor; skips a value of 0.
 fn push(sum: &mut WrittenSum, figure: String, behind: Option<&String>) {
     match (figure.as_str(), behind) {
         ("0", _) => {}
@@ -569,7 +575,8 @@ impl Collection {
         self.coefficients.len() - 1
     }
 
-    /// The equations with letters, what the letters stand for, and the equations with numbers.
+    /// Writes the equations with letters, the meanings of the letters, and the equations with
+    /// numbers.
     fn write(
         &self,
         context: &Context<'_>,
@@ -600,7 +607,7 @@ impl Collection {
             let found = format!("{}{unit}", coefficient.figure);
             let mut sides = vec![letter(k)];
             for side in &coefficient.formulas {
-                // A single term is a figure already.
+                // A single term equals its value.
                 if *side != coefficient.figure && sides.last() != Some(side) {
                     sides.push(side.clone());
                 }

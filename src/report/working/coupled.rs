@@ -1,4 +1,4 @@
-//! A coupled group: its unknowns, and what the last step of Newton's method had before it.
+//! Writes a coupled group: its unknowns, and the data of the last Newton step.
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
@@ -11,10 +11,10 @@ use crate::solver::{Newton, NewtonRow, NewtonUnknown};
 use crate::wording::words;
 use crate::{Body, PointId};
 
-/// More unknowns than this make a matrix that nobody reads.
+/// Maximum number of unknowns for which the matrix is shown.
 const MOST_COLUMNS: usize = 12;
 
-/// Positions of a group that is solved at once.
+/// Writes the positions of a group solved simultaneously.
 pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let newton = context.solver.newton(&context.state);
     let own = newton
@@ -27,7 +27,7 @@ pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) 
     }
 }
 
-/// What is sought, where it stands and what is left of every equation, then the matrix.
+/// Writes the unknowns, their values and the residual of every equation, then the matrix.
 fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let f = context.figures;
     draft.page.text(words().no_part_alone());
@@ -64,7 +64,7 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     sides(context, draft, newton);
 }
 
-/// Length and angle of every side that is sought, by the joints that are found now.
+/// Writes length and angle of every unknown side, from the joints found now.
 fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let (polygon, schedule, f) = (context.polygon, context.schedule, context.figures);
     let own = Some(newton.group.index());
@@ -75,7 +75,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     for (number, (side, reading)) in readings {
         let is_unknown = |link| newton.unknowns.contains(&NewtonUnknown::Angle(link));
         let is_told = match side.shape {
-            // What lies on a link follows from its angle.
+            // The direction of a vector on a link follows from the link's angle.
             SideShape::Rigid(Body::Link(link), _) => {
                 context.scene.mechanism.link(link).ends.is_some() || is_unknown(link)
             }
@@ -94,7 +94,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
         }
         let theta = side.theta();
         let [x, y] = between;
-        // Two joints of a moving guide may lie on each other, and give no direction.
+        // Two joints of a moving guide may coincide, and then define no direction.
         if sought[1] && !is_told && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
         {
             let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
@@ -116,7 +116,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     }
 }
 
-/// `xB - xA` and `yB - yA` along a side, where both its ends have names.
+/// Returns `xB - xA` and `yB - yA` of a side with named ends.
 fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
     let (scene, f) = (context.scene, context.figures);
     let place = |name: &str| {
@@ -172,7 +172,7 @@ fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> String {
     }
 }
 
-/// A joint's name; points that are not the scene's have none.
+/// Returns a joint's name; points that the solver added have none.
 fn point_name<'a>(context: &'a Context<'_>, point: Option<PointId>) -> &'a str {
     let named = |point: &PointId| point.index() < context.scene.mechanism.points().len();
     let name = point
@@ -181,7 +181,7 @@ fn point_name<'a>(context: &'a Context<'_>, point: Option<PointId>) -> &'a str {
     name.unwrap_or(words().joint())
 }
 
-/// An equation, and the unit in which it is off.
+/// Returns an equation, and the unit of its residual.
 fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
     let unit = context.figures.unit;
     match *row {
@@ -212,7 +212,7 @@ fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
     }
 }
 
-/// A form without a name that is no coupled group: what was found.
+/// Writes the results of a group that has no special form and is not coupled.
 fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     draft.page.text(words().found_together());
     let terms = stage

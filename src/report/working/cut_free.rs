@@ -1,4 +1,4 @@
-//! Links cut free: what acts on each of them, as it is drawn.
+//! Free-body diagrams: the forces on each link, for drawings.
 
 use super::Working;
 use super::free_body::{BodyForce, BodyJoint, on_link};
@@ -9,9 +9,9 @@ use crate::scene::Scene;
 use crate::solver::{Solver, State};
 
 impl Working {
-    /// What acts on a link of a state that is solved to its forces, inertia among it - so
-    /// that all of it closes - by the names of joints and guides. Nothing where some of it does not exist or is left
-    /// open.
+    /// Returns the forces on a link of a state solved with forces, named after joints and guides.
+    /// Inertia is included, so that the force polygon closes. Returns an empty list if a force does
+    /// not exist or is indeterminate.
     #[must_use]
     pub fn on_link(
         &self,
@@ -37,7 +37,7 @@ impl Working {
     }
 }
 
-/// What it is in a picture: the joint or the guide that hands it on.
+/// Returns the name of a force in a drawing: its joint or guide.
 fn name(scene: &Scene, row: &BodyForce) -> String {
     match row.joint {
         Some(BodyJoint::Pin(point)) => scene.point_name(point).unwrap_or_default(),

@@ -1,4 +1,5 @@
-//! What every part of the working is written from, and onto.
+//! The context from which every part of the working (the worked solution) is written, and the page
+//! under construction.
 
 use super::equations::LoopSide;
 use super::expression::Expression;
@@ -13,7 +14,7 @@ use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
 use crate::{Input, Mechanism, angle};
 
-/// What the working is written from.
+/// The context of a worked solution.
 pub(super) struct Context<'a> {
     pub scene: &'a Scene,
     pub solver: &'a Solver,
@@ -23,35 +24,37 @@ pub(super) struct Context<'a> {
     pub stages: &'a [Stage],
     pub figures: Figures,
     pub notation: WorkingNotation,
-    /// Every side in this state.
+    /// The data of every side in this state.
     pub readings: Vec<SideReading>,
-    /// The largest velocity and the largest acceleration of all points: smaller ones are rounded by these.
+    /// The maximum velocity and acceleration of all points; smaller ones have rounding errors of
+    /// this magnitude.
     pub fastest: [f64; 2],
 }
 
-/// The page as it grows, and how far what it works out is from the solver's state.
+/// The page under construction, and the differences between calculated values and the solver's
+/// state.
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub page: Page,
     pub agreements: Vec<Agreement>,
 }
 
-/// A figure that was worked out by the formula above it, and the solver's.
+/// A value calculated by the printed formula, and the solver's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Agreement {
-    /// Its symbol.
+    /// The symbol.
     pub symbol: String,
-    /// By the printed formula.
+    /// The value of the printed formula.
     pub worked: f64,
-    /// The solver's.
+    /// The value of the solver.
     pub solved: f64,
-    /// The size by which their difference is judged, in the same unit: that of the terms of the formula,
-    /// divided by what the formula divides by.
+    /// The magnitude by which the difference is judged, in the same unit: that of the formula's
+    /// terms, divided by its divisor.
     pub size: f64,
 }
 
 impl Agreement {
-    /// The difference in parts of the size.
+    /// Returns the difference relative to the magnitude.
     #[must_use]
     pub fn part(&self) -> f64 {
         (self.worked - self.solved).abs() / self.size.max(f64::MIN_POSITIVE)
@@ -59,17 +62,17 @@ impl Agreement {
 }
 
 impl<'a> Context<'a> {
-    /// Whether there is an assembly here.
+    /// Returns `true` if there is an assembly here.
     pub(super) fn has_positions(&self) -> bool {
         self.state.condition() != Condition::NoAssembly
     }
 
-    /// Whether velocities and accelerations exist.
+    /// Returns `true` if velocities and accelerations exist.
     pub(super) fn has_rates(&self) -> bool {
         self.state.has(Order::Acceleration)
     }
 
-    /// Reads every side; without an assembly what the scene and the driver give.
+    /// Evaluates every side; without an assembly, from the data of the scene and the driver.
     pub(super) fn read_sides(&mut self) {
         let mechanism = &self.scene.mechanism;
         let sides = self.polygon.sides.iter();
@@ -80,8 +83,8 @@ impl<'a> Context<'a> {
                 .map(|side| side.given(mechanism, self.given_at(side)))
                 .collect()
         };
-        // The rates of a driven slide are given, not found: none of them is rounding. What the driver turns has
-        // its rates where nothing else has any.
+        // The rates of a driven slide are given, so they have no rounding errors. A link turned by
+        // the driver has its rates even if no other link has any.
         let rates = [self.state.driver_speed(), self.state.driver_acceleration()];
         for (side, reading) in self.polygon.sides.iter().zip(&mut readings) {
             let Some(input) = self.schedule.input(side) else {
@@ -102,7 +105,7 @@ impl<'a> Context<'a> {
         self.readings = readings;
     }
 
-    /// The coordinate of the input that a side goes with; the driver's, where none is its own.
+    /// Returns the coordinate of the input that drives a side, or else the driver's.
     fn given_at(&self, side: &super::sides::Side) -> f64 {
         let mechanism = &self.scene.mechanism;
         let input = self.schedule.input(side);
@@ -110,7 +113,7 @@ impl<'a> Context<'a> {
         timed.map_or(self.state.at(), |timed| timed.coordinate(self.state.at()))
     }
 
-    /// The longest side in this state.
+    /// Returns the length of the longest side in this state.
     pub(super) fn longest(&self) -> f64 {
         let sides = self.readings.iter().map(|reading| reading.r.abs());
         sides
@@ -118,7 +121,7 @@ impl<'a> Context<'a> {
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// Finds how fast the fastest points are.
+    /// Computes the maximum velocity and acceleration.
     pub(super) fn find_fastest(&mut self) {
         if !self.has_rates() {
             return;
@@ -135,7 +138,7 @@ impl<'a> Context<'a> {
         ];
     }
 
-    /// A term of a loop as a group sees it: what it and later groups find is sought.
+    /// Returns a term of a loop as seen by a group: values found by it or later groups are unknown.
     pub(super) fn member(&self, term: Term, stage: &Stage) -> LoopSide<'_> {
         let side = &self.polygon.sides[term.side];
         let is_sought = |group: Option<usize>| match (group, stage.group) {
@@ -164,7 +167,7 @@ impl<'a> Context<'a> {
             .collect()
     }
 
-    /// A group in words: `group 2, dyad RRR at C: links r3, r4`.
+    /// Describes a group: `group 2, dyad RRR at C: links r3, r4`.
     pub(super) fn group_text(&self, number: usize) -> String {
         let Some(group) = self.solver.plan().groups.get(number) else {
             return String::new();
@@ -196,10 +199,10 @@ impl<'a> Context<'a> {
 }
 
 impl super::sides::Side {
-    /// What the scene and the driver give of a side, where nothing else is known.
+    /// Evaluates a side from the scene and the driver only.
     fn given(&self, mechanism: &Mechanism, at: f64) -> SideReading {
         let theta = match (self.turns, self.shape) {
-            // Of what turns, the driver's angle alone is given.
+            // Among angles, only the driver's is given.
             (Turns::With(_, offset), _) => angle::wrapped(at + offset),
             (Turns::Never, SideShape::Slide(slide)) => {
                 angle::wrapped(mechanism.slide(slide).angle + angle::TURN / 2.0)
@@ -222,7 +225,7 @@ impl super::sides::Side {
     }
 }
 
-/// Blanks before a table, as before a formula.
+/// Indent of a table, as of a formula.
 const INDENT: usize = 2;
 
 impl Draft {
@@ -231,7 +234,7 @@ impl Draft {
         self.wide_table(head.map(str::to_owned).into(), rows);
     }
 
-    /// A table of any number of columns.
+    /// Adds a table with any number of columns.
     pub(super) fn wide_table(&mut self, head: Vec<String>, rows: Vec<Vec<String>>) {
         let mut head = head.into_iter();
         let mut table = Table::new(head.next().unwrap_or_default(), head).set(Setting {
@@ -245,7 +248,7 @@ impl Draft {
         self.page.table(table);
     }
 
-    /// The same with units in a line of their own below the names, where both would be too wide.
+    /// Adds a table with units in a separate line below the names, if both would be too wide.
     pub(super) fn table_of_units(&mut self, title: &str, heads: Vec<Head>, rows: Vec<Vec<String>>) {
         self.wide_table(vec![title.to_owned()], rows);
         if let Some(Block {
@@ -258,7 +261,7 @@ impl Draft {
         }
     }
 
-    /// `symbol = formula = value`: what comes out.
+    /// Writes `symbol = formula = value` and returns the value.
     pub(super) fn found(
         &mut self,
         symbol: &str,
@@ -268,7 +271,7 @@ impl Draft {
         self.work(symbol, vec![formula.symbols()], formula, figure)
     }
 
-    /// `symbol = numbers = value`: what comes out.
+    /// Writes `symbol = numbers = value` and returns the value.
     pub(super) fn reckoned(
         &mut self,
         symbol: &str,
@@ -278,7 +281,7 @@ impl Draft {
         self.work(symbol, vec![formula.numbers()], formula, figure)
     }
 
-    /// `symbol = formula = numbers = value`: what comes out.
+    /// Writes `symbol = formula = numbers = value` and returns the value.
     pub(super) fn worked(
         &mut self,
         symbol: &str,
@@ -302,7 +305,7 @@ impl Draft {
         value
     }
 
-    /// Notes a figure that was worked out beside the solver's.
+    /// Records a calculated value together with the solver's.
     pub(super) fn agree(&mut self, symbol: &str, worked: f64, solved: f64, size: f64) {
         self.agreements.push(Agreement {
             symbol: symbol.to_owned(),
@@ -312,7 +315,7 @@ impl Draft {
         });
     }
 
-    /// The same for angles in degrees, which count modulo a turn; `loss` is what the formula loses, in
+    /// Records a calculated angle in degrees, modulo a turn; `loss` is the error of the formula in
     /// radians.
     pub(super) fn agree_angle(&mut self, symbol: &str, worked: f64, solved: f64, loss: f64) {
         let away = angle::wrapped(worked - solved + angle::TURN / 2.0) - angle::TURN / 2.0;

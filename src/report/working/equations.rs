@@ -1,5 +1,5 @@
-//! The loop equations and their derivatives, term by term: in symbols, with numbers in place, and as
-//! figures beside what is sought.
+//! Writes the loop equations and their derivatives, term by term: in symbols, with numbers, and
+//! with the known factors of each unknown evaluated.
 //!
 //! With u at theta and n = k x u, a side r u has the derivatives
 //!
@@ -17,16 +17,16 @@ use super::symbols::{self, WorkingNotation};
 use crate::Vec2;
 use crate::solver::Order;
 
-/// What a loop equation is multiplied by.
+/// The vector by which a loop equation is multiplied.
 #[derive(Clone, Debug)]
 pub(super) enum Multiplier {
     /// The unit vector along x.
     X,
     /// The unit vector along y.
     Y,
-    /// The unit vector at this angle: what turns there drops out of the rates.
+    /// The unit vector at this angle: it eliminates rotation about it from the rates.
     Along(Heading),
-    /// The unit vector at right angles to it: what stretches there drops out.
+    /// The unit vector perpendicular to it: it eliminates changes of length along it.
     Across(Heading),
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Heading {
     pub symbol: String,
     pub degrees: f64,
     pub u: Vec2,
-    /// Whether the angle is itself sought: then its symbol stands for it.
+    /// Whether the angle itself is unknown, and represented by its symbol.
     pub open: bool,
 }
 
@@ -46,9 +46,9 @@ pub(super) struct LoopSide<'a> {
     pub side: &'a Side,
     pub reversed: bool,
     pub reading: SideReading,
-    /// The name that its turning bears.
+    /// The name of its angular velocity.
     pub turner: &'a str,
-    /// Which of its figures are sought: length, angle.
+    /// Whether its length and its angle are unknown.
     pub sought: [bool; 2],
     /// Whether its rates are the driver's.
     pub driven: bool,
@@ -58,20 +58,21 @@ pub(super) struct LoopSide<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct EquationTerm {
     pub negative: bool,
-    /// Without its sign: in symbols, and with numbers in place of what is known.
+    /// The term without its sign: in symbols, and with numbers for known values.
     pub symbols: String,
     pub numbers: String,
-    /// Its value, or of what is sought the factor, sign included.
+    /// The value, or the factor of the unknown, including the sign.
     pub value: f64,
-    /// How large it could be at any angle: its rounding is that of this.
+    /// The maximum absolute value at any angle, which determines its rounding error.
     pub size: f64,
-    /// What is sought in it.
+    /// The unknown in it.
     pub unknown: Option<String>,
-    /// What stands beside what is sought, without its sign: in symbols, and with numbers; 1 where nothing does.
+    /// The factors of the unknown, without the sign: in symbols, and with numbers; 1 if there are
+    /// none.
     beside: [String; 2],
-    /// Whether what is sought stands in it as a factor, not as an angle.
+    /// Whether the unknown is a factor rather than an angle.
     linear: bool,
-    /// Whether all of it is given: it has no more digits than it needs.
+    /// Whether the term is given, so that it needs no more than its own digits.
     given: bool,
 }
 
@@ -87,7 +88,7 @@ impl Heading {
 }
 
 impl Multiplier {
-    /// The parts of u and of n = k x u along the axis.
+    /// Returns the components of u and of n = k x u along the axis.
     fn parts(&self, u: Vec2) -> [f64; 2] {
         match self {
             Multiplier::X => [u.x, -u.y],
@@ -97,7 +98,7 @@ impl Multiplier {
         }
     }
 
-    /// The function of the part of u, or of n, behind its sign; `None` where it is 1, or 0.
+    /// Returns the function in the component of u, or of n, and whether it is negative.
     fn function(&self, turning: bool, theta: &str, heading: &str) -> (bool, String) {
         match (self, turning) {
             (Multiplier::X, false) => (false, format!("cos({theta})")),
@@ -112,7 +113,7 @@ impl Multiplier {
         }
     }
 
-    /// The unit vector in words.
+    /// Returns the name of the unit vector.
     pub(super) fn name(&self, notation: WorkingNotation) -> String {
         match self {
             Multiplier::X => "x".into(),
@@ -129,7 +130,7 @@ impl Multiplier {
         }
     }
 
-    /// Whether u, or n, of a side lies at right angles to the axis by its very symbol.
+    /// Returns `true` if u, or n, of a side is perpendicular to the axis by its symbol alone.
     fn removes(&self, turning: bool, theta: &str) -> bool {
         match self {
             Multiplier::X | Multiplier::Y => false,
@@ -138,7 +139,7 @@ impl Multiplier {
         }
     }
 
-    /// Whether it lies along the axis by its very symbol.
+    /// Returns `true` if u, or n, of a side is parallel to the axis by its symbol alone.
     fn keeps(&self, turning: bool, theta: &str) -> bool {
         match self {
             Multiplier::X | Multiplier::Y => false,
@@ -148,10 +149,10 @@ impl Multiplier {
     }
 }
 
-/// A product of named factors, some of them sought, times a function of the angle.
+/// A product of named factors, some of them unknown, times a function of the angle.
 struct FactorProduct {
     negative: bool,
-    /// A number in front: 2 of Coriolis' term, or 1.
+    /// The numeric factor: 2 for the Coriolis term, or 1.
     count: f64,
     factors: Vec<Factor>,
     turning: bool,
@@ -166,7 +167,7 @@ struct Factor {
 }
 
 impl<'a> LoopSide<'a> {
-    /// The terms that the side adds to an equation of this order.
+    /// Returns the terms that the side adds to an equation of this order.
     pub(super) fn pieces(
         &self,
         order: Order,
@@ -176,7 +177,7 @@ impl<'a> LoopSide<'a> {
         let products = match order {
             Order::Position => vec![self.product(false, 1.0, false, vec![self.length()])],
             Order::Velocity => self.velocity(),
-            // Forces ask for nothing more of a loop.
+            // Forces need no further terms of a loop.
             Order::Acceleration | Order::Force => self.acceleration(),
         };
         let theta = self.side.theta();
@@ -246,7 +247,7 @@ impl<'a> LoopSide<'a> {
         }
     }
 
-    /// Of the rates the lengths are known.
+    /// Returns the length as a known factor, for rates.
     fn length_known(&self) -> Factor {
         Factor {
             sought: false,
@@ -303,7 +304,7 @@ impl<'a> LoopSide<'a> {
     ) -> EquationTerm {
         let theta = self.side.theta();
         let is_position = order == Order::Position;
-        // In a position an angle that is sought stays in its function.
+        // In a position, an unknown angle stays inside its function.
         let open_angle = is_position && self.sought[1];
         let angle = if open_angle {
             theta.clone()
@@ -364,7 +365,7 @@ impl<'a> LoopSide<'a> {
             negative,
             symbols: symbols.join(" "),
             numbers: numbers.join("·"),
-            // The part has the sign of the function in it already.
+            // `part` already contains the sign of the function.
             value: size * if product.negative { -part } else { part },
             size: size.abs(),
             unknown: unknown.or((open_angle || is_open).then_some(theta)),
@@ -379,22 +380,22 @@ impl<'a> LoopSide<'a> {
     }
 }
 
-/// The sum in symbols.
+/// Writes the sum in symbols.
 pub(super) fn in_symbols(pieces: &[EquationTerm]) -> String {
     let mut sum = WrittenSum::default();
     pieces.iter().for_each(|p| sum.push(p.negative, &p.symbols));
     sum.text()
 }
 
-/// The sum with numbers in place of what is known.
+/// Writes the sum with numbers for known values.
 pub(super) fn in_numbers(pieces: &[EquationTerm]) -> String {
     let mut sum = WrittenSum::default();
     pieces.iter().for_each(|p| sum.push(p.negative, &p.numbers));
     sum.text()
 }
 
-/// The sum with every known term as one figure: `-1299.04 - 147.173 ω3`. Of positions the terms with an
-/// angle that is sought stay as they are.
+/// Writes the sum with every known term evaluated: `-1299.04 - 147.173 ω3`. Terms of positions with
+/// an unknown angle stay unchanged.
 pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
     let size = pieces.iter().fold(0.0_f64, |most, p| most.max(p.size));
     let mut sum = WrittenSum::default();
@@ -406,7 +407,7 @@ pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
         };
         match &piece.unknown {
             Some(_) if !piece.linear => sum.push(piece.negative, &piece.numbers),
-            // What adds nothing is left out.
+            // Zero terms are omitted.
             _ if figure == "0" => {}
             Some(symbol) => sum.push_figure(&times(&figure, symbol)),
             None => sum.push_figure(&figure),
@@ -415,13 +416,13 @@ pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
     sum.text()
 }
 
-/// The equation solved for a rate that stands in it as a factor: `-r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))`, in
-/// symbols and with numbers.
+/// Solves the equation for a rate that is a factor in it: `-r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))`,
+/// in symbols and with numbers.
 pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &str) -> [String; 2] {
     let is_own = |piece: &&EquationTerm| piece.unknown.as_deref() == Some(symbol);
     let above: Vec<&EquationTerm> = pieces.iter().filter(|p| !is_own(p)).collect();
     let below: Vec<&EquationTerm> = pieces.iter().filter(is_own).collect();
-    // A minus of the divisor alone goes before the whole.
+    // The minus sign of a single divisor moves to the front.
     let is_turned = matches!(below[..], [one] if one.negative);
     let sum = |of: &[&EquationTerm], turned: bool, text: &dyn Fn(&EquationTerm) -> String| {
         let mut sum = WrittenSum::default();
@@ -454,7 +455,7 @@ pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &str) -> [String; 2] {
     })
 }
 
-/// A figure times a symbol; 1 is not written.
+/// Writes a value times a symbol, without a factor of 1.
 fn times(figure: &str, symbol: &str) -> String {
     match figure {
         "1" => symbol.to_owned(),
@@ -463,13 +464,13 @@ fn times(figure: &str, symbol: &str) -> String {
     }
 }
 
-/// The known terms together.
+/// Returns the sum of the known terms.
 pub(super) fn known(pieces: &[EquationTerm]) -> f64 {
     let known = pieces.iter().filter(|p| p.unknown.is_none());
     known.map(|p| p.value).sum()
 }
 
-/// The factor of what is sought.
+/// Returns the factor of an unknown.
 pub(super) fn coefficient(pieces: &[EquationTerm], symbol: &str) -> f64 {
     let of_it = pieces
         .iter()

@@ -1,4 +1,4 @@
-//! Formulas: one tree that yields its symbols, its numbers and its value, so that they cannot drift apart.
+//! Formulas as one tree that yields symbols, numbers and value, so that these always agree.
 
 use super::figures::factor;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -6,10 +6,10 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A formula; angles are in degrees.
 #[derive(Clone, Debug)]
 pub(super) enum Expression {
-    /// Something known by its symbol.
+    /// A known value with its symbol.
     Known {
         symbol: String,
-        /// Its value as it is written.
+        /// The value as written.
         figure: String,
         value: f64,
     },
@@ -23,7 +23,7 @@ pub(super) enum Expression {
     Function(Function, Vec<Expression>),
 }
 
-/// A function by its name.
+/// The functions in formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Function {
     Sqrt,
@@ -34,14 +34,14 @@ pub(super) enum Function {
     Atan2,
 }
 
-/// What stands for what is known.
+/// The notation of known values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Notation {
     Symbols,
     Numbers,
 }
 
-/// How tightly a text holds together.
+/// The binding strength of a text, for brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Grip {
     Sum,
@@ -50,7 +50,7 @@ enum Grip {
     Alone,
 }
 
-/// A formula, or a part of it, as it is written: its sign apart.
+/// A formula or a part of it in written form, with its sign separate.
 struct Written {
     negative: bool,
     text: String,
@@ -78,32 +78,32 @@ impl Expression {
         Expression::of(Function::Sqrt, [self])
     }
 
-    /// The same behind a minus, if it is so.
+    /// Returns the formula, negated if `negative`.
     pub(super) fn minus_if(self, negative: bool) -> Expression {
         if negative { -self } else { self }
     }
 
-    /// A figure of no name, as a term of a sum.
+    /// Returns a value without a symbol, as a term of a sum.
     pub(super) fn figure(figure: String, value: f64) -> Expression {
         Expression::known(figure.clone(), figure, value)
     }
 
-    /// The sum of several, if there is any.
+    /// Returns the sum of terms, if there are any.
     pub(super) fn total(terms: impl IntoIterator<Item = Expression>) -> Option<Expression> {
         terms.into_iter().reduce(|sum, term| sum + term)
     }
 
-    /// In symbols.
+    /// Writes the formula in symbols.
     pub(super) fn symbols(&self) -> String {
         self.written(Notation::Symbols).whole()
     }
 
-    /// With numbers in their places.
+    /// Writes the formula with numbers.
     pub(super) fn numbers(&self) -> String {
         self.written(Notation::Numbers).whole()
     }
 
-    /// What comes out.
+    /// Returns the value.
     pub(super) fn value(&self) -> f64 {
         match self {
             Expression::Known { value, .. } | Expression::Number(value) => *value,
@@ -141,7 +141,7 @@ impl Expression {
             }
             Expression::Sum(of) => {
                 let [first, second] = [&of[0], &of[1]].map(|part| part.written(form));
-                // A nought loses its sign alone, but not the one that takes it away.
+                // A zero has no sign of its own, but keeps the minus of a subtraction.
                 let is_less = matches!(&of[1], Expression::Minus(_)) && second.text == "0";
                 let sign = if second.negative || is_less { "-" } else { "+" };
                 let second = match &of[1] {
@@ -198,7 +198,8 @@ impl Function {
     fn value(self, of: &[f64]) -> f64 {
         let first = of.first().copied().unwrap_or(f64::NAN);
         match self {
-            // At a dead point rounding may carry it below 0, and a cosine beyond 1.
+            // At a dead point, rounding errors may make a root's argument negative, or a cosine
+            // larger than 1.
             Function::Sqrt => first.max(0.0).sqrt(),
             Function::Acos => first.clamp(-1.0, 1.0).acos().to_degrees(),
             Function::Sin => first.to_radians().sin(),
@@ -225,7 +226,7 @@ impl Written {
         Written {
             negative: size.is_some(),
             text: size.unwrap_or(figure).to_owned(),
-            // A power of 2e-6 is not one of its exponent.
+            // In a power, a number such as 2e-6 needs brackets.
             grip: match figure.parse::<f64>() {
                 Ok(_) if figure.contains('e') => Grip::Product,
                 _ => Grip::Alone,
@@ -233,13 +234,13 @@ impl Written {
         }
     }
 
-    /// With its sign.
+    /// Returns the text with its sign.
     fn whole(&self) -> String {
         let sign = if self.negative { "-" } else { "" };
         format!("{sign}{}", self.text)
     }
 
-    /// Without its sign, in brackets where it holds together less than this.
+    /// Returns the text without its sign, in brackets if it binds less strongly than `least`.
     fn bracketed(&self, least: Grip) -> String {
         if self.grip < least {
             format!("({})", self.text)
@@ -248,7 +249,7 @@ impl Written {
         }
     }
 
-    /// As a factor: in brackets where it is negative, too.
+    /// Returns the text as a factor, in brackets also if it is negative.
     fn factor(&self, least: Grip) -> String {
         if self.negative {
             factor(&self.whole())

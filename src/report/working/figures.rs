@@ -1,4 +1,4 @@
-//! How figures stand in formulas.
+//! Formats values in formulas.
 
 use crate::report::number::{concise, direction, significant};
 
@@ -9,11 +9,11 @@ pub(super) struct Figures {
     pub unit: &'static str,
 }
 
-/// Smaller than this is rounding, where figures of size 1 are meant: a few roundings of a sum's terms.
+/// Relative magnitude of rounding errors: a few roundings of a sum's terms.
 const NOUGHT: f64 = 64.0 * f64::EPSILON;
 
 impl Figures {
-    /// A figure that was found.
+    /// Formats a computed value.
     pub(super) fn number(&self, value: f64) -> String {
         if value.is_finite() {
             significant(value, self.digits)
@@ -22,7 +22,7 @@ impl Figures {
         }
     }
 
-    /// One that is small beside a figure of this size may be rounding alone.
+    /// Formats a value as 0 if it is a rounding error of values of this magnitude.
     pub(super) fn beside(&self, value: f64, size: f64) -> String {
         if value.abs() <= NOUGHT * size {
             "0".into()
@@ -31,7 +31,7 @@ impl Figures {
         }
     }
 
-    /// A figure that the scene gives: with no more digits than it has.
+    /// Formats a value given by the scene, with no more digits than it has.
     pub(super) fn given(&self, value: f64) -> String {
         if value.is_finite() {
             concise(value, self.digits)
@@ -40,14 +40,14 @@ impl Figures {
         }
     }
 
-    /// A direction in degrees from 0 to below 360.
+    /// Formats a direction in degrees from 0 to below 360.
     pub(super) fn direction(&self, degrees: f64) -> String {
         if !degrees.is_finite() {
             return "-".into();
         }
         let text = direction(crate::angle::wrapped(degrees), self.digits);
         let plain = concise(crate::angle::wrapped(degrees), self.digits);
-        // A right angle is written as one.
+        // A right angle is written without decimals.
         if plain.len() < text.len() {
             plain
         } else {
@@ -55,7 +55,7 @@ impl Figures {
         }
     }
 
-    /// An angle in degrees with its sign.
+    /// Formats an angle in degrees with its sign.
     pub(super) fn angle(&self, degrees: f64) -> String {
         if degrees.is_finite() {
             concise(degrees, self.digits)
@@ -64,7 +64,7 @@ impl Figures {
         }
     }
 
-    /// A unit behind a figure: `mm`, `mm/s`, `mm/s^2`.
+    /// Returns the unit of a length or of its rate: `mm`, `mm/s`, `mm/s^2`.
     pub(super) fn length_unit(&self, order: usize) -> String {
         match order {
             0 => self.unit.to_owned(),
@@ -74,7 +74,7 @@ impl Figures {
     }
 }
 
-/// A sum as it is written: each term behind its sign.
+/// A sum in written form, each term with its sign.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WrittenSum(String);
 
@@ -89,7 +89,7 @@ impl WrittenSum {
         self.0 += term;
     }
 
-    /// A figure, its own sign before it.
+    /// Adds a formatted value with its own sign.
     pub(super) fn push_figure(&mut self, text: &str) {
         match text.strip_prefix('-') {
             Some(size) if !size.is_empty() => self.push(true, size),
@@ -97,7 +97,7 @@ impl WrittenSum {
         }
     }
 
-    /// The sum; 0 where it has no term.
+    /// Returns the sum; 0 if it has no terms.
     pub(super) fn text(self) -> String {
         if self.0.is_empty() {
             "0".into()
@@ -107,7 +107,7 @@ impl WrittenSum {
     }
 }
 
-/// A figure as a factor: in brackets where it is negative.
+/// Returns a formatted value as a factor, in brackets if it is negative.
 pub(super) fn factor(text: &str) -> String {
     if text.starts_with('-') && text.len() > 1 {
         format!("({text})")

@@ -1,4 +1,4 @@
-//! Forces: what acts, every link and pin in turn, and the driver.
+//! Writes the forces: loads, every link and pin in turn, and the driver.
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
@@ -9,7 +9,7 @@ use crate::solver::{Acted, Condition};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
-/// Everything about forces; nothing where nothing acts.
+/// Writes all parts on forces; nothing for a mechanism without loads.
 pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
@@ -45,7 +45,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     driver(context, draft, torque, &acted);
 }
 
-/// Why there are no forces.
+/// Returns the reason why there are no forces.
 fn absent(condition: Condition) -> &'static str {
     match condition {
         Condition::DeadPoint => words().no_balance_at_dead_point(),
@@ -54,7 +54,7 @@ fn absent(condition: Condition) -> &'static str {
     }
 }
 
-/// What the loads are at this state.
+/// Writes the loads in this state.
 fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     let mut rows = Vec::new();
@@ -81,7 +81,7 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     }
 }
 
-/// What a load is.
+/// Returns the name of a kind of load.
 pub(super) fn kind(load: &Load) -> &'static str {
     match load {
         Load::Force { .. } => words().force(),
@@ -102,7 +102,7 @@ pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a st
     context.scene.point_name(point).unwrap_or(words().a_point())
 }
 
-/// What the driver must do, and against what.
+/// Writes the driver's effort, and its parts.
 fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted]) {
     let (f, state) = (context.figures, context.state);
     let (turns, what, unit) = match context.scene.mechanism.driver().input {
@@ -150,7 +150,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
     }
 }
 
-/// The two independent checks: power, and the equilibrium of the whole.
+/// Writes the two independent checks: power, and the equilibrium of the whole mechanism.
 pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
     let state = context.state;
     let (Some(left), Some(force), Some(moment)) =

@@ -1,4 +1,5 @@
-//! The free body of a link: what acts on it, and its three equations of motion with numbers.
+//! Writes the free body of a link: the forces on it, and its three equations of motion with
+//! numbers.
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
@@ -9,30 +10,30 @@ use crate::solver::Acted;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
-/// A force on a link, or a couple alone.
+/// A force on a link, or a couple.
 pub(super) struct BodyForce {
     pub name: String,
     pub force: Vec2,
-    /// Where it acts; a couple acts nowhere in particular.
+    /// The point of application; `None` for a couple.
     pub(super) at: Option<Vec2>,
-    /// In N m.
+    /// The couple in N m.
     pub(super) couple: f64,
-    /// The joint that hands it on; `None` for what acts by itself.
+    /// The joint that transmits it; `None` for a load.
     pub(super) joint: Option<BodyJoint>,
 }
 
-/// Through what a force comes to a link.
+/// The joint that transmits a force to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BodyJoint {
     /// A pin.
     Pin(PointId),
-    /// A guide, on what slides along it or on what carries it.
+    /// A guide; the force acts on its slider or on its carrier.
     Guide(SlideId),
-    /// What turns the crank.
+    /// The driver.
     Driver,
 }
 
-/// All that acts on a link, its inertia apart; `None` where something of it is left open.
+/// Returns all forces on a link, without inertia; `None` if one is indeterminate.
 pub(super) fn on_link(
     context: &Context<'_>,
     id: LinkId,
@@ -48,7 +49,8 @@ pub(super) fn on_link(
     body.rows()
 }
 
-/// The forces on a link, and its three equations with numbers; `false` where some of them are left open.
+/// Writes the forces on a link, and its three equations with numbers. Returns `false` if a force is
+/// indeterminate.
 pub(super) fn free_body(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -57,7 +59,7 @@ pub(super) fn free_body(
 ) -> bool {
     let link = context.scene.mechanism.link(id);
     let name = context.scene.link_name(id);
-    // Moments about the centre of mass; without one, about the first point of the link.
+    // Moments are about the centre of mass, or else about the first point of the link.
     let first = link.members.first().map(|member| member.point);
     let Some(about) = link.com.or(first) else {
         return true;
@@ -85,36 +87,36 @@ pub(super) fn free_body(
 /// An equation of motion with its numbers.
 struct EquationOfMotion {
     values: Vec<f64>,
-    /// The largest that a term can be.
+    /// The maximum absolute value of a term.
     size: f64,
-    /// The right side.
+    /// The right-hand side.
     motion: Expression,
     unit: &'static str,
 }
 
-/// What acts on one link.
+/// A link, and the data for its forces.
 struct FreeBody<'a> {
     context: &'a Context<'a>,
     id: LinkId,
     acted: &'a [Acted],
-    /// The point that moments are taken about.
+    /// The reference point of moments.
     about: PointId,
 }
 
 impl FreeBody<'_> {
-    /// From the point that moments are taken about, in the scene's unit.
+    /// Returns the arm from the reference point, in the scene's unit; `None` for a couple.
     fn arm(&self, row: &BodyForce) -> Option<Vec2> {
         let centre = self.context.state.position(self.about);
         row.at.map(|at| at - centre)
     }
 
-    /// In N m.
+    /// Returns the moment in N m.
     fn moment(&self, row: &BodyForce) -> f64 {
         let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
         arm.cross(row.force) + row.couple
     }
 
-    /// The largest force, and the largest moment that a force at this arm, or a couple, can have.
+    /// Returns the maximum force, and the maximum moment of a force at its arm, or of a couple.
     fn sizes(&self, rows: &[BodyForce]) -> [f64; 2] {
         let metres = self.mechanism().metres();
         rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
@@ -125,7 +127,7 @@ impl FreeBody<'_> {
         })
     }
 
-    /// Every force with its arm and its moment.
+    /// Writes every force with its arm and its moment.
     fn table(&self, draft: &mut Draft, rows: &[BodyForce]) {
         let f = self.context.figures;
         let [largest, reach] = self.sizes(rows);
@@ -151,19 +153,21 @@ impl FreeBody<'_> {
         );
     }
 
-    /// Of the centre of mass, in m/s^2; `None` where it has none or takes no part.
+    /// Returns the acceleration of the centre of mass in m/s^2; `None` for a link without mass, or
+    /// if the acceleration is zero.
     fn acceleration(&self) -> Option<Vec2> {
         let a = self.context.state.acceleration(self.about) * self.mechanism().metres();
         (self.mechanism().link(self.id).mass > 0.0 && a.norm() > 0.0).then_some(a)
     }
 
-    /// The sums of forces and of moments, and what they make of the link's motion.
+    /// Writes the sums of forces and moments, equal to the link's inertia terms.
     fn equations(&self, draft: &mut Draft, rows: &[BodyForce]) {
         let (f, state) = (self.context.figures, self.context.state);
         let link = self.mechanism().link(self.id);
         let a = state.acceleration(self.about) * self.mechanism().metres();
         let [largest, reach] = self.sizes(rows);
-        // What the largest force alone would make of the link: beside it a part of the acceleration may be rounding.
+        // The acceleration that the largest force alone would cause; smaller components may be
+        // rounding errors.
         let size_of_a = match link.mass > 0.0 {
             true => a.norm().max(largest / link.mass),
             false => a.norm(),
@@ -201,7 +205,7 @@ impl FreeBody<'_> {
         }
     }
 
-    /// `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass what is left is 0.
+    /// Writes `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass the sum is 0.
     fn write(&self, draft: &mut Draft, balance: EquationOfMotion) {
         let f = self.context.figures;
         let (size, value) = (balance.size, balance.motion.value());
@@ -227,7 +231,7 @@ impl FreeBody<'_> {
         }
     }
 
-    /// All of it; `None` where something of it is left open.
+    /// Returns all forces on the link; `None` if one is indeterminate.
     fn rows(&self) -> Option<Vec<BodyForce>> {
         let mut rows = Vec::new();
         self.members(&mut rows)?;
@@ -240,7 +244,7 @@ impl FreeBody<'_> {
         &self.context.scene.mechanism
     }
 
-    /// Pins, loads between them, and the weight.
+    /// Adds forces of pins, loads, and the weight; returns `None` if one is indeterminate.
     fn members(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let (context, state) = (self.context, self.context.state);
         let mechanism = self.mechanism();
@@ -302,7 +306,8 @@ impl FreeBody<'_> {
         Some(())
     }
 
-    /// The guides on which it slides, and those that it carries.
+    /// Adds the forces of its own guides, and of the guides that it carries; returns `None` if one
+    /// is indeterminate.
     fn slides(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let mechanism = self.mechanism();
         for slide in mechanism.slide_ids() {
@@ -319,7 +324,7 @@ impl FreeBody<'_> {
         Some(())
     }
 
-    /// Torques, the driver's among them.
+    /// Adds torques, including the driver's.
     fn couples(&self, rows: &mut Vec<BodyForce>) {
         let couples = self.acted.iter().flat_map(|a| &a.couples);
         let own = couples.filter(|(link, _)| *link == self.id);
@@ -341,7 +346,8 @@ impl FreeBody<'_> {
     }
 }
 
-/// The force of a guide on what slides, or the other way round.
+/// Returns the force of a guide on its slider for sign 1, or the reaction for -1; `None` if it is
+/// indeterminate.
 pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);
@@ -367,7 +373,8 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
     })
 }
 
-/// The force on a link at a pin, by name: whose it is where one other body is there and nothing else acts.
+/// Returns the name of the force on a link at a pin. It includes the other body if there is only
+/// one and the pin has no load.
 pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
     let by = context.scene.mechanism.partner(link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
@@ -378,7 +385,7 @@ pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> S
     }
 }
 
-/// Whether something is joined to a link there.
+/// Returns `true` if the point joins the link to something else.
 pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     let point = mechanism.point(id);
     let slides = mechanism
@@ -389,8 +396,8 @@ pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     point.links.len() + usize::from(point.ground.is_some()) + slides >= 2
 }
 
-/// The largest moment (N m) of a force on any link, or for a driven slide the largest force (N): what
-/// the driver's own may be the small difference of.
+/// Returns the maximum moment (N m) of a force on any link, or for a driven slide the maximum force
+/// (N). The driver's effort may be a small difference of such values.
 pub(super) fn largest(context: &Context<'_>, acted: &[Acted]) -> f64 {
     let mechanism = &context.scene.mechanism;
     let sizes = mechanism.link_ids().filter_map(|id| {

@@ -1,5 +1,5 @@
-//! Dyads with a guide, and vectors that close a loop alone: the quadratic of an angle and a position, the
-//! arm that slides through a pin, two guides, a sum.
+//! Solves dyads with a guide, and vectors that close a loop alone: the quadratic of an angle and a
+//! position, the arm that slides through a pin, two guides, and a sum.
 
 use super::draft::Draft;
 use super::equations::{Heading, Multiplier, known};
@@ -15,7 +15,7 @@ use crate::wording::words;
 impl Solution<'_> {
     // ---- an angle and a position
 
-    /// |K + r u|^2 = arm^2, K the sum of the known sides: a quadratic in r.
+    /// Solves |K + r u|^2 = arm^2, with K the sum of the known sides, as a quadratic in r.
     pub(super) fn quadratic(&self, draft: &mut Draft, arm: &[Term], slide: Term) {
         let f = self.figures;
         let arm = self.arm(arm);
@@ -49,19 +49,19 @@ impl Solution<'_> {
         } else {
             roots[1]
         };
-        // Near a dead point the root of a difference loses half its digits.
+        // Near a dead point, the root of a difference loses half its digits.
         let loss = 1.0 + size / root.max(1e-8 * size);
         draft.agree(&name, worked, member.reading.r, size * loss);
         draft.page.text(words().by_the_assembly());
         let found = format!("{} {UNIT}{}", f.beside(worked, size), f.unit);
         draft.page.equation([name.clone(), found]);
-        // What closes the loop is the arm.
+        // The arm closes the loop.
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let along = -(self.known + member.reading.u * (sign * worked));
         self.write_direction(draft, &arm, (along, &sum), size, loss);
     }
 
-    /// The components of the sum of the known sides.
+    /// Writes the components of the sum of the known sides.
     pub(super) fn write_known(&self, draft: &mut Draft, size: f64) {
         let f = self.figures;
         let k = self.known;
@@ -69,14 +69,14 @@ impl Solution<'_> {
             let [symbols, figures] = self.known_text(&axis);
             let found = f.beside(value, size);
             let mut sides = vec![label.to_owned(), symbols, figures];
-            // A single term is a figure already.
+            // A single term equals its value.
             sides.retain(|side| *side != found);
             sides.push(format!("{found} {UNIT}{}", f.unit));
             draft.page.equation(sides);
         }
     }
 
-    /// p and q of r^2 + 2 p r + q = 0.
+    /// Writes p and q of r^2 + 2 p r + q = 0.
     fn write_coefficients(
         &self,
         draft: &mut Draft,
@@ -108,7 +108,8 @@ impl Solution<'_> {
         [p, q]
     }
 
-    /// `theta = atan2(y, x) = ...` of an arm that is minus another vector, told in words.
+    /// Writes `theta = atan2(y, x) = ...` for an arm opposite to another vector, which `what`
+    /// describes.
     fn write_direction(
         &self,
         draft: &mut Draft,
@@ -136,7 +137,8 @@ impl Solution<'_> {
         }
     }
 
-    /// The sides that turn with the guide, among them the one along it, must be minus the known ones.
+    /// Solves for the sides that rotate with the guide, including the one along it: their sum must
+    /// be minus that of the known sides.
     pub(super) fn swing(&self, draft: &mut Draft, arm: &[Term], slide: Term) {
         let f = self.figures;
         let member = self.member(slide);
@@ -184,7 +186,8 @@ impl Solution<'_> {
         self.write_link_angle(draft, member.side, value, loss);
     }
 
-    /// How far the other sides of an arm lie along its guide's vector and to the left of it: they never change.
+    /// Returns the constant components of an arm's other sides, along the vector of its guide and
+    /// to the left of it.
     pub(super) fn beside_guide(&self, arm: &[Term], slide: Term, size: f64) -> [f64; 2] {
         let u = self.member(slide).reading.u;
         let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
@@ -200,7 +203,7 @@ impl Solution<'_> {
 
     // ---- two positions
 
-    /// Each removed by the normal of its guide.
+    /// Solves two positions, each eliminated by the normal of its guide.
     pub(super) fn guides(&self, draft: &mut Draft, a: Term, b: Term) {
         let f = self.figures;
         let size = self.known.norm().max(self.member(a).reading.r.abs());
@@ -222,7 +225,7 @@ impl Solution<'_> {
         }
     }
 
-    /// A vector that closes its loop alone.
+    /// Solves a vector that closes its loop alone.
     pub(super) fn sum(&self, draft: &mut Draft, term: Term) {
         let f = self.figures;
         let member = self.member(term);
@@ -237,7 +240,7 @@ impl Solution<'_> {
     }
 }
 
-/// Why a quadratic has no root, or that it would have.
+/// Explains why a quadratic has no root, or that it has one.
 fn no_root(draft: &mut Draft, figures: Figures, under: f64, arm: &DyadArm<'_>) {
     draft
         .page

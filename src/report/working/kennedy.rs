@@ -1,4 +1,5 @@
-//! Instant centres told: on which lines they lie, their coordinates, and the velocities that follow from them.
+//! Writes the instant centres: their lines, their coordinates, and the velocities that follow from
+//! them.
 
 use super::centres::{
     CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, longest, named, symbol,
@@ -11,7 +12,7 @@ use crate::page::UNIT;
 use crate::wording::words;
 use crate::{LinkId, PointId, Vec2, angle};
 
-/// Every link's centre: in a table, then those that have to be found.
+/// Writes the centre of every link: the construction of those that need one, then a table.
 pub(super) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
     let centres = centres(context);
     if centres.is_empty() {
@@ -35,7 +36,7 @@ pub(super) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
     table(context, draft, &centres);
 }
 
-/// `r2, r3: B`, of every joint of two links that move.
+/// Lists every joint of two moving links, as in `r2, r3: B`.
 fn joints(context: &Context<'_>) -> Vec<String> {
     let mechanism = &context.scene.mechanism;
     let points = mechanism.point_ids().filter_map(|point| {
@@ -48,7 +49,8 @@ fn joints(context: &Context<'_>) -> Vec<String> {
     points.collect()
 }
 
-/// As many digits as are left of a figure that is divided by an angular velocity: near infinity there are few.
+/// Returns the figures with as many digits as are left after the division by an angular velocity:
+/// near infinity there are few.
 fn figures(context: &Context<'_>, centre: &LinkCentre) -> Figures {
     let left = (-centre.loss.log10()).floor().clamp(1.0, 17.0) as usize;
     Figures {
@@ -57,7 +59,7 @@ fn figures(context: &Context<'_>, centre: &LinkCentre) -> Figures {
     }
 }
 
-/// All of them once more.
+/// Writes the table of all centres.
 fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
     let size = longest(context);
     let rows = centres.iter().map(|centre| {
@@ -94,7 +96,7 @@ impl CentreTold<'_> {
     }
 
     fn write(&self, draft: &mut Draft) {
-        // About a pivot all is told with the points.
+        // For a link about a pivot, the part on points has everything.
         if matches!(self.centre.basis, CentreBasis::Pivot(_)) {
             return;
         }
@@ -111,7 +113,7 @@ impl CentreTold<'_> {
         }
     }
 
-    /// All points of the link have one velocity.
+    /// Writes a centre at infinity: all points of the link have the same velocity.
     fn far(&self, draft: &mut Draft, u: Vec2, basis: &CentreBasis) {
         let name = self.link_name();
         let direction = self.context.figures.direction(angle::degrees(u));
@@ -123,7 +125,7 @@ impl CentreTold<'_> {
         if !is_guided {
             return;
         }
-        // Whatever else of it has a name moves as its first point does.
+        // The other named points move as the first one does.
         let state = self.context.state;
         let mut points = named(self.context, self.centre.link);
         let Some(first) = points.next() else { return };
@@ -135,7 +137,7 @@ impl CentreTold<'_> {
         }
     }
 
-    /// `the line through A and B`.
+    /// Describes a line, as in `the line through A and B`.
     fn line(&self, line: &CentreLine) -> String {
         let joint = self.point_name(line.joint);
         match line.through {
@@ -144,7 +146,7 @@ impl CentreTold<'_> {
         }
     }
 
-    /// The pivot's name, or the centre's symbol.
+    /// Returns the pivot's name, or the centre's symbol.
     fn centre_name(&self, link: LinkId) -> String {
         let of = self.known.iter().find(|known| known.link == link);
         match of.map(|known| &known.basis) {
@@ -153,7 +155,7 @@ impl CentreTold<'_> {
         }
     }
 
-    /// A coordinate of a joint.
+    /// Returns a coordinate of a joint.
     fn coordinate(&self, axis: &str, point: PointId) -> Expression {
         let at = self.context.state.position(point);
         let value = if axis == "x" { at.x } else { at.y };
@@ -161,7 +163,7 @@ impl CentreTold<'_> {
         Expression::known(coordinate(self.context, axis, point), figure, value)
     }
 
-    /// Where two lines cross, and the angular velocity that follows.
+    /// Writes the intersection of two lines, and the angular velocity that follows.
     fn crossing(&self, draft: &mut Draft, solved: Vec2, lines: &[CentreLine; 2]) {
         let (f, context) = (self.figures, self.context);
         let name = symbol(context, self.centre.link);
@@ -195,7 +197,7 @@ impl CentreTold<'_> {
         let loss = 1.0 / sine + self.centre.loss / f64::EPSILON;
         let far = size + t.abs();
         let worked = Vec2::new(at[0], at[1]);
-        // The solver's own, by the velocity of the joint.
+        // The solver's centre follows from the velocity of the joint.
         let w = context.state.omega(self.centre.link);
         let by_velocity = context.state.position(p) + context.state.velocity(p).perp() / w;
         draft.agree(&name, (worked - by_velocity).norm(), 0.0, far * loss);
@@ -203,7 +205,7 @@ impl CentreTold<'_> {
         self.speeds(draft, solved, far * loss, p);
     }
 
-    /// |ω| = v/t.
+    /// Writes |ω| = v/t.
     fn turning(&self, draft: &mut Draft, joint: PointId, (t, loss): (f64, f64)) {
         let (f, state) = (self.figures, self.context.state);
         let (v, w) = (state.velocity(joint).norm(), state.omega(self.centre.link));
@@ -219,7 +221,7 @@ impl CentreTold<'_> {
         draft.agree(&symbol, worked, w.abs(), size);
     }
 
-    /// By the velocity of one point, where no two lines are known.
+    /// Writes the centre from the velocity of one point, if no two lines are known.
     fn moved(&self, draft: &mut Draft, at: Vec2, base: PointId) {
         let (f, context) = (self.figures, self.context);
         let (name, point) = (symbol(context, self.centre.link), self.point_name(base));
@@ -261,7 +263,7 @@ impl CentreTold<'_> {
         }
     }
 
-    /// The velocities of the link's other points by their distances from the centre.
+    /// Writes the velocities of the link's other points from their distances to the centre.
     fn speeds(&self, draft: &mut Draft, at: Vec2, loss: f64, told: PointId) {
         let (f, state) = (self.figures, self.context.state);
         let w = state.omega(self.centre.link);

@@ -1,11 +1,12 @@
-//! Forces over a coordinate, by the line between two knots.
+//! Interpolates forces over a coordinate, linearly between two knots.
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
 use crate::Profile;
 use crate::page::UNIT;
 
-/// The two knots between which a coordinate lies; of a jump the line behind it.
+/// Returns the two knots that enclose a coordinate; at a jump, those of the line after it. Returns
+/// `None` beyond the knots.
 pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
     let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= at && at <= pair[1][0];
     let mut lines = curve.knots().windows(2);
@@ -13,8 +14,9 @@ pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
     Some([line[0], line[1]])
 }
 
-/// The force p on the line between two knots, and the size of what it comes from. The coordinate is called
-/// `symbol`, and rounds as one of this size.
+/// Writes the force p on the line between two knots, and returns it with the magnitude of its
+/// terms. `symbol` is the coordinate's name, and its rounding error is that of values of the given
+/// size.
 pub(super) fn on_line(
     context: &Context<'_>,
     draft: &mut Draft,

@@ -1,5 +1,5 @@
-//! How the loads come about: the factor of a load over the driver, the law of a press; and what share of
-//! the driver's effort each of them has.
+//! Writes the laws of loads (the factor over the driver, the curve of a press), and the part of the
+//! driver's effort against each load.
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
@@ -10,7 +10,7 @@ use crate::solver::{Acted, PressStroke};
 use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
-/// The laws of loads that are not constant.
+/// Writes the laws of loads that are not constant.
 pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
@@ -58,7 +58,7 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     }
 }
 
-/// How far a press is from the end of its stroke, and on which line of its curve that lies.
+/// Writes the distance of a press from the end of its stroke, and the line of its curve there.
 fn press(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -95,7 +95,7 @@ fn press(
     }
 }
 
-/// `0.565*32000 = 18080 N`: a load by its factor at this coordinate.
+/// Writes a load with its factor at this coordinate: `0.565*32000 = 18080 N`.
 fn scaled(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -112,12 +112,12 @@ fn scaled(
     draft.agree(&name, worked, now, whole.abs());
 }
 
-/// What the shares of the driver's effort are called in a formula.
+/// Returns the names of the parts of the driver's effort in a formula.
 pub(super) fn share_names() -> [&'static str; 3] {
     [words().column_load(), words().gravity(), words().inertia()]
 }
 
-/// The power of everything that acts, and the share of the driver's effort that is against it.
+/// Writes the power of every load, and the part of the driver's effort that balances it.
 pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], parts: [f64; 3]) {
     let (f, state) = (context.figures, context.state);
     let mechanism = &context.scene.mechanism;
@@ -129,7 +129,7 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     if speed == 0.0 {
         return;
     }
-    // A power, and how large it would be along the force: what it rounds by.
+    // A power, and its value for a velocity along the force, which determines its rounding error.
     let power = |force: Vec2, at: PointId| {
         let v = state.velocity(at);
         [force.dot(v), force.norm() * v.norm()].map(|power| power * metres)

@@ -1,9 +1,9 @@
-//! How the vector polygons are found from the structure of a scene.
+//! Finds the vector polygons from the structure of a scene.
 //!
-//! Bodies and points are the nodes of a graph; a body is joined to every point that it carries, and by a
-//! slide to the point that moves on its guide. The joints are added in the order in which the solver
-//! places them: one that joins what is joined already closes a loop, the shortest there is at that time.
-//! So every group of the plan has the loops from which it is solved.
+//! Bodies and points are the nodes of a graph. Edges join a body to every point that it carries,
+//! and a guide's body to the point that slides on it. The edges are added in the order in which the
+//! solver places them. An edge between nodes that are already connected closes a loop, the shortest
+//! one at that time. So every group of the plan has the loops from which it is solved.
 
 use super::polygon::{Loop, Polygon, Term};
 use super::sides::{Locks, Side, SideShape, Turns};
@@ -12,14 +12,14 @@ use crate::solver::Plan;
 use crate::{Body, LinkId, PointId, SlideId, Vec2, angle};
 use std::collections::{HashMap, VecDeque};
 
-/// Where a loop enters or leaves a body.
+/// The place at which a loop enters or leaves a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Port {
     Point(PointId),
     Through(SlideId),
 }
 
-/// A body and a point that are joined.
+/// An edge between a body and a point.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     body: usize,
@@ -34,11 +34,11 @@ struct Surveyor<'a> {
     scene: &'a Scene,
     locks: Locks,
     sides: Vec<Side>,
-    /// The sides between two ports of a body, one way and the other.
+    /// The sides between two ports of a body, in both directions.
     known: HashMap<(usize, Port, Port), Term>,
-    /// The points that guides run through and that have no name.
+    /// The invented names of unnamed points of guides.
     guides: HashMap<SlideId, String>,
-    /// For every node the edges that end there, by number.
+    /// The indices of the edges at every node.
     ends: Vec<Vec<usize>>,
     edges: Vec<Edge>,
 }
@@ -92,7 +92,7 @@ impl<'a> Surveyor<'a> {
 
     // ---- names
 
-    /// Names for the points through which guides run: Q, or Q1, Q2 and so on.
+    /// Invents names for the unnamed points of guides: Q, or Q1, Q2 and so on.
     fn name_guides(&mut self) {
         let mechanism = &self.scene.mechanism;
         let unnamed: Vec<SlideId> = mechanism
@@ -161,7 +161,7 @@ impl<'a> Surveyor<'a> {
         match kind {
             VectorKind::Link(link) => {
                 let ends = mechanism.link(link).ends;
-                // A vector is listed for links with ends alone.
+                // Vectors are listed only for links with two ends.
                 let (from, to) = ends.unwrap_or((PointId::new(0), PointId::new(0)));
                 [from, to].map(Port::Point)
             }
@@ -173,7 +173,8 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// The body that carries a side from end to end.
+    /// Returns the body that carries both ends of a side; `None` for slides and vectors between two
+    /// bodies.
     fn body_of(&self, shape: SideShape) -> Option<usize> {
         match shape {
             SideShape::Link(link) => Some(link.index()),
@@ -189,7 +190,7 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Where a guide is counted from: a named point, or its own.
+    /// Returns the origin of a guide: a named point, or its own.
     fn through(&self, slide: SlideId) -> Port {
         let named = self.scene.mechanism.slide(slide).named;
         named.map_or(Port::Through(slide), Port::Point)
@@ -210,7 +211,7 @@ impl<'a> Surveyor<'a> {
         self.ground() + 1 + point.index()
     }
 
-    /// Where a port lies in the frame of its body.
+    /// Returns the coordinates of a port in the frame of its body.
     fn local(&self, body: usize, port: Port) -> Option<Vec2> {
         let mechanism = &self.scene.mechanism;
         match port {
@@ -220,7 +221,7 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// The side inside a body from one port to the other; none where both are one place.
+    /// Returns the side inside a body from one port to the other; `None` if both coincide.
     fn inside(&mut self, body: usize, from: Port, to: Port) -> Option<Term> {
         if from == to {
             return None;
@@ -251,7 +252,7 @@ impl<'a> Surveyor<'a> {
         self.known.get(&(body, from, to)).copied()
     }
 
-    /// A side that the scene does not name is called by its ends: BK.
+    /// Returns the name of a side without a name in the scene, composed of its ends: BK.
     fn side_name(&self, tail: &str, head: &str) -> String {
         let between = if tail.len() + head.len() <= 4 {
             ""
@@ -267,8 +268,8 @@ impl<'a> Surveyor<'a> {
 
     // ---- the graph
 
-    /// All joints in the order in which the groups place them; slides come last in theirs, so that it is
-    /// they that close a loop.
+    /// Returns all edges in the order of the groups that place them. Slides come last in their
+    /// group, so that they close the loops.
     fn ordered_edges(&self, plan: &Plan) -> Vec<Edge> {
         let mechanism = &self.scene.mechanism;
         let mut order = vec![0; self.ends.len()];
@@ -316,11 +317,12 @@ impl<'a> Surveyor<'a> {
         self.edges.push(edge);
     }
 
-    /// The shortest way from one node to another, edge by edge; `None` where there is none.
+    /// Returns the shortest path from one node to another, edge by edge; `None` if they are not
+    /// connected.
     fn path(&self, from: usize, to: usize) -> Option<Vec<Edge>> {
         let mut before: HashMap<usize, usize> = HashMap::new();
         let mut waiting = VecDeque::from([from]);
-        // Where the new joint's end is not joined to anything yet, there is no way.
+        // An isolated end of the new edge cannot be reached.
         if self.ends[from].is_empty() || self.ends[to].is_empty() {
             return None;
         }
@@ -355,11 +357,11 @@ impl<'a> Surveyor<'a> {
 
     // ---- loops
 
-    /// The sides along a way from a point, back over `closing` where there is one.
+    /// Returns the sides along a path from a point, and back over `closing` if given.
     fn terms(&mut self, path: &[Edge], closing: Option<Edge>) -> Vec<Term> {
         let ways: Vec<Edge> = path.iter().copied().chain(closing).collect();
         let mut terms = Vec::new();
-        // From a point every other way leads into a body, and every other one out of it.
+        // From a point, edges alternately lead into a body and out of it.
         for pair in ways.chunks(2) {
             let &[into, out_of] = pair else { continue };
             terms.extend(self.slide_term(into, false));
@@ -383,7 +385,8 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Goes round so that as few of the scene's vectors as can be are gone through backwards.
+    /// Chooses the direction of a loop that traverses as few of the scene's vectors as possible
+    /// backwards.
     fn orient(&self, terms: &mut [Term]) {
         let named = terms.iter().filter(|term| self.sides[term.side].named);
         let (count, reversed) = named.fold((0, 0), |(count, reversed), term| {
@@ -399,7 +402,8 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Sides that the scene does not name run the way of the first loop that goes along them.
+    /// Turns sides without a name in the scene to the direction of the first loop that contains
+    /// them.
     fn turn_unnamed(&mut self, loops: &mut [(Vec<Term>, Option<usize>)]) {
         for number in 0..self.sides.len() {
             let mut terms = loops.iter().flat_map(|(terms, _)| terms);
@@ -425,7 +429,8 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Begins with the frame's vector, or ends with it if it is gone through backwards.
+    /// Rotates the terms so that the frame's vector comes first, or last if it is traversed
+    /// backwards.
     fn begin(&self, terms: &mut [Term]) {
         let on_ground = |term: &Term| {
             matches!(
@@ -434,7 +439,7 @@ impl<'a> Surveyor<'a> {
             )
         };
         let Some(at) = terms.iter().position(on_ground) else {
-            // Without one the vector that was placed first begins: the driver's.
+            // Without a frame vector, the vector placed first comes first: the driver's.
             let first = terms.iter().enumerate().min_by_key(|(_, term)| term.side);
             return terms.rotate_left(first.map_or(0, |(at, _)| at));
         };
@@ -444,7 +449,7 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// A loop for every vector between two bodies.
+    /// Returns a loop for every vector between two bodies.
     fn free_loops(&mut self) -> Vec<(Vec<Term>, Option<usize>)> {
         let mut loops = Vec::new();
         for side in 0..self.sides.len() {

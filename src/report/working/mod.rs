@@ -1,9 +1,11 @@
-//! The working shown: how the figures of one state come about, so that a table can be checked by hand.
+//! The working: the worked solution of one state, with all intermediate values, so that a table can
+//! be checked by hand.
 //!
-//! Vector polygons, position table, loop equations in components and projected, the solution of each group
-//! with every figure on the way, velocities and accelerations from the differentiated equations, the
-//! points by their parts, and the check. What is known at a step is read from the solver's state; what is
-//! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
+//! It has vector polygons, the position table, loop equations in components and projected, the
+//! solution of each group, velocities and accelerations from the differentiated equations, the
+//! motion of points by components, and the check. Values known at a step come from the solver's
+//! state. Other values are calculated by the printed formula, and recorded together with the
+//! solver's value.
 
 mod by_coordinates;
 mod centres;
@@ -55,7 +57,8 @@ use figures::Figures;
 use polygon::Polygon;
 use stages::{Schedule, Stage};
 
-/// What a scene's working is written from, found once: its loops, and what each group seeks in them.
+/// The structure of a scene's working, computed once: its loops, and the unknowns of each group in
+/// them.
 #[derive(Clone, Debug)]
 pub struct Working {
     polygon: Polygon,
@@ -66,46 +69,46 @@ pub struct Working {
 /// The working of one state.
 #[derive(Clone, Debug)]
 pub struct Worked {
-    /// What is to be read.
+    /// The page.
     pub page: Page,
-    /// Every figure that was worked out by a printed formula, beside the solver's.
+    /// Every value calculated by a printed formula, with the solver's.
     pub agreements: Vec<Agreement>,
-    /// Its parts in order, each by the number of the block of the page with which it begins.
+    /// The parts in order, each with the index of its first block of the page.
     pub parts: Vec<(WorkingPart, usize)>,
 }
 
 /// A part of the working.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorkingPart {
-    /// The title, and where the driver is.
+    /// The title, and the driver's coordinate.
     Opening,
-    /// The unit vectors with which equations are multiplied.
+    /// The unit vectors by which equations are multiplied.
     UnitVectors,
     /// The loops.
     Polygons,
-    /// What is given, and what is sought.
+    /// The given values and the unknowns.
     PositionTable,
     /// The loop equations.
     Equations,
-    /// What each group finds from them.
+    /// The solution of each group.
     Positions,
-    /// The equations differentiated, and what is found from them.
+    /// The first derivatives of the equations, and their solution.
     Velocities,
-    /// Once more.
+    /// The second derivatives, and their solution.
     Accelerations,
-    /// Points by their parts.
+    /// The motion of points by components.
     Points,
     /// The instant centres of links.
     Centres,
     /// Forces, link by link.
     Forces,
-    /// What is left of the equations.
+    /// The residuals of the equations.
     Check,
 }
 
 type WritePart = fn(&Context<'_>, &mut Draft);
 
-/// How every part is written.
+/// The functions that write the parts, in order.
 const PARTS: [(WorkingPart, WritePart); 12] = [
     (WorkingPart::Opening, opening::heading),
     (WorkingPart::Polygons, opening::polygons),
@@ -140,14 +143,13 @@ impl Working {
         }
     }
 
-    /// The working of a state of the same scene, solved as far as there is anything, to so many
-    /// significant digits.
+    /// Writes the working of a solved state of this scene, with so many significant digits.
     #[must_use]
     pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
         self.written(scene, solver, state, digits, WorkingNotation::Krank)
     }
 
-    /// The same in a notation.
+    /// Writes the working in a given notation.
     #[must_use]
     pub fn written(
         &self,
@@ -177,7 +179,7 @@ impl Working {
         }
     }
 
-    /// What every part is written from.
+    /// Creates the context of a state.
     fn context<'a>(
         &'a self,
         scene: &'a Scene,

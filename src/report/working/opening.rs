@@ -1,4 +1,5 @@
-//! How the working begins: the driver, the state, the vector polygons and the position table.
+//! Writes the beginning of the working: the driver, the state, the vector polygons and the position
+//! table.
 
 use super::draft::{Context, Draft};
 use super::figures::WrittenSum;
@@ -13,7 +14,7 @@ use crate::solver::Condition;
 use crate::wording::words;
 use crate::{Body, Input, InputLaw, LinkId};
 
-/// The title, and where the driver is.
+/// Writes the title, and the driver's coordinate.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     let Context {
         scene,
@@ -46,7 +47,7 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     inputs(context, draft);
 }
 
-/// How the other inputs follow the driver, and where they are.
+/// Writes how the other inputs follow the driver, with their coordinates.
 fn inputs(context: &Context<'_>, draft: &mut Draft) {
     let mechanism = &context.scene.mechanism;
     let symbol = |input| match input {
@@ -105,7 +106,7 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// The unit vectors, as the lecture defines them: whatever is multiplied is multiplied with one of them.
+/// Writes the unit vectors as the lecture defines them; equations are multiplied by these.
 pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
@@ -128,7 +129,7 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     page.equation([product(u, n), "sin(a - b)".into()]);
 }
 
-/// What a state that is not ordinary means for what follows.
+/// Explains the consequences of the state's condition; returns `None` for an ordinary state.
 fn condition_text(context: &Context<'_>) -> Option<String> {
     match context.state.condition() {
         Condition::Ok => None,
@@ -142,7 +143,7 @@ fn condition_text(context: &Context<'_>) -> Option<String> {
     }
 }
 
-/// The closed loops, and what no loop goes along.
+/// Writes the closed loops, and the vectors outside them.
 pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
     let polygon = context.polygon;
     draft.page.part(words().vector_polygons());
@@ -173,7 +174,7 @@ pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// The loop as a sum of vectors.
+/// Returns the loop as a sum of vectors.
 pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
     let mut sum = WrittenSum::default();
     for (side, reversed) in context.polygon.terms(of) {
@@ -182,7 +183,7 @@ pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
     sum.text()
 }
 
-/// The way round a loop, and which group solves it.
+/// Returns the points of a loop in order, and the group that solves it.
 fn solved(context: &Context<'_>, of: &Loop) -> String {
     let walk = context.polygon.walk(of);
     match of.group {
@@ -192,7 +193,7 @@ fn solved(context: &Context<'_>, of: &Loop) -> String {
     }
 }
 
-/// The body on which a vector is.
+/// Returns the name of the body that carries a vector.
 fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
     use super::sides::SideShape;
     match side.shape {
@@ -204,7 +205,7 @@ fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
     }
 }
 
-/// Length and angle of every vector; what is given, what goes with the driver, what is sought.
+/// Writes length and angle of every vector, marked as given, driven or unknown.
 pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
     draft.page.part(words().position_table());
     let figures = context.figures;
@@ -250,7 +251,7 @@ fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {
     }
 }
 
-/// What is said of the driver's own coordinate, and of an input's that follows it.
+/// Returns the mark of an input's coordinate: driver, or given if it follows the driver.
 fn input_mark(context: &Context<'_>, side: &Side) -> &'static str {
     let driver = context.scene.mechanism.driver().input;
     match context.schedule.input(side) == Some(driver) {
@@ -278,7 +279,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     }
 }
 
-/// The angle of a link, and how far another lies ahead of it.
+/// Returns the angle of a link, plus the angle by which a vector leads it.
 fn with_offset(context: &Context<'_>, link: LinkId, offset: f64) -> String {
     let theta = symbols::theta(context.scene.link_name(link));
     let by = context.figures.direction(offset);
@@ -289,7 +290,7 @@ fn with_offset(context: &Context<'_>, link: LinkId, offset: f64) -> String {
     }
 }
 
-/// Links that are no vectors: they have an angle alone.
+/// Returns rows for links that are not vectors: they only have an angle.
 fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
     let mechanism = &context.scene.mechanism;
     let links = mechanism.link_ids();

@@ -1,4 +1,4 @@
-//! Pins on which a load acts: how it is shared between the links that meet there.
+//! Writes the equilibrium of pins with a load: how the adjacent links share it.
 
 use super::draft::{Context, Draft};
 use super::figures::WrittenSum;
@@ -8,10 +8,10 @@ use crate::solver::Acted;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
-/// The balance of every pin of several bodies on which a load or a spring acts.
+/// Writes the equilibrium of every moving pin that joins several bodies and has a load or a spring.
 pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
-    // What acts on a ground pin goes into the ground.
+    // A load on a ground pin goes directly into the ground.
     let moving = mechanism
         .point_ids()
         .filter(|&p| mechanism.point(p).ground.is_none() && is_joint(mechanism, p));
@@ -34,7 +34,7 @@ pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     }
 }
 
-/// What acts on a pin, its loads first; `None` where some of it is left open.
+/// Returns the forces on a pin, its loads first; `None` if one is indeterminate.
 fn rows(
     context: &Context<'_>,
     point: PointId,

@@ -1,5 +1,5 @@
-//! Positions: the loop equations in components and projected, and each group's solution by the formula of
-//! its form, with every figure on the way.
+//! Writes the positions: the loop equations in components and projected, and each group's solution
+//! by the formula of its form, with all intermediate values.
 
 use super::draft::{Context, Draft};
 use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols};
@@ -11,7 +11,7 @@ use super::stages::{ProblemForm, Stage};
 use crate::solver::Order;
 use crate::wording::words;
 
-/// The equations of every loop.
+/// Writes the equations of every loop.
 pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
@@ -55,7 +55,7 @@ pub(super) fn pieces(
     members.iter().flat_map(of).collect()
 }
 
-/// The equations multiplied by unit vectors that remove a side each.
+/// Writes the equations multiplied by unit vectors that eliminate one side each.
 fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &[LoopSide<'_>]) {
     let removed: Vec<Term> = match &stage.form {
         ProblemForm::Triangle(a, b) => [a, b].into_iter().filter_map(|arm| single(arm)).collect(),
@@ -87,7 +87,7 @@ pub(super) fn single(arm: &[Term]) -> Option<Term> {
     }
 }
 
-/// The solution of every group, in the plan's order.
+/// Writes the solution of every group, in the plan's order.
 pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
     draft.page.part(words().positions_by_groups());
     for stage in context.stages {
@@ -134,12 +134,12 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     }
 }
 
-/// A group whose loop seeks nothing.
+/// Writes that a group's loop has no unknowns.
 fn repeated(draft: &mut Draft) {
     draft.page.text(words().loop_repeats_others());
 }
 
-/// The driver's group, and whatever follows without a loop.
+/// Writes the driver's group, and groups without a loop.
 fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     if matches!(stage.form, ProblemForm::System) {
         return super::coupled::position(context, draft, stage);

@@ -1,4 +1,4 @@
-//! Velocities and accelerations of points by their parts: what diagrams to scale are drawn from.
+//! Velocities and accelerations of points with their components, for vector diagrams.
 
 use super::Working;
 use super::draft::Context;
@@ -8,38 +8,38 @@ use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::{LinkId, PointId, Vec2};
 
-/// How a point moves.
+/// The motion of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion {
     /// The symbols of its velocity and its acceleration: `vB`, `aB`.
     pub symbols: [String; 2],
     /// Whether it is a centre of mass.
     pub is_centre: bool,
-    /// Its velocity.
+    /// The velocity.
     pub velocity: Vec2,
-    /// Its acceleration.
+    /// The acceleration.
     pub acceleration: Vec2,
-    /// The same, seen from other points of its links.
+    /// The motion relative to other points of its links.
     pub parts: Vec<PointParts>,
 }
 
-/// How a point of a link moves about another one.
+/// The motion of a point relative to another one of its link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointParts {
-    /// Behind the symbol of the point, if that point moves: `/B`.
+    /// The suffix of the point's symbol, such as `/B`; empty if the other point is fixed.
     pub about: String,
-    /// How the other point moves.
+    /// The velocity and the acceleration of the other point.
     pub base: [Vec2; 2],
-    /// The velocity about it.
+    /// The relative velocity.
     pub velocity: Vec2,
-    /// The acceleration towards it.
+    /// The normal component of the relative acceleration.
     pub normal: Vec2,
-    /// The acceleration at right angles to that.
+    /// The tangential component of the relative acceleration.
     pub tangential: Vec2,
 }
 
 impl Working {
-    /// How all named points move that do; nothing where no rates exist.
+    /// Returns the motion of all named points that move; empty if there are no rates.
     #[must_use]
     pub fn point_motions(&self, scene: &Scene, solver: &Solver, state: &State) -> Vec<PointMotion> {
         let context = self.context(scene, solver, state, 1);
@@ -67,7 +67,8 @@ impl Working {
     }
 }
 
-/// About the point that the working sees it from, and about those of its other links that were placed before.
+/// Returns the motion relative to the reference point of the working, and to earlier points of its
+/// other links.
 fn parts(context: &Context<'_>, places: &[usize], point: PointId) -> Vec<PointParts> {
     let mechanism = &context.scene.mechanism;
     let mut pairs: Vec<(LinkId, PointId)> = Vec::new();

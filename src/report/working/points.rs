@@ -1,5 +1,5 @@
-//! Velocities and accelerations of joints, centres of mass and further points: about a pivot, or about
-//! another joint of the link, by their tangential and normal parts; on a guide along it.
+//! Writes velocities and accelerations of joints, centres of mass and further points: by tangential
+//! and normal components about a pivot or another joint of the link, or along a guide.
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
@@ -11,7 +11,7 @@ use crate::solver::Sliding;
 use crate::wording::words;
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
-/// What a point's motion is told from.
+/// The reference of a point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum PointBasis {
     /// A link, and another point of it.
@@ -20,7 +20,7 @@ pub(super) enum PointBasis {
     Guide(SlideId),
 }
 
-/// Every point that moves.
+/// Writes the motion of every moving point.
 pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
     draft.page.part(words().points_part());
     let mechanism = &context.scene.mechanism;
@@ -46,7 +46,8 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// A ground pivot if there is one, then a guide on the ground, then a joint that was placed earlier.
+/// Returns the reference of a point: preferably a ground pivot, then a guide on the ground, then a
+/// joint placed earlier.
 pub(super) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
@@ -75,7 +76,7 @@ pub(super) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> O
         .or_else(|| slides().next().map(PointBasis::Guide))
 }
 
-/// The point of a link that was placed first, if that is before this one.
+/// Returns the first placed point of a link, if it precedes this one.
 pub(super) fn earliest(
     mechanism: &Mechanism,
     places: &[usize],
@@ -87,7 +88,8 @@ pub(super) fn earliest(
     (places[first.index()] < places[point.index()]).then_some(first)
 }
 
-/// For every point when it is placed: those of the ground first, then in the order of the groups.
+/// Returns the rank of every point in the solution order: ground points first, then in the order of
+/// the groups.
 pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
     let mut places = vec![0; context.scene.mechanism.points().len()];
     let groups = context.solver.plan().groups.iter();
@@ -97,24 +99,24 @@ pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
     places
 }
 
-/// A vector of a point, velocity or acceleration, about to be written by its parts.
+/// Writes a velocity or acceleration of a point by its components.
 struct Scribe<'a> {
     context: &'a Context<'a>,
-    /// `v` or `a`.
+    /// The symbol: `v` or `a`.
     figure: &'static str,
     /// The order of the derivative.
     order: usize,
-    /// The largest of the vectors that are added: what is small beside it is rounding.
+    /// The maximum magnitude of the added vectors, which determines the rounding errors.
     size: f64,
 }
 
 impl Scribe<'_> {
-    /// A vector with its symbol, by size and direction.
+    /// Formats a vector with its symbol, by magnitude and direction.
     fn polar(&self, symbol: impl Into<String>, v: Vec2) -> [String; 2] {
         [symbol.into(), self.told(v.norm(), v)]
     }
 
-    /// A vector of this size, in the direction of another.
+    /// Formats a vector with this magnitude, in the direction of another.
     fn told(&self, size: f64, along: Vec2) -> String {
         let f = self.context.figures;
         let unit = f.length_unit(self.order);
@@ -126,13 +128,15 @@ impl Scribe<'_> {
         words().at_degrees(&format!("{length} {UNIT}{unit}"), &direction)
     }
 
-    /// A part by its size: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
+    /// Writes a component by its magnitude:
+    /// `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
     fn part(&self, draft: &mut Draft, symbol: String, size: &Expression, value: Vec2) {
         let worked = draft.worked(&symbol, size, |size| self.told(size, value));
         draft.agree(&symbol, worked, value.norm(), self.size);
     }
 
-    /// Along x and along y the sum of the parts: `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
+    /// Writes x and y as sums of the components:
+    /// `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
     fn components(&self, draft: &mut Draft, name: &str, parts: &[Vec2]) {
         let f = self.context.figures;
         let unit = f.length_unit(self.order);
@@ -155,7 +159,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// The whole, from two lengths at right angles: its parts, or its components.
+    /// Writes the magnitude from two perpendicular lengths: tangential and normal, or x and y.
     fn whole(&self, draft: &mut Draft, name: &str, sum: Vec2, parts: [f64; 2]) {
         let f = self.context.figures;
         let [x, y] = parts.map(|v| Expression::figure(f.beside(v, self.size), v));
@@ -164,14 +168,14 @@ impl Scribe<'_> {
         draft.reckoned(&symbol, &size, |size| self.told(size, sum));
     }
 
-    /// Notes how far a sum of parts is from the solver's vector.
+    /// Records the difference between a sum of components and the solver's vector.
     fn agree(&self, draft: &mut Draft, name: &str, worked: Vec2, solved: Vec2) {
         let symbol = of_point(self.figure, name);
         draft.agree(&symbol, (worked - solved).norm(), 0.0, self.size);
     }
 }
 
-/// A point on a link, seen from another point of it.
+/// A point on a link, relative to another point of it.
 struct OnLink<'a> {
     context: &'a Context<'a>,
     point: PointId,
@@ -180,9 +184,9 @@ struct OnLink<'a> {
     base_name: &'a str,
     link: LinkId,
     link_name: &'a str,
-    /// From the base to the point, in the ground's frame.
+    /// The vector from the base to the point, in the ground's frame.
     e: Vec2,
-    /// Its length, as given.
+    /// The given length of the vector.
     r: f64,
     /// Whether the base is a ground point.
     is_pivot: bool,
@@ -230,7 +234,7 @@ fn on_link(
     }
 }
 
-/// The arm from one point of a link to another, in the link's frame.
+/// Returns the vector from one point of a link to another, in the link's frame.
 fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Option<Vec2> {
     let link = mechanism.link(link);
     Some(link.local(to)? - link.local(from)?)
@@ -245,8 +249,8 @@ impl OnLink<'_> {
         draft.page.equation(["r".to_owned(), text]);
     }
 
-    /// The size of a rate as a factor; the driver's have no more digits than the scene gives them, and
-    /// what is rounding beside a vector of this size is 0.
+    /// Formats the magnitude of a rate as a factor. The driver's rates have no more digits than
+    /// given; rounding errors of vectors of this size become 0.
     fn rate(&self, value: f64, size: f64) -> String {
         let f = self.context.figures;
         match self.context.scene.mechanism.is_crank(self.link) {
@@ -255,12 +259,12 @@ impl OnLink<'_> {
         }
     }
 
-    /// The length of the arm.
+    /// Returns the length of the arm.
     fn length(&self) -> Expression {
         Expression::known("r", self.context.figures.given(self.r), self.r)
     }
 
-    /// v = v of the base + omega k x e.
+    /// Writes v = v of the base + omega k x e.
     fn velocity(&self, draft: &mut Draft) {
         let state = self.context.state;
         let w = state.omega(self.link);
@@ -288,7 +292,7 @@ impl OnLink<'_> {
         scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
     }
 
-    /// a = a of the base + alpha k x e - omega^2 e.
+    /// Writes a = a of the base + alpha k x e - omega^2 e.
     fn acceleration(&self, draft: &mut Draft) {
         let state = self.context.state;
         let (w, alpha) = (state.omega(self.link), state.alpha(self.link));
@@ -326,7 +330,7 @@ impl OnLink<'_> {
         scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
     }
 
-    /// The angle between an acceleration about a pivot and its normal part.
+    /// Writes the angle between an acceleration about a pivot and its normal component.
     fn between(&self, draft: &mut Draft, [t, n]: [f64; 2], size: f64) {
         if !(t > NOUGHT * size && n > 0.0) {
             return;
@@ -342,7 +346,8 @@ impl OnLink<'_> {
         self.direction(draft, (t / n).atan().to_degrees(), size);
     }
 
-    /// The direction of an acceleration by that of its normal part: `theta_aC = theta4 - beta`.
+    /// Writes the direction of an acceleration, relative to its normal component:
+    /// `theta_aC = theta4 - beta`.
     fn direction(&self, draft: &mut Draft, beta: f64, size: f64) {
         let (f, state) = (self.context.figures, self.context.state);
         let own = state.angle(self.link);
@@ -353,7 +358,8 @@ impl OnLink<'_> {
         if by != "0" {
             sum = sum + Expression::figure(by, ahead);
         }
-        // Counter-clockwise, the tangential part lies a right angle behind the normal one.
+        // For a counter-clockwise angular acceleration, the tangential component trails the normal
+        // one by a right angle.
         let is_behind = state.alpha(self.link) > 0.0;
         let beta = Expression::known("β", f.number(beta), beta).minus_if(is_behind);
         let symbol = symbols::theta(&of_point("a", self.name));
@@ -363,10 +369,10 @@ impl OnLink<'_> {
     }
 }
 
-/// Beside larger parts this is rounding.
+/// Components below this fraction of the largest one are rounding errors.
 const NOUGHT: f64 = 1e-15;
 
-/// The size of a rate by its symbol: a vector's length has no sign, so bars stand where the rate has one.
+/// Returns the symbol of a rate's magnitude, with bars if the rate is negative.
 fn size_of(symbol: &str, rate: f64) -> String {
     if rate < 0.0 {
         format!("|{symbol}|")
@@ -375,14 +381,14 @@ fn size_of(symbol: &str, rate: f64) -> String {
     }
 }
 
-/// `aCt`, the tangential part of aC.
+/// Returns the symbol of a component: `aCt`, the tangential component of aC.
 fn part_symbol(figure: &str, name: &str, part: &str) -> String {
     let symbol = of_point(figure, name);
     let between = if name.len() <= 2 { "" } else { "_" };
     format!("{symbol}{between}{part}")
 }
 
-/// What slides along a guide: along it, and with a guide that turns across it, too.
+/// Writes the motion of a slider: along its guide, and for a moving guide also that of the guide.
 fn on_guide(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -427,7 +433,7 @@ fn on_guide(
         }
         return;
     }
-    // What the pin does beside sliding is what the guide does under it.
+    // The remaining motion is that of the guide's point under the pin.
     let coriolis = t.perp() * (2.0 * omega * rate);
     let (guide_v, guide_a) = (v - along, a - second - coriolis);
     let of_v = scribe("v", 1, context.fastest[0]);

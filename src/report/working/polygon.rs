@@ -1,8 +1,8 @@
-//! The vector polygons: the sides and the independent closed loops of a scene.
+//! Vector polygons: the sides and the independent closed loops of a scene.
 
 use super::sides::{Locks, Side};
 
-/// A side of a loop, and whether it is gone through against its direction.
+/// A side of a loop, and whether it is traversed backwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Term {
     pub side: usize,
@@ -13,7 +13,7 @@ pub(super) struct Term {
 #[derive(Clone, Debug)]
 pub(super) struct Loop {
     pub terms: Vec<Term>,
-    /// The group of the plan that closes it; `None` for one that only tells a further vector.
+    /// The group of the plan that closes it; `None` if the loop only yields a further vector.
     pub group: Option<usize>,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// The sides of a loop with their directions.
+    /// Returns the sides of a loop with their directions.
     pub(super) fn terms<'a>(
         &'a self,
         of: &'a Loop,
@@ -36,7 +36,7 @@ impl Polygon {
             .map(|term| (&self.sides[term.side], term.reversed))
     }
 
-    /// Where a term begins and ends, gone through as the loop goes.
+    /// Returns the names of a term's start and end, as traversed by the loop.
     pub(super) fn ends(&self, term: Term) -> (&str, &str) {
         let side = &self.sides[term.side];
         if term.reversed {
@@ -46,14 +46,14 @@ impl Polygon {
         }
     }
 
-    /// The points of a loop in their order, the first once more at the end.
+    /// Returns the points of a loop in order, the first one repeated at the end.
     pub(super) fn walk(&self, of: &Loop) -> String {
         let mut walk: Vec<&str> = of.terms.iter().map(|&term| self.ends(term).0).collect();
         walk.extend(of.terms.last().map(|&term| self.ends(term).1));
         walk.join(" → ")
     }
 
-    /// The sides that no loop goes along: they ride.
+    /// Returns the sides that are not in any loop.
     pub(super) fn riders(&self) -> impl Iterator<Item = &Side> {
         let is_in_loop = |side: usize| {
             let mut terms = self.loops.iter().flat_map(|l| &l.terms);

@@ -1,5 +1,5 @@
-//! Velocities and accelerations: the loop equations differentiated, multiplied by the unit vector that
-//! removes one unknown, and solved with the numbers in place.
+//! Writes velocities and accelerations: the differentiated loop equations, multiplied by the unit
+//! vector that eliminates one unknown, and solved with numbers.
 
 use super::draft::{Context, Draft};
 use super::equations::{
@@ -16,7 +16,7 @@ use crate::solver::{Condition, Order};
 use crate::wording::words;
 use crate::{Input, LinkId, Vec2, angle};
 
-/// Velocities, or accelerations.
+/// Writes velocities or accelerations.
 pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
     draft.page.part(match order {
         Order::Velocity => words().velocities_part(),
@@ -64,7 +64,7 @@ fn pieces(
     members.iter().flat_map(of).collect()
 }
 
-/// Both components, in symbols and as figures.
+/// Writes both components, in symbols and evaluated.
 fn components(context: &Context<'_>, draft: &mut Draft, members: &[LoopSide<'_>], order: Order) {
     let axes = [Multiplier::X, Multiplier::Y];
     for axis in &axes {
@@ -99,7 +99,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) 
     }
 }
 
-/// Finds one unknown from the equation in which the other does not stand.
+/// Solves for one unknown, with the other one eliminated.
 fn removed(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -119,7 +119,7 @@ fn removed(
         return;
     };
     let mut pieces = pieces(context, &members, order, &axis);
-    // Several sides that turn together lie along the axis only as a whole.
+    // The vector of several sides that rotate together is parallel to the axis only as a sum.
     pieces.retain(|piece| piece.unknown.as_deref() != Some(&other_symbol));
     let (sum, factor) = (known(&pieces), coefficient(&pieces, &symbol));
     let solved = rate_value(context, sought, order);
@@ -137,7 +137,7 @@ fn removed(
     let longest = members
         .iter()
         .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
-    // At a singular place the quotient of two roundings says nothing.
+    // At a singular position, the quotient of two rounding errors has no meaning.
     let sine = match sought {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => factor.abs() / longest,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
@@ -168,10 +168,11 @@ fn removed(
     ]);
 }
 
-/// Below this sine between both directions the printed quotient has lost half its digits.
+/// Minimum sine of the angle between both directions. Below it, the printed quotient loses half its
+/// digits.
 const SINGULAR: f64 = 1e-7;
 
-/// What removes an unknown's rate from the equation.
+/// Returns the multiplier that eliminates an unknown's rate from the equation.
 fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier> {
     let is_of = |member: &&LoopSide<'_>| match unknown {
         LoopUnknown::Angle(link) => member.side.turns_with() == Some(link),
@@ -190,7 +191,7 @@ fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier
     }
 }
 
-/// The direction of several sides that turn together.
+/// Returns the direction of the sum of sides that rotate together; `None` if the sum is zero.
 fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
     let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
         let r = m.reading.vector();
@@ -209,7 +210,7 @@ fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
     })
 }
 
-/// Several loops at once: the equations above together.
+/// Writes the solution of several coupled loops: the equations above are solved together.
 fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     let count = stage.unknowns.len();
     let elbows = stage.elbows(&context.scene.mechanism, context.polygon);
@@ -229,7 +230,8 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
     }
 }
 
-/// The equations of inputs between links that are sought: the difference of their angles is given.
+/// Writes the equations of inputs between links with unknown angles: the difference of the angles
+/// is given.
 pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     let mechanism = &context.scene.mechanism;
     let driver = mechanism.driver();
@@ -303,7 +305,8 @@ fn rate_unit(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> Strin
     }
 }
 
-/// The velocity or acceleration table; with the accelerations it says what speeds up.
+/// Writes the table of velocities or accelerations; the latter also says which rates increase in
+/// magnitude.
 fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let f = context.figures;
     let first = order == Order::Velocity;
@@ -380,7 +383,7 @@ fn table_row(
     [name.to_owned(), length, value, turning.to_owned()]
 }
 
-/// A figure of a table: rounding is no motion, and what is so small is 0 in the other tables, too.
+/// Formats a value of a table: rounding errors become 0, as in the other tables.
 fn seen(context: &Context<'_>, value: f64) -> String {
     let entry = Entry {
         value: Some(value),
@@ -390,7 +393,8 @@ fn seen(context: &Context<'_>, value: f64) -> String {
     context.figures.number(entry.seen().unwrap_or(0.0))
 }
 
-/// Whether a rate grows in size, by it and by its own rate before it.
+/// Returns the word for whether a rate increases or decreases in magnitude, from its derivative and
+/// its value.
 fn word_of((value, rate): (f64, f64), context: &Context<'_>, order: Order) -> &'static str {
     let is_zero = |value| seen(context, value) == "0";
     if order == Order::Velocity || is_zero(rate) || is_zero(value) {

@@ -1,5 +1,5 @@
-//! The sides of the vector polygons: the scene's vectors, and those between two joints of one body that
-//! a loop needs and the scene does not name.
+//! The sides of the vector polygons: the scene's vectors, and unnamed ones between two joints of
+//! one body that a loop needs.
 
 use super::symbols;
 use crate::quantity::{Aspect, Subject, value};
@@ -8,27 +8,27 @@ use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::Known;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
 
-/// What a side is.
+/// The kind of side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SideShape {
-    /// A link from end to end.
+    /// A link, from end to end.
     Link(LinkId),
-    /// From a sliding point back to `through`.
+    /// A slide, from the sliding point back to `through`.
     Slide(SlideId),
-    /// Between two points of one body, by its components there.
+    /// A vector between two points of one body, with its components in the body's frame.
     Rigid(Body, Vec2),
-    /// Between two points of different bodies.
+    /// A vector between two points of different bodies.
     Free(PointId, PointId),
 }
 
-/// What a side's direction depends on.
+/// The dependence of a side's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Turns {
-    /// On nothing: it never turns.
+    /// Constant.
     Never,
-    /// It turns with a link, and lies at this angle to that, in degrees.
+    /// The direction of a link plus a constant angle in degrees.
     With(LinkId, f64),
-    /// On two bodies.
+    /// Dependent on two bodies.
     Freely,
 }
 
@@ -44,13 +44,14 @@ pub(super) struct Side {
     pub named: bool,
 }
 
-/// A side in a state: its length and direction with their rates, 0 where none exist.
+/// The length and direction of a side in a state, with their rates; these are 0 if they do not
+/// exist.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct SideReading {
     pub r: f64,
     pub rate: f64,
     pub accel: f64,
-    /// In degrees, from 0 to below 360.
+    /// The direction in degrees, from 0 to below 360.
     pub theta: f64,
     pub omega: f64,
     pub alpha: f64,
@@ -59,13 +60,14 @@ pub(super) struct SideReading {
 }
 
 impl SideReading {
-    /// The side itself, head minus tail.
+    /// Returns the vector of the side, head minus tail.
     pub(super) fn vector(&self) -> Vec2 {
         self.u * self.r
     }
 }
 
-/// For every link the link (or the ground) to which slides lock its direction, and at which angle.
+/// For every link, the link or ground to which slides lock its direction, and the angle between
+/// both.
 #[derive(Clone, Debug)]
 pub(super) struct Locks {
     root: Vec<Body>,
@@ -96,7 +98,7 @@ impl Locks {
         locks
     }
 
-    /// Follows the locks from a body on.
+    /// Propagates the locks from a body.
     fn walk(&mut self, mechanism: &Mechanism, root: Body, seen: &mut [bool]) {
         let mut waiting = vec![root];
         while let Some(body) = waiting.pop() {
@@ -125,7 +127,7 @@ impl Locks {
         }
     }
 
-    /// What a direction at `angle` to a body depends on.
+    /// Returns the dependence of a direction at `angle` to a body.
     pub(super) fn turns(&self, body: Body, angle: f64) -> Turns {
         let Body::Link(link) = body else {
             return Turns::Never;
@@ -140,7 +142,7 @@ impl Locks {
 }
 
 impl Side {
-    /// A vector of the scene.
+    /// Creates the side of a vector of the scene.
     pub(super) fn of(
         scene: &Scene,
         vector: &Vector,
@@ -174,7 +176,8 @@ impl Side {
         }
     }
 
-    /// The link whose turning is its own: the one that its angular velocity is named after.
+    /// Returns the link with which it rotates, after which its angular velocity is named; `None` if
+    /// it does not rotate, or with two bodies.
     pub(super) fn turns_with(&self) -> Option<LinkId> {
         match self.turns {
             Turns::With(link, _) => Some(link),
@@ -182,23 +185,23 @@ impl Side {
         }
     }
 
-    /// Whether its length changes.
+    /// Returns `true` if its length changes.
     pub(super) fn stretches(&self) -> bool {
         matches!(self.shape, SideShape::Slide(_) | SideShape::Free(..))
     }
 
-    /// The symbol of its angle.
+    /// Returns the symbol of its angle.
     pub(super) fn theta(&self) -> String {
         symbols::theta(&self.name)
     }
 
-    /// The name that its angular velocity bears: that of the link with which it turns.
+    /// Returns the name used for its angular velocity: that of the link with which it rotates.
     pub(super) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
         self.turns_with()
             .map_or(self.name.as_str(), |link| scene.link_name(link))
     }
 
-    /// Its figures in a state that has an assembly; rates are 0 where none exist.
+    /// Evaluates the side in a state that has an assembly; rates are 0 if they do not exist.
     pub(super) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> SideReading {
         let figure = |subject, aspect| value(subject, aspect, &state).unwrap_or(0.0);
         let turning = |subject, reading: SideReading| SideReading {
@@ -224,7 +227,7 @@ impl Side {
                     u,
                     ..SideReading::default()
                 };
-                // Two points of a body may lie on each other.
+                // Two points of a body may coincide.
                 let along = if r > 0.0 { local / r } else { Vec2::X };
                 match body {
                     Body::Ground => at_rest(along),
@@ -268,7 +271,7 @@ impl Side {
     }
 }
 
-/// The distance of a link's ends.
+/// Returns the distance of a link's ends.
 pub(super) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
     let link = mechanism.link(link);
     let to = link.ends.and_then(|(_, to)| link.local(to));

@@ -1,4 +1,4 @@
-//! A loop about to be solved: what is known in it added up, and what its arms are.
+//! A loop prepared for solving: the sum of its known sides, and its arms.
 
 use super::draft::{Context, Draft};
 use super::equations::{EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known};
@@ -12,10 +12,11 @@ use crate::page::UNIT;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
-/// Letters for the vector between the pivots of two arms, of which math writers know the components.
+/// Letters for the vector between the pivots of two arms. The formula writers of pages recognize
+/// the symbols of its components.
 const DIAGONALS: [&str; 3] = ["m", "s", "f"];
 
-/// A loop about to be solved: what is known in it, added up.
+/// A loop prepared for solving, with its known sides summed.
 pub(super) struct Solution<'a> {
     pub(super) context: &'a Context<'a>,
     pub(super) stage: &'a Stage,
@@ -49,7 +50,8 @@ impl<'a> Solution<'a> {
         })
     }
 
-    /// Whether everything but what the group seeks is given, so that it can be tried without an assembly.
+    /// Returns `true` if only the group's unknowns are missing, so that the solution can be tried
+    /// without an assembly.
     pub(super) fn is_known(&self) -> bool {
         let own = |term: &Term| match &self.stage.form {
             ProblemForm::Triangle(a, b) => a.contains(term) || b.contains(term),
@@ -72,7 +74,7 @@ impl<'a> Solution<'a> {
         self.context.member(term, self.stage)
     }
 
-    /// The known sides along an axis, in symbols and as figures.
+    /// Returns the known sides along an axis, in symbols and evaluated.
     pub(super) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
         let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
         let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
@@ -80,8 +82,8 @@ impl<'a> Solution<'a> {
         [in_symbols(&known), in_figures(&known, self.figures)]
     }
 
-    /// What the vector of the sought sides' sum is called: the lecture's m, or another letter where the scene has
-    /// a vector or a link of that name, which would have two meanings in one formula.
+    /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
+    /// another one if the scene uses m as the name of a vector or a link.
     pub(super) fn diagonal(&self) -> &'static str {
         let scene = self.context.scene;
         let is_free = |name: &&str| {
@@ -93,7 +95,7 @@ impl<'a> Solution<'a> {
         DIAGONALS.into_iter().find(is_free).unwrap_or(DIAGONALS[0])
     }
 
-    /// The components of what the sought sides must add up to, m = -(known sides), line by line.
+    /// Writes the components of the required sum of the unknown sides, m = -(known sides).
     pub(super) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
@@ -114,7 +116,7 @@ impl<'a> Solution<'a> {
         })
     }
 
-    /// The length of a vector by its components, under a name.
+    /// Writes the length of a vector from its components, under a name, and returns it.
     pub(super) fn write_length(
         &self,
         draft: &mut Draft,
@@ -125,7 +127,8 @@ impl<'a> Solution<'a> {
         draft.found(name, &square.sqrt(), |size| length(self.figures, size))
     }
 
-    /// The length of an arm and how far its direction lies ahead of the angle that is named after it.
+    /// Returns an arm: its length, and the angle by which its direction leads the angle named after
+    /// it.
     pub(super) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
         match single(arm) {
             Some(term) => {
@@ -148,7 +151,7 @@ impl<'a> Solution<'a> {
         }
     }
 
-    /// Several sides that turn together, as one.
+    /// Combines several sides that rotate together into one arm.
     fn composed(&self, arm: &[Term]) -> DyadArm<'a> {
         let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
         let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
@@ -173,7 +176,7 @@ impl<'a> Solution<'a> {
         }
     }
 
-    /// Where the two arms of a dyad begin, meet and end.
+    /// Returns the names of the start, the common joint and the end of a dyad's arms.
     pub(super) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
         let ends = |term: &Term| self.context.polygon.ends(*term);
         let name = |end: Option<&'a str>| end.unwrap_or("");
@@ -183,7 +186,7 @@ impl<'a> Solution<'a> {
         [name(p), name(x), q.unwrap_or("")]
     }
 
-    /// The arms in the order in which the loop goes along them.
+    /// Returns the arms in the order in which the loop traverses them.
     pub(super) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
         let count = self.of.terms.len();
         let is_arm = |term: &Term| a.contains(term) || b.contains(term);
@@ -209,7 +212,7 @@ impl<'a> Solution<'a> {
         }
     }
 
-    /// The angle of the link with which a side turns, where it is not the side's own.
+    /// Writes the angle of the link with which a side rotates, if that is not the side's own.
     pub(super) fn write_link_angle(&self, draft: &mut Draft, side: &Side, theta: f64, loss: f64) {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
@@ -236,15 +239,15 @@ impl<'a> Solution<'a> {
 
 /// One arm of a dyad.
 pub(super) struct DyadArm<'a> {
-    /// The side, if it is one alone.
+    /// The side, if it is a single one.
     pub(super) side: Option<&'a Side>,
     /// The symbol of its length.
     pub(super) length: String,
     pub(super) value: f64,
     pub(super) given: bool,
-    /// The angle that is sought.
+    /// The symbol of the unknown angle.
     pub(super) theta: String,
-    /// How far the arm's direction, along the loop, lies ahead of that angle, in degrees.
+    /// The angle, in degrees, by which the arm's direction along the loop leads the unknown angle.
     pub(super) ahead: f64,
     /// The solver's angle.
     pub(super) solved: f64,
@@ -259,7 +262,7 @@ impl DyadArm<'_> {
         }
     }
 
-    /// Its direction along the loop, in the solver's state.
+    /// Returns its direction along the loop, in the solver's state.
     pub(super) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }
@@ -273,7 +276,7 @@ pub(super) fn degrees(figures: Figures, value: f64) -> String {
     format!("{} deg", figures.number(value))
 }
 
-/// A sum of angles as it comes out, and from 0 to below 360 where that differs.
+/// Formats a sum of angles as calculated, and from 0 to below 360 if that differs.
 pub(super) fn angle_sum(figures: Figures, value: f64) -> String {
     let direction = figures.direction(value);
     if (0.0..angle::TURN).contains(&value) {
@@ -283,7 +286,7 @@ pub(super) fn angle_sum(figures: Figures, value: f64) -> String {
     }
 }
 
-/// An angle as it comes out, and from 0 to below 360 where that differs.
+/// Formats an angle as calculated, and from 0 to below 360 if that differs.
 pub(super) fn turn(figures: Figures, value: f64) -> String {
     let half = angle::TURN / 2.0;
     let signed = angle::wrapped(value + half) - half;

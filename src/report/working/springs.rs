@@ -1,4 +1,4 @@
-//! The laws of springs with their numbers.
+//! Writes the laws of springs with numbers.
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
@@ -11,7 +11,7 @@ use crate::solver::Acted;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
-/// The law of a spring; nothing of other loads.
+/// Writes the law of a spring; does nothing for other loads.
 pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &Acted) {
     match *load {
         Load::Spring {
@@ -47,7 +47,7 @@ pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: 
     }
 }
 
-/// By the law of [`Load::Spring`], in its symbols.
+/// Writes the law of [`Load::Spring`] in its symbols.
 fn pull(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -73,7 +73,7 @@ fn pull(
     });
 }
 
-/// By the law of [`Load::GasSpring`], the push p from the line between two knots.
+/// Writes the law of [`Load::GasSpring`], with the push p from the line between two knots.
 fn push(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -105,7 +105,8 @@ fn push(
     });
 }
 
-/// By the law of [`Load::TorsionSpring`]: what it does to its link, θ from the free angle.
+/// Writes the law of [`Load::TorsionSpring`]: the torque on its link, with θ measured from the free
+/// angle.
 fn turn_back(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -146,14 +147,14 @@ fn turn_back(
     draft.agree("M", worked, found, size.max(found.abs()));
 }
 
-/// The present length of a spring, and its rate, in the scene's unit.
+/// The current length of a spring, and the rate of it, in the scene's unit.
 struct SpringNow {
     length: f64,
     rate: f64,
 }
 
 impl SpringNow {
-    /// Writes what a spring's length and its rate are.
+    /// Writes a spring's length and the rate of it.
     fn written(context: &Context<'_>, draft: &mut Draft, ends: [PointId; 2]) -> SpringNow {
         let f = context.figures;
         let spring = SpringNow::of(context, ends);
@@ -171,7 +172,7 @@ impl SpringNow {
         spring
     }
 
-    /// `c*dL/dt`, in m/s.
+    /// Returns the damping term `c*dL/dt`, with the rate in m/s.
     fn damped(&self, context: &Context<'_>, damping: f64) -> Expression {
         let f = context.figures;
         let metres = context.scene.mechanism.metres();

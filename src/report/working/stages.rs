@@ -1,4 +1,5 @@
-//! What each group of the plan finds from its loops: the unknowns, and the form of the problem.
+//! Determines the unknowns that each group of the plan finds from its loops, and the form of the
+//! problem.
 
 use super::polygon::{Polygon, Term};
 use super::sides::{Side, SideShape, Turns};
@@ -9,59 +10,60 @@ use crate::{Body, Input, LinkId, Mechanism, SlideId};
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum LoopUnknown {
-    /// The angle of a link, and of everything that turns with it.
+    /// The angle of a link, and of everything that rotates with it.
     Angle(LinkId),
     /// The position along a slide.
     Travel(SlideId),
-    /// Length and angle of a vector between two bodies.
+    /// The length of a vector between two bodies, by the index of the side.
     Length(usize),
-    /// As above.
+    /// The angle of a vector between two bodies, by the index of the side.
     Direction(usize),
 }
 
-/// The form of the problem that a group solves.
+/// The form of a group's problem.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum ProblemForm {
-    /// Nothing is sought: the driver's group, or a loop that repeats others.
+    /// No unknowns: the driver's group, or a loop that repeats others.
     Nothing,
     /// Two angles: a triangle of three known sides.
     Triangle(Vec<Term>, Vec<Term>),
     /// An angle and a position along a guide of known direction: a quadratic.
     Quadratic(Vec<Term>, Term),
-    /// An angle and the position along a guide that turns with it.
+    /// An angle and the position along a guide that rotates with it.
     Swing(Vec<Term>, Term),
     /// Two positions along guides of known directions.
     Guides(Term, Term),
     /// Length and direction of one vector.
     Sum(Term),
-    /// Several loops at once, or a form without a name.
+    /// Several coupled loops, or another form.
     System,
 }
 
 /// A group of the plan with its loops.
 #[derive(Clone, Debug)]
 pub(super) struct Stage {
-    /// Its number in the plan; `None` for a vector that only closes a loop.
+    /// Its index in the plan; `None` for a vector that only closes a loop.
     pub group: Option<usize>,
-    /// Its loops by their numbers.
+    /// The indices of its loops.
     pub loops: Vec<usize>,
     pub unknowns: Vec<LoopUnknown>,
     pub form: ProblemForm,
 }
 
-/// When what the sides turn and slide with is found.
+/// The groups that find the angles of links and the positions of slides.
 #[derive(Clone, Debug)]
 pub(super) struct Schedule {
-    /// For every link the group that finds its angle.
+    /// The group that finds the angle of each link.
     links: Vec<usize>,
-    /// For every slide the group that finds its position.
+    /// The group that finds the position of each slide.
     slides: Vec<usize>,
-    /// Every input, with the link with which a driven one turns.
+    /// Every input, with the link that represents the direction of a driven link.
     inputs: Vec<(Input, Option<LinkId>)>,
 }
 
 impl Stage {
-    /// The inputs that turn links against others which are sought here: each is one equation more.
+    /// Returns the inputs between links of which one has an unknown angle here: each gives a
+    /// further equation.
     pub(super) fn elbows(&self, mechanism: &Mechanism, polygon: &Polygon) -> Vec<[LinkId; 2]> {
         let root = |link: LinkId| match polygon.locks.turns(Body::Link(link), 0.0) {
             Turns::With(root, _) => root,
@@ -84,7 +86,7 @@ impl Schedule {
         );
         for (number, group) in plan.groups.iter().enumerate() {
             for &link in &group.links {
-                // Whatever turns with a link is known with it.
+                // Links locked to each other are known together.
                 let root = polygon.locks.turns(Body::Link(link), 0.0);
                 if let Turns::With(root, _) = root {
                     links[root.index()] = links[root.index()].min(number);
@@ -120,17 +122,17 @@ impl Schedule {
         }
     }
 
-    /// Whether a side's direction is that of an input, or goes with it.
+    /// Returns `true` if a side's direction is that of an input, or locked to it.
     pub(super) fn is_driven(&self, side: &Side) -> bool {
         side.turns_with().is_some_and(|link| self.drives(link))
     }
 
-    /// Whether an input turns what turns with a link.
+    /// Returns `true` if an input turns the link or anything locked to it.
     fn drives(&self, link: LinkId) -> bool {
         self.inputs.iter().any(|(_, root)| *root == Some(link))
     }
 
-    /// Whether a side's length is that of an input.
+    /// Returns `true` if a side's length is that of an input.
     pub(super) fn is_pushed(&self, side: &Side) -> bool {
         matches!(side.shape, SideShape::Slide(slide) if self.pushes(slide))
     }
@@ -141,7 +143,7 @@ impl Schedule {
             .any(|(input, _)| *input == Input::Push(slide))
     }
 
-    /// The input that gives a side its length or its direction, if one does.
+    /// Returns the input that determines a side's length or direction, if any.
     pub(super) fn input(&self, side: &Side) -> Option<Input> {
         let link = side.turns_with();
         let gives = |(input, root): &&(Input, Option<LinkId>)| {
@@ -151,7 +153,7 @@ impl Schedule {
         self.inputs.iter().find(gives).map(|(input, _)| *input)
     }
 
-    /// The group that finds a side's angle; `None` where it is given.
+    /// Returns the group that finds a side's angle; `None` if it is given.
     pub(super) fn angle_group(&self, side: &Side) -> Option<usize> {
         match side.turns {
             Turns::Never => None,
@@ -161,7 +163,7 @@ impl Schedule {
         }
     }
 
-    /// The group that finds a side's length; `None` where it is given.
+    /// Returns the group that finds a side's length; `None` if it is given.
     pub(super) fn length_group(&self, side: &Side) -> Option<usize> {
         match side.shape {
             SideShape::Link(_) | SideShape::Rigid(..) => None,
@@ -172,7 +174,7 @@ impl Schedule {
     }
 }
 
-/// The groups in their order, then the vectors that only close a loop.
+/// Returns the groups in order, then the vectors that only close a loop.
 pub(super) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec<Stage> {
     let of_group = |number: usize| {
         let loops = polygon.loops.iter().enumerate();
@@ -205,7 +207,7 @@ pub(super) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec
     stages
 }
 
-/// What the loops of a group have that no earlier group has found.
+/// Returns the unknowns in the loops of a group, except those found by earlier groups.
 fn unknowns(
     loops: &[usize],
     group: usize,

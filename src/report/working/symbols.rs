@@ -1,17 +1,17 @@
-//! The symbols of a formula: the lecture's theta3 for the angle of r3.
+//! The symbols in formulas: the lecture's theta3 for the angle of r3.
 
-/// How unit vectors are called.
+/// The notation of unit vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum WorkingNotation {
-    /// u along an angle, and n at right angles to it.
+    /// u along an angle, and n perpendicular to it.
     #[default]
     Krank,
-    /// The same as the lecture writes them: μ and ν.
+    /// μ and ν, as in the lecture.
     Lecture,
 }
 
 impl WorkingNotation {
-    /// The unit vector along an angle.
+    /// Returns the symbol of the unit vector along an angle.
     pub(in crate::report) fn along(self, theta: &str) -> String {
         match self {
             WorkingNotation::Krank => format!("u({theta})"),
@@ -19,7 +19,7 @@ impl WorkingNotation {
         }
     }
 
-    /// The unit vector at right angles to it, to its left.
+    /// Returns the symbol of the unit vector perpendicular to it, to its left.
     pub(in crate::report) fn across(self, theta: &str) -> String {
         match self {
             WorkingNotation::Krank => format!("n({theta})"),
@@ -28,32 +28,32 @@ impl WorkingNotation {
     }
 }
 
-/// The symbol of a vector's angle.
+/// Returns the symbol of a vector's angle.
 pub(super) fn theta(name: &str) -> String {
     symbol('θ', name)
 }
 
-/// The symbol of an angular velocity.
+/// Returns the symbol of an angular velocity.
 pub(super) fn omega(name: &str) -> String {
     symbol('ω', name)
 }
 
-/// The symbol of an angular acceleration.
+/// Returns the symbol of an angular acceleration.
 pub(super) fn alpha(name: &str) -> String {
     symbol('α', name)
 }
 
-/// The rate of a length.
+/// Returns the symbol of the rate of a length.
 pub(super) fn rate(name: &str) -> String {
     format!("d{name}/dt")
 }
 
-/// The rate of that rate.
+/// Returns the symbol of the second derivative of a length.
 pub(super) fn accel(name: &str) -> String {
     format!("d2{name}/dt2")
 }
 
-/// A figure of a point: aB, but `a_r3.com`.
+/// Returns the symbol of a point's value: aB, but `a_r3.com`.
 pub(super) fn of_point(figure: &str, name: &str) -> String {
     if name.len() <= 2 {
         format!("{figure}{name}")
@@ -62,7 +62,8 @@ pub(super) fn of_point(figure: &str, name: &str) -> String {
     }
 }
 
-/// `r3` has the symbol with 3, any other name stands behind a bar.
+/// Returns the symbol with the number for a name such as `r3`; any other name follows an
+/// underscore.
 fn symbol(letter: char, name: &str) -> String {
     match name.strip_prefix('r') {
         Some(number) if !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()) => {

@@ -1,4 +1,5 @@
-//! A dyad of two angles: the triangle of both arms and the line between their pivots, as in the lecture.
+//! Solves a dyad of two angles: the triangle of both arms and the line between their pivots, as in
+//! the lecture.
 
 use super::draft::Draft;
 use super::expression::{Expression, Function};
@@ -8,14 +9,15 @@ use super::solution::{DyadArm, Solution, degrees, turn};
 use crate::page::UNIT;
 use crate::wording::words;
 
-/// A distance of pivots below this part of the arms is none.
+/// Relative distance of pivots below which they coincide.
 const MEETING: f64 = 1e-12;
 
-/// Arms that lie at no more than this sine to m are in line with it, but for rounding.
+/// Maximum sine of the angle between arms and m at which they count as aligned.
 const IN_LINE: f64 = 1e-6;
 
 impl Solution<'_> {
-    /// The cosine theorem in the triangle of both arms and m, as in the lecture.
+    /// Writes the solution by the cosine theorem in the triangle of both arms and m, as in the
+    /// lecture.
     pub(super) fn triangle(&self, draft: &mut Draft, a: &[Term], b: &[Term]) {
         let f = self.figures;
         let [first, second] = self.in_order(a, b);
@@ -56,7 +58,7 @@ impl Solution<'_> {
             false => words().lies_to_the_right(x, p, q),
         });
         let sign = if left { 1.0 } else { -1.0 };
-        // What the cosine loses near a stretched dyad: its rounding over the sine.
+        // The error of the cosine near a stretched dyad: its rounding error over the sine.
         let loss = |corner: f64| {
             1.0 + (b.max(c).max(size) / b.min(c).min(size))
                 / corner.to_radians().sin().abs().max(1e-8)
@@ -68,7 +70,7 @@ impl Solution<'_> {
         }
     }
 
-    /// Where the pivots of a dyad lie on each other no triangle tells its angles.
+    /// Writes the angles of a dyad with coinciding pivots, which no triangle determines.
     fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&DyadArm<'_>; 2]) {
         draft.page.text(words().pivots_coincide(p, q));
         for arm in arms {
@@ -78,7 +80,7 @@ impl Solution<'_> {
         }
     }
 
-    /// `theta = -alpha + beta + 180 = ...`.
+    /// Writes an angle as `theta = -alpha + beta + 180 = ...`.
     fn write_angle(&self, draft: &mut Draft, arm: &DyadArm<'_>, theta: Expression, loss: f64) {
         let f = self.figures;
         let theta = match arm.ahead {
@@ -93,7 +95,7 @@ impl Solution<'_> {
     }
 }
 
-/// Why two arms do not meet, or that they would.
+/// Explains why two arms do not meet, or that they would.
 fn reach(
     draft: &mut Draft,
     figures: Figures,
@@ -101,7 +103,7 @@ fn reach(
     [one, two]: [&DyadArm<'_>; 2],
 ) {
     let (sum, difference) = (one.value + two.value, (one.value - two.value).abs());
-    // Just outside the range the difference stands behind the digits that are shown elsewhere.
+    // Just outside the range, the difference needs more digits than shown elsewhere.
     let nearest = if size > sum { sum } else { difference };
     let gap = ((size - nearest) / nearest).abs().max(f64::EPSILON);
     let needed = (-gap.log10()).clamp(0.0, 16.0).ceil();

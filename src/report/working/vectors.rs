@@ -1,5 +1,5 @@
-//! The vectors of each loop with their figures, given or found: what tables with a column per vector and
-//! the drawn polygons are made of.
+//! The vectors of each loop with their given or computed values, for tables with a column per
+//! vector and for drawn polygons.
 
 use super::Working;
 use super::draft::Context;
@@ -15,9 +15,9 @@ use crate::{SlideId, Vec2};
 /// A loop of vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopVectors {
-    /// Their sum: `r1 + r2 + r3 + r4`.
+    /// The sum: `r1 + r2 + r3 + r4`.
     pub sum: String,
-    /// The vectors in the order in which the loop goes through them.
+    /// The vectors in the order in which the loop traverses them.
     pub vectors: Vec<LoopVector>,
 }
 
@@ -26,37 +26,37 @@ pub struct LoopVectors {
 pub struct LoopVector {
     /// Its name.
     pub name: String,
-    /// From its tail to its head, where the loop has an assembly.
+    /// The vector from its tail to its head, if the loop has an assembly.
     pub vector: Option<Vec2>,
-    /// Whether the loop goes through it from head to tail.
+    /// Whether the loop traverses it from head to tail.
     pub is_reversed: bool,
-    /// Whether the driver moves it.
+    /// Whether an input moves it.
     pub is_driven: bool,
     /// Its direction in degrees, and the symbol of that.
     pub theta: (f64, String),
-    /// Length and angle, their rates, and the rates of these.
+    /// Length and angle, for each order of derivative.
     pub figures: [[VectorFigure; 2]; 3],
 }
 
-/// A figure of a vector.
+/// A value of a vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VectorFigure {
     /// Its symbol.
     pub symbol: String,
-    /// The column that tells it, or the column of the link that it turns with.
+    /// The column of the value; for a vector without one, that of the link with which it rotates.
     pub column: String,
-    /// Its value as it is written; `None` where it does not exist here.
+    /// The formatted value; `None` if it does not exist here.
     pub value: Option<String>,
-    /// Whether it is sought, not given.
+    /// Whether it is an unknown rather than given.
     pub is_sought: bool,
-    /// The number of the loop before this one that finds it, from 1 on; `None` where it is given, or this loop
-    /// finds it itself.
+    /// The number of the earlier loop that finds it, from 1; `None` if it is given, or found by
+    /// this loop.
     pub found_by: Option<usize>,
 }
 
 impl VectorFigure {
-    /// Before it is found: what is given as it is, `θ3 = ?`, and `from loop 1` of what the equations of another
-    /// loop are for.
+    /// Returns the text before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
+    /// unknown of another loop.
     #[must_use]
     pub fn asked(&self) -> String {
         match (&self.value, self.is_sought, self.found_by) {
@@ -66,13 +66,13 @@ impl VectorFigure {
         }
     }
 
-    /// As an unknown: `θ3 = ?`.
+    /// Returns the text of an unknown: `θ3 = ?`.
     #[must_use]
     pub fn unknown(&self) -> String {
         format!("{} = ?", self.symbol)
     }
 
-    /// Once it is found: what is given as it is, and `θ3 = 29.3794`.
+    /// Returns the text after the solution: a given value, or `θ3 = 29.3794`.
     #[must_use]
     pub fn told(&self) -> String {
         match (&self.value, self.is_sought) {
@@ -84,7 +84,8 @@ impl VectorFigure {
 }
 
 impl Working {
-    /// What the point is called from which a slide's position is counted: as in the scene, or made up for the loops.
+    /// Returns the name of the point from which a slide's position is measured: the scene's, or an
+    /// invented one.
     #[must_use]
     pub fn guide_point(&self, slide: SlideId) -> Option<&str> {
         let mut sides = self.polygon.sides.iter();
@@ -92,7 +93,7 @@ impl Working {
         side.map(|side| side.head.as_str())
     }
 
-    /// The vectors of every loop in a state.
+    /// Returns the vectors of every loop in a state.
     #[must_use]
     pub fn loop_vectors(
         &self,
@@ -129,7 +130,8 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
     }
 }
 
-/// The number of the loop that finds what a group does, unless it is the loop itself or one solved with it.
+/// Returns the number of the loop that finds a group's unknowns, from 1; `None` if that is this
+/// loop or one solved with it, or if there is no such group.
 fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<usize> {
     let group = group.filter(|group| Some(*group) != of.group)?;
     let finds = |other: &Loop| other.group == Some(group);
@@ -137,8 +139,8 @@ fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<us
     Some(place + 1)
 }
 
-/// The columns of length and angle of a side, or of their rates. A side that the scene does not name is told by the link
-/// that it turns with.
+/// Returns the columns of length and angle of a side, or of their rates. A side without a name in
+/// the scene uses those of the link with which it rotates.
 fn columns(side: &Side, turner: &str, order: Order) -> [String; 2] {
     let own = if side.named {
         side.name.as_str()
@@ -153,7 +155,7 @@ fn columns(side: &Side, turner: &str, order: Order) -> [String; 2] {
     [format!("{}.{length}", side.name), angle]
 }
 
-/// Length and angle of a side, or their rates of an order.
+/// Returns length and angle of a side, or their rates of an order.
 fn figures(
     context: &Context<'_>,
     of: &Loop,
@@ -177,7 +179,7 @@ fn figures(
             [reading.rate, reading.omega],
             context.has_rates(),
         ),
-        // Forces ask for nothing more of a vector.
+        // Forces need no further values of a vector.
         Order::Acceleration | Order::Force => (
             [symbols::accel(&side.name), symbols::alpha(turner)],
             [reading.accel, reading.alpha],

@@ -1,4 +1,4 @@
-//! What is wrong with a document, and where.
+//! Diagnostics of a document: faults with their places, and their rendering.
 
 use super::sanitize::{escaped, replacement};
 use crate::wording::words;
@@ -8,37 +8,37 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Characters in a line of a rendered message: the width of a plain terminal.
+/// Width of a rendered message in characters: that of a plain terminal.
 const WIDTH: usize = 80;
 
-/// A part of the file with a word on it.
+/// A part of the file with an annotation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// Bytes of the text.
+    /// The range in bytes of the text.
     pub span: Range<usize>,
-    /// What is to be said about them.
+    /// The annotation.
     pub text: String,
 }
 
 /// One fault.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Whether the file can be used all the same.
+    /// Whether it is a warning, so that the file can still be used.
     pub is_warning: bool,
     /// The element, the value and the rule, in one line.
     pub message: String,
-    /// Where; `None` for a fault of the file as a whole.
+    /// The place; `None` for a fault of the file as a whole.
     pub primary: Option<Label>,
-    /// Other places that matter.
+    /// Other relevant places.
     pub others: Vec<Label>,
     /// Further facts.
     pub notes: Vec<String>,
-    /// What would mend it.
+    /// Suggested fixes.
     pub helps: Vec<String>,
 }
 
 impl Diagnostic {
-    /// A fault of the file as a whole.
+    /// Creates a fault of the file as a whole.
     pub fn new(message: impl Into<String>) -> Self {
         Diagnostic {
             message: message.into(),
@@ -46,13 +46,13 @@ impl Diagnostic {
         }
     }
 
-    /// Makes it a warning: the file can be used all the same.
+    /// Makes it a warning, so that the file can still be used.
     pub fn into_warning(mut self) -> Self {
         self.is_warning = true;
         self
     }
 
-    /// Says where, and what about it.
+    /// Sets the place and its annotation.
     pub fn at(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
         self.primary = Some(Label {
             span,
@@ -61,7 +61,7 @@ impl Diagnostic {
         self
     }
 
-    /// Points at another place.
+    /// Adds another place.
     pub fn and(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
         self.others.push(Label {
             span,
@@ -76,13 +76,13 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a mend.
+    /// Adds a suggested fix.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.helps.push(help.into());
         self
     }
 
-    /// Adds a mend if there is one.
+    /// Adds a suggested fix, if any.
     pub fn maybe_help(mut self, help: Option<String>) -> Self {
         self.helps.extend(help);
         self
@@ -94,20 +94,21 @@ impl Diagnostic {
 pub struct Diagnostics {
     /// The name of the file.
     pub origin: String,
-    /// Its text.
+    /// The text of the file.
     pub text: Arc<str>,
     /// The faults in the order of the text.
     pub items: Vec<Diagnostic>,
 }
 
 impl Diagnostics {
-    /// What is wrong first, in one line; nothing where nothing is.
+    /// Returns the message of the first fault, or an empty string if there is none.
     #[must_use]
     pub fn first_words(&self) -> &str {
         self.items.first().map_or("", |item| &item.message)
     }
 
-    /// The line and the column of a fault, both from 1; columns count characters.
+    /// Returns the line and the column of a fault, both from 1; columns count characters. Returns
+    /// `None` for a fault of the file as a whole.
     #[must_use]
     pub fn position(&self, item: &Diagnostic) -> Option<(usize, usize)> {
         let start = item.primary.as_ref()?.span.start;
@@ -117,10 +118,10 @@ impl Diagnostics {
         Some((line, before[begin..].chars().count() + 1))
     }
 
-    /// The messages as text for a terminal: harmless whatever the file holds, pure ASCII if asked.
+    /// Renders the messages for a terminal. Harmful characters of the file are replaced; `ascii`
+    /// restricts the output to ASCII.
     ///
-    /// The frame around them is ASCII in any case: arrows and rounded corners are not in the fonts of
-    /// consoles.
+    /// The frame is always ASCII, because console fonts lack arrows and rounded corners.
     #[must_use]
     pub fn render(&self, ascii: bool, colour: bool) -> String {
         let shown = ShownText::new(&self.text, ascii);
@@ -151,17 +152,17 @@ impl fmt::Display for Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
-/// The file's text as it may be shown, and where each of its bytes went.
+/// The text of a file in printable form, with a mapping of byte offsets.
 struct ShownText {
     text: String,
-    /// For the characters whose replacement has another length in bytes: where they end in the
-    /// file, and where their replacement ends.
+    /// For each character whose replacement has another length: the end offsets of the character in
+    /// the file, and of its replacement.
     shifts: Vec<(usize, usize)>,
 }
 
 impl ShownText {
-    /// Each character by one character, so that lines and columns stay. Line ends stay too; a
-    /// carriage return that is no line end is replaced.
+    /// Replaces each character by one character, so that lines and columns stay the same. Keeps
+    /// line ends, but replaces a carriage return that is not part of one.
     fn new(original: &str, ascii: bool) -> Self {
         let mut text = String::with_capacity(original.len());
         let mut shifts = Vec::new();
@@ -177,7 +178,7 @@ impl ShownText {
         ShownText { text, shifts }
     }
 
-    /// Where a byte of the file is in the shown text; always between two characters.
+    /// Maps an offset in the file to one in the shown text, always between two characters.
     fn offset(&self, at: usize) -> usize {
         let passed = self.shifts.partition_point(|&(end, _)| end <= at);
         let (end, shown) = match passed.checked_sub(1) {
@@ -231,14 +232,14 @@ impl ShownText {
     }
 }
 
-/// Our own line feeds stay, so that a help may be laid out in lines.
+/// Escapes each line of a text; keeps its line feeds, because hints may have several lines.
 fn lines(text: &str, ascii: bool) -> String {
     let lines: Vec<String> = text.split('\n').map(|l| escaped(l, ascii)).collect();
     lines.join("\n")
 }
 
-/// The fault of a file that is no text. What comes before the first bad byte keeps its place in the
-/// text that is shown; bad bytes become replacement characters.
+/// Returns the diagnostic of a file that is not UTF-8. Text before the first invalid byte keeps its
+/// offsets in the shown text; invalid bytes become replacement characters.
 pub fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
     let shown = String::from_utf8_lossy(bytes);
     let end = at + char::REPLACEMENT_CHARACTER.len_utf8();

@@ -1,7 +1,7 @@
-//! Values of a document as derived types ask for them.
+//! Deserializes values without stopping at the first one of a wrong type.
 //!
-//! A type that is read by `derive` ends at the first value that does not fit. Here such a value is kept with its
-//! place and with what stands there instead, so that one fault hides no other.
+//! A derived `Deserialize` ends at the first value that does not fit. Here such a value is stored
+//! with its place and the kind of value found instead, so that one fault does not hide others.
 
 use super::reader::{ByteSpan, Name, meant};
 use crate::wording::words;
@@ -12,28 +12,28 @@ use std::fmt;
 use std::marker::PhantomData;
 use toml::Spanned;
 
-/// A key as the file writes it.
+/// A key as written in the file.
 pub type WrittenKey = Spanned<String>;
 
-/// A value that is meant to be a `T`.
+/// A value that should be a `T`.
 #[derive(Clone, Debug)]
 pub struct Lenient<T> {
-    /// Where it stands.
+    /// The place in the text.
     pub span: ByteSpan,
-    /// What it is, or what stands there instead.
+    /// The value, or the kind of value found instead.
     pub read: Result<T, Misplaced>,
-    /// Of a table every key, known or not, in the order of the file.
+    /// Every key of a table, known or not, in the order of the file.
     pub keys: Vec<WrittenKey>,
-    /// The keys that it may have: the fields of `T`.
+    /// The permitted keys: the fields of `T`.
     pub known: &'static [&'static str],
 }
 
-/// What stands where another kind of value is meant.
+/// The kind of a value with the wrong type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Misplaced {
     Text(String),
     Number,
-    /// A number that TOML allows and its reader cannot hold.
+    /// A number valid in TOML that the parser cannot represent.
     Unheld,
     Boolean,
     Date,
@@ -42,7 +42,7 @@ pub enum Misplaced {
 }
 
 impl Misplaced {
-    /// The text that stands there, if it is one.
+    /// Returns the text, if it is one.
     pub(crate) fn text(&self) -> Option<&str> {
         match self {
             Misplaced::Text(text) => Some(text),
@@ -55,7 +55,7 @@ impl Misplaced {
         }
     }
 
-    /// In a person's words.
+    /// Returns the kind as a phrase for messages.
     pub(super) fn said(&self) -> &'static str {
         match self {
             Misplaced::Text(_) => words().a_text(),
@@ -69,17 +69,17 @@ impl Misplaced {
 }
 
 impl<T> Lenient<T> {
-    /// The value, if it is one.
+    /// Returns the value, if it has the right type.
     pub fn get(&self) -> Option<&T> {
         self.read.as_ref().ok()
     }
 
-    /// A key of the table.
+    /// Returns a key of the table.
     pub fn key(&self, name: &str) -> Option<&WrittenKey> {
         self.keys.iter().find(|key| key.get_ref() == name)
     }
 
-    /// Whether an unknown key of the table was probably meant to be this one.
+    /// Returns `true` if an unknown key of the table is probably a misspelling of this one.
     pub fn meant(&self, key: &str) -> bool {
         meant(&self.keys, self.known, key)
     }
@@ -90,7 +90,8 @@ impl<T> Lenient<T> {
 pub struct Entries<T>(Vec<T>);
 
 impl<T> Lenient<Entries<T>> {
-    /// Name and value of each entry, in the order of the file; none if it is no table.
+    /// Returns name and value of each entry, in the order of the file; empty for anything but a
+    /// table.
     pub fn entries(&self) -> impl Iterator<Item = (Name<'_>, &T)> {
         let values = self.get().into_iter().flat_map(|entries| &entries.0);
         self.keys.iter().map(Name::of_key).zip(values)
@@ -106,7 +107,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Lenient<T> {
     }
 }
 
-/// What came of reading a value, before it has a place; to read it never fails.
+/// The result of reading a value, before its place is known; reading never fails.
 struct Attempt<T>(Lenient<T>);
 
 impl<T> From<Result<T, Misplaced>> for Attempt<T> {
@@ -123,12 +124,12 @@ impl<T> From<Result<T, Misplaced>> for Attempt<T> {
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Attempt<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let read = deserializer.deserialize_any(Trial(PhantomData));
-        // The visitor takes everything: what is left is a number that is not handed on at all.
+        // The visitor accepts every value, so only numbers that the parser cannot represent fail.
         Ok(read.unwrap_or_else(|_| Err(Misplaced::Unheld).into()))
     }
 }
 
-/// Offers whatever stands in a place to `T`; whole numbers as the nearest double.
+/// Tries to deserialize any value as `T`; integers are passed as the nearest double.
 struct Trial<T>(PhantomData<T>);
 
 #[expect(clippy::cast_precision_loss, reason = "the nearest double is meant")]
@@ -177,7 +178,7 @@ impl<'de, T: Deserialize<'de>> de::Visitor<'de> for Trial<T> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Attempt<T>, A::Error> {
-        // A date comes as a table too, but nothing in it has a place.
+        // Dates also arrive as a table, but without places.
         let Ok(first) = map.next_key() else {
             return Ok(Err(Misplaced::Date).into());
         };
@@ -194,7 +195,7 @@ impl<'de, T: Deserialize<'de>> de::Visitor<'de> for Trial<T> {
     }
 }
 
-/// A list on its way into a type. Derived types would take their fields from it one by one.
+/// A list passed to a type. Rejects structs, because derived types would fill their fields from it.
 struct LenientList<A>(A);
 
 impl<'de, A: SeqAccess<'de>> Deserializer<'de> for LenientList<A> {
@@ -219,15 +220,15 @@ impl<'de, A: SeqAccess<'de>> Deserializer<'de> for LenientList<A> {
     }
 }
 
-/// A table on its way into a type. Derived types forget where keys stand, and end at a number that cannot be
-/// held even under a key that they do not know.
+/// A table passed to a type; records its keys. Derived types lose the places of keys, and stop at
+/// an unrepresentable number even under an unknown key.
 struct LenientTable<'k, A> {
     map: A,
-    /// The first key, which was read to see that this is a table.
+    /// The first key, which was read to recognize a table.
     first: Option<WrittenKey>,
     keys: &'k mut Vec<WrittenKey>,
     known: &'k mut &'static [&'static str],
-    /// Whether any key is known: it is the name of an entry.
+    /// Whether every key is accepted as the name of an entry.
     names: bool,
 }
 
@@ -290,7 +291,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
     }
 }
 
-/// Takes the values of a table; their names are with [`Lenient::keys`].
+/// Collects the values of a table; the names are in [`Lenient::keys`].
 struct TableNames<T>(PhantomData<T>);
 
 impl<'de, T: Deserialize<'de>> de::Visitor<'de> for TableNames<T> {

@@ -1,8 +1,8 @@
-//! A document that a person wrote in TOML: typed access to its values, what is wrong with them and where, and
-//! its text made harmless for a terminal.
+//! Documents written in TOML: typed access to values, diagnostics with places, and text made safe
+//! for a terminal.
 //!
-//! Scenes and the configuration are such documents: they differ in what their values mean, and in
-//! nothing that is done here.
+//! Scenes and the configuration are such documents. They differ only in the meaning of their
+//! values.
 
 mod diagnostic;
 mod lenient;

@@ -1,4 +1,4 @@
-//! Values of a document; everything that does not fit becomes a diagnostic.
+//! Reads values of a document, and reports everything that does not fit.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::lenient::{Lenient, Misplaced, WrittenKey};
@@ -12,11 +12,11 @@ use std::ops::Range;
 
 pub type ByteSpan = Range<usize>;
 
-/// Characters of a foreign text that a message quotes.
+/// Maximum number of characters quoted from a file.
 const QUOTED: usize = 48;
-/// Faults that are shown at most: a person mends a few at a time.
+/// Maximum number of faults shown, because people fix a few at a time.
 const SHOWN: usize = 20;
-/// Faults after which no more effort is spent on one.
+/// Number of faults after which suggestions are no longer computed.
 const FULL: usize = 50;
 
 /// A text of the file with its place: mostly a name.
@@ -27,7 +27,7 @@ pub struct Name<'t> {
 }
 
 impl<'t> Name<'t> {
-    /// The name that a key is.
+    /// Returns the name given by a key.
     pub(crate) fn of_key(key: &'t WrittenKey) -> Self {
         Name {
             text: key.get_ref(),
@@ -42,7 +42,7 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// A foreign text in backticks: harmless, and cut where it is long.
+/// Quotes a text of the file in backticks, with escapes, and truncates it if it is long.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(QUOTED) {
         Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
@@ -50,12 +50,12 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// What formulas may name that stand for numbers of a document; a configuration has none.
+/// The named numbers available to formulas of a document; a configuration has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedNumbers {
-    /// What each name is worth; nothing where that was reported as a fault.
+    /// The value of each name; `None` if its fault was reported.
     pub worth: HashMap<String, Option<MeasuredNumber>>,
-    /// The unit of lengths: as it is written, and its size in tenths of a millimetre.
+    /// The unit of length: its symbol, and its size in tenths of a millimetre.
     pub length: (&'static str, f64),
 }
 
@@ -64,7 +64,7 @@ pub struct Reader<'t> {
     text: &'t str,
     pub found: Vec<Diagnostic>,
     pub named: NamedNumbers,
-    /// What formulas came to, by where they begin.
+    /// The values of formulas, by their start offset.
     pub(crate) worked: HashMap<usize, f64>,
     /// Whether a number was rounded to a double that reads as a decimal of up to 14 digits.
     pub(crate) has_rounded: bool,
@@ -81,12 +81,12 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The text that is read.
+    /// Returns the text being read.
     pub(crate) fn text(&self) -> &'t str {
         self.text
     }
 
-    /// All that was reported, in the order of the text.
+    /// Returns all diagnostics, in the order of the text.
     pub fn into_diagnostics(self, origin: &str) -> Diagnostics {
         let mut items = self.found;
         items.sort_by_key(|item| item.primary.as_ref().map(|label| label.span.start));
@@ -102,7 +102,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Whether so much was reported that help and further reading are not worth their time.
+    /// Returns `true` if so many faults were reported that further help is not worth its time.
     pub(crate) fn is_full(&self) -> bool {
         self.found.len() >= FULL
     }
@@ -111,19 +111,19 @@ impl<'t> Reader<'t> {
         self.found.push(diagnostic);
     }
 
-    /// Returns `true` if something was reported that makes the document unusable.
+    /// Returns `true` if an error was reported that makes the document unusable.
     pub fn has_errors(&self) -> bool {
         self.found.iter().any(|found| !found.is_warning)
     }
 
-    /// Adds a mend to the last report.
+    /// Adds a suggested fix to the last diagnostic.
     pub(crate) fn help(&mut self, help: &str) {
         if let Some(last) = self.found.last_mut() {
             last.helps.push(help.to_owned());
         }
     }
 
-    /// A value as the file writes it; of a formula also what it comes to.
+    /// Returns a value as written in the file; for a formula also the result.
     pub fn literal(&self, span: &ByteSpan) -> String {
         let written = quoted(self.text.get(span.clone()).unwrap_or(""));
         match self.worked.get(&span.start) {
@@ -132,7 +132,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The fault of a value of another kind than is wanted.
+    /// Returns the diagnostic of a value of the wrong type.
     pub fn wrong_type(
         &self,
         what: &str,
@@ -144,7 +144,7 @@ impl<'t> Reader<'t> {
             .at(span.clone(), words().expected(wanted))
     }
 
-    /// A text.
+    /// Reads a text.
     pub fn string<'v>(&mut self, what: &str, value: &'v Lenient<String>) -> Option<Name<'v>> {
         let span = value.span.clone();
         let found = match &value.read {
@@ -163,7 +163,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// True or false; so far only the configuration asks.
+    /// Reads a boolean; used by the configuration and by tasks.
     pub fn boolean(&mut self, what: &str, value: &Lenient<bool>) -> Option<bool> {
         let found = match &value.read {
             Ok(read) => return Some(*read),
@@ -175,7 +175,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A table; `example` shows how one is written.
+    /// Reads a table; `example` shows the syntax.
     pub fn table<'v, T>(
         &mut self,
         what: &str,
@@ -196,7 +196,7 @@ impl<'t> Reader<'t> {
         self.only_these(of, &table.keys, table.known);
     }
 
-    /// Reports every key that is not among `known`.
+    /// Reports every key not listed in `known`.
     pub(crate) fn only_these(&mut self, of: &str, keys: &[WrittenKey], known: &[&str]) {
         for key in keys {
             let text = key.get_ref().as_str();
@@ -216,7 +216,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// What a key asks for that krank has no model of.
+/// Returns the explanation for a key of a feature that krank does not model; `None` for other keys.
 fn not_modelled(key: &str) -> Option<&'static str> {
     match key.to_ascii_lowercase().as_str() {
         "gear" | "gears" | "geartrain" | "rack" | "racks" | "teeth" => Some(words().no_gears_yet()),
@@ -231,16 +231,16 @@ fn not_modelled(key: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether an unknown key of a table was probably meant to be this one.
+/// Returns `true` if an unknown key of the table is probably a misspelling of this one.
 pub fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
-    // Who misspelt more keys than these has other worries.
+    // Bounded, because the comparison is expensive.
     keys.iter().take(FULL).any(|k| {
         let text = k.get_ref().as_str();
         !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
     })
 }
 
-/// The mend for a yes or no that was written as a text.
+/// Returns the hint for a boolean written as text; `None` for other texts.
 fn bare_boolean(text: &str) -> Option<String> {
     let meant = match text {
         "true" | "yes" | "on" => true,

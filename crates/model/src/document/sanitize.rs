@@ -1,9 +1,9 @@
-//! Text of a file made harmless for a terminal, and our own such as it can show.
+//! Makes text of files safe for a terminal, and reduces krank's own text to ASCII where needed.
 
 use crate::wording::Language;
 
-/// Whether a character could act on a terminal or hide: controls, bidirectional marks, and
-/// characters of no width that are not combining accents. Tab and line feed count as harmful here.
+/// Returns `true` if a character could act on a terminal or hide: controls, bidirectional marks,
+/// and zero-width characters other than combining accents. Tab and line feed count as harmful here.
 #[must_use]
 pub fn is_harmful(c: char) -> bool {
     c.is_control()
@@ -26,7 +26,7 @@ pub fn is_harmful(c: char) -> bool {
             | '\u{E0000}'..='\u{E0FFF}')
 }
 
-/// The letter of ASCII for one of Turkish, where a terminal has no others.
+/// Returns the ASCII letter most similar to a Turkish one; `None` for other characters.
 pub fn ascii_letter(c: char) -> Option<char> {
     Some(match c {
         'â' => 'a',
@@ -47,13 +47,13 @@ pub fn ascii_letter(c: char) -> Option<char> {
     })
 }
 
-/// Our own text with the letters of ASCII for those of Turkish, one for one; what else it holds stays.
+/// Replaces Turkish letters by similar ASCII letters, one for one; other characters stay.
 pub fn with_ascii_letters(text: &str) -> String {
     text.chars().map(|c| ascii_letter(c).unwrap_or(c)).collect()
 }
 
-/// The same number of characters, none of them harmful; with `ascii`, none beyond ASCII either: letters of
-/// Turkish become those that they look like, and what looks like none `?`.
+/// Replaces harmful characters one for one. With `ascii`, Turkish letters become similar ASCII
+/// letters, and all other characters beyond ASCII become `?`.
 ///
 /// Line feeds and tabs become spaces: this is for text of one line.
 #[must_use]
@@ -61,11 +61,12 @@ pub fn sanitized(text: &str, ascii: bool) -> String {
     text.chars().map(|c| replacement(c, ascii)).collect()
 }
 
-/// The text with harmful characters written as escapes (`\u{1b}`), and with `ascii` all others beyond
-/// ASCII too: for messages, where the reader wants to know which character it was.
+/// Writes harmful characters as escapes (`\u{1b}`), for messages that should identify the
+/// character. With `ascii`, all other characters beyond ASCII are escaped too.
 ///
-/// Line feeds and tabs become spaces. While Turkish is spoken its letters are those of our own words, and become
-/// what they look like; but not between backticks, where the file is quoted.
+/// Line feeds and tabs become spaces. If the current language is Turkish, `ascii` reduces its
+/// letters to similar ASCII letters instead, because messages contain them; but not between
+/// backticks, which quote the file.
 pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
     let is_turkish = Language::spoken() == Language::Turkish;
@@ -83,7 +84,7 @@ pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     out
 }
 
-/// What is shown in place of a character; itself if it is harmless.
+/// Returns the replacement of a character; a harmless one stays unchanged.
 pub(crate) fn replacement(c: char, ascii: bool) -> char {
     match c {
         '\t' | '\n' => ' ',

@@ -1,4 +1,4 @@
-//! The TOML of a document, and TOML's own faults in a person's words.
+//! Parses the TOML of a document, and explains its syntax errors.
 
 use super::diagnostic::Diagnostic;
 use super::lenient::Lenient;
@@ -7,10 +7,10 @@ use crate::wording::words;
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-/// What a person mostly meant, by the text, the parser's message and the place that it points at.
+/// A function that suggests a fix from the text, the parser's message and the place of the error.
 pub(crate) type Mend = fn(&str, &str, &ByteSpan) -> Option<String>;
 
-/// Reads the text into a derived type, lenient in each of its values; `None` if the text cannot be gone on with.
+/// Deserializes the text leniently; returns `None` if the syntax errors leave nothing usable.
 pub fn parse<'t, T: Deserialize<'t>>(reader: &mut Reader<'t>, mend: Mend) -> Option<Lenient<T>> {
     if let Some(message) = foreign(reader.text()) {
         reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
@@ -23,13 +23,13 @@ pub fn parse<'t, T: Deserialize<'t>>(reader: &mut Reader<'t>, mend: Mend) -> Opt
     Lenient::deserialize(Deserializer::from(root)).ok()
 }
 
-/// Whether a key stands at the root of a text, as far as that is TOML.
+/// Returns `true` if the root table of a text has a key, as far as the text is TOML.
 pub fn has_key(text: &str, key: &str) -> bool {
     let (root, _) = DeTable::parse_recoverable(text);
     root.get_ref().keys().any(|own| own.get_ref() == key)
 }
 
-/// Reports what is not TOML; false if too little is left to go on with.
+/// Reports syntax errors; returns `false` if they leave nothing usable.
 fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[Error]) -> bool {
     let text = reader.text();
     let mut last_line = None;
@@ -39,7 +39,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
         let line = text.as_bytes()[..span.start.min(text.len())]
             .iter()
             .rposition(|&b| b == b'\n');
-        // What follows in the same line is mostly an echo.
+        // Further errors in one line mostly follow from the first.
         if last_line == Some(line) {
             continue;
         }
@@ -48,7 +48,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
             return false;
         }
         let twice = error.message().starts_with("duplicate key");
-        // A section that stands twice has lost what its second half names.
+        // After a duplicate section, the names of its second half are lost.
         whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
         let too_deep = error.message().starts_with("cannot recurse");
         reader.report(if twice {
@@ -56,7 +56,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
         } else {
             fault(text, error, span, mend)
         });
-        // Every bracket left open would be another fault.
+        // Every unclosed bracket would be another error.
         if too_deep {
             return false;
         }
@@ -75,7 +75,7 @@ fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
         .maybe_help(help)
 }
 
-/// Names a text that is not TOML but an address or JSON, such as people paste.
+/// Recognizes pasted text in another format, an address or JSON, and returns its description.
 pub fn foreign(text: &str) -> Option<&'static str> {
     let text = text.trim_start();
     let is_of_pmks = || text.to_ascii_lowercase().contains("pmks");
@@ -92,7 +92,8 @@ pub fn foreign(text: &str) -> Option<&'static str> {
     })
 }
 
-/// The fault of a line that is not TOML because of a decimal comma: `length = 86,6`.
+/// Returns the diagnostic of a line with a decimal comma, such as `length = 86,6`; `None` for other
+/// lines.
 fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
     let begin = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
     let line = text.get(begin..)?.lines().next()?;
@@ -111,7 +112,7 @@ fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
     Some(fault.help(words().decimals_have_a_point(&point)))
 }
 
-/// The number with a comma between digits that a text begins with.
+/// Returns the number with a decimal comma at the beginning of a text.
 fn number_with_comma(text: &str) -> Option<&str> {
     let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',');
     let end = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
@@ -119,19 +120,19 @@ fn number_with_comma(text: &str) -> Option<&str> {
     has_decimal_comma(typed).then_some(typed)
 }
 
-/// Returns `true` if a comma stands between two digits, without a blank.
+/// Returns `true` if a text has a comma between two digits, without a blank.
 pub fn has_decimal_comma(text: &str) -> bool {
     text.as_bytes()
         .windows(3)
         .any(|bytes| matches!(bytes, [a, b',', c] if a.is_ascii_digit() && c.is_ascii_digit()))
 }
 
-/// A key that stands twice in its table.
+/// Returns the diagnostic of a duplicate key.
 fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
     let key = text.get(span.clone()).unwrap_or("");
     let key = key.trim_matches(['"', '\'']);
     let mut first: Option<ByteSpan> = None;
-    // The recovered table keeps the first one; the nearest before is in the same table.
+    // The recovered table keeps the first key; the nearest one before is in the same table.
     each_key(root, &mut |other: &str, place| {
         let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
         if other == key && place.start < span.start && nearer {
@@ -147,7 +148,8 @@ fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
     }
 }
 
-/// Visits every key of a table and of the tables in it. As deep as TOML's own limit of nesting.
+/// Visits every key of a table and of nested tables. The recursion is bounded by TOML's nesting
+/// limit.
 fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, ByteSpan)) {
     for (key, value) in table {
         visit(key.get_ref(), key.span());

@@ -1,4 +1,4 @@
-//! Each fault of the solver, told of a preset.
+//! Tests the explanation of every fault of the solver, on presets.
 
 use super::*;
 use crate::scene::presets;

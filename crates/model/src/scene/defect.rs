@@ -1,4 +1,4 @@
-//! Says in the words of the file what the builder found wrong with an element.
+//! Converts the builder's defects to diagnostics that name the elements as the file does.
 
 use super::draft::SceneDraft;
 use super::input::DraftInput;
@@ -9,23 +9,24 @@ use crate::document::Diagnostic;
 use crate::wording::words;
 use crate::{Defect, LinkId, PointId, SlideId};
 
-/// The draft behind the ids of a builder.
+/// The draft and names by which the ids of a builder are resolved.
 pub(super) struct Drafted<'r, 't> {
     pub(super) draft: &'r SceneDraft<'t>,
-    /// The slides that were built, by id.
+    /// The slides added to the builder, by id.
     pub(super) slides: &'r [&'r DraftSlide<'t>],
     pub(super) point_names: &'r [Option<String>],
 }
 
 impl<'t> Drafted<'_, 't> {
-    /// Reports defects, without those that only follow from what was reported before.
+    /// Reports defects, except those that follow from an earlier diagnostic.
     pub(super) fn report(&self, reader: &mut Reader<'_>, defects: &[Defect]) {
         for defect in defects {
             if let Some(fault) = self.diagnostic(defect) {
                 reader.report(fault);
             }
         }
-        // Defects that follow from an earlier report were left out; nothing may pass in silence.
+        // Every defect followed from an earlier one. Report all of them, so that parsing never
+        // fails without a diagnostic.
         if reader.found.is_empty() {
             reader.found.extend(
                 defects
@@ -47,8 +48,8 @@ impl<'t> Drafted<'_, 't> {
             } => Some(proportion(self.sound(link)?, length, longest)),
             Defect::NoDriver => self.no_driver(),
             Defect::NoCentre { link } => Some(no_centre(self.sound(link)?)),
-            // Refused while reading, with the literal of the file; an element without points or a
-            // point without an element cannot come out of a file whose names were all read.
+            // The reader rejects these earlier and quotes the literal. An element without points or
+            // a point without an element cannot come from a file whose names were all read.
             Defect::Length { .. }
             | Defect::Coordinates { .. }
             | Defect::Driver
@@ -64,7 +65,7 @@ impl<'t> Drafted<'_, 't> {
         }
     }
 
-    /// A link about which nothing was reported yet.
+    /// Returns the link unless a diagnostic was already reported for it.
     fn sound(&self, link: LinkId) -> Option<&DraftLink<'t>> {
         let link = &self.draft.links[link.index()];
         (!link.broken).then_some(link)
@@ -159,7 +160,8 @@ impl<'t> Drafted<'_, 't> {
         )
     }
 
-    /// The link on which the motor of another one may sit: one that is pinned to it, else any other.
+    /// Returns a link that can carry the motor of `driven`: preferably one pinned to it, or else
+    /// any other link.
     fn seat_for(&self, driven: &DraftLink<'t>) -> Option<&'t str> {
         let others = || {
             self.draft

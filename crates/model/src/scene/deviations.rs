@@ -1,4 +1,4 @@
-//! Reads how far lengths may be off, and how loose pins are; and settles which of it holds for which length.
+//! Reads tolerances and clearances, and decides which of them applies to which length.
 
 use super::Unit;
 use super::draft::SceneDraft;
@@ -13,37 +13,37 @@ use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
 use std::cmp::Reverse;
 use std::collections::HashMap;
 
-/// The sections `[tolerances]` and `[clearances]` as they are written.
+/// The sections `[tolerances]` and `[clearances]` as written.
 pub(super) type Deviations = Lenient<Entries<Lenient<f64>>>;
 
-/// How far a length may be off, and where that is said.
+/// A tolerance of a length, with its place in the file.
 #[derive(Clone, Debug)]
 pub(super) struct DraftTolerance {
     size: AllowedDeviation,
     place: ByteSpan,
 }
 
-/// How loose a pin is, and where that is said.
+/// The clearance of a pin, with its place in the file.
 #[derive(Clone, Debug)]
 pub(super) struct DraftClearance {
     size: f64,
     place: ByteSpan,
 }
 
-/// A tolerance as it is given.
+/// A tolerance as given in the file.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum AllowedDeviation {
-    /// In the scene's unit.
+    /// A deviation in the scene's unit.
     Size(f64),
     Class(GeneralTolerance),
 }
 
 impl AllowedDeviation {
-    /// By how much a length of this size may be off, where the scene's unit is so many mm. A coordinate of 0 is exact
-    /// under a class: it has no size.
+    /// Returns the permissible deviation of a length of size `nominal`, both in the scene's unit;
+    /// `mm` is that unit in mm. A coordinate of 0 is exact under a class, because it has no size.
     ///
     /// # Errors
-    /// The class that has nothing for this size.
+    /// Returns the class if it has no deviation for this size.
     pub(super) fn of(self, nominal: f64, mm: f64) -> Result<f64, GeneralTolerance> {
         match self {
             AllowedDeviation::Size(size) => Ok(size),
@@ -56,12 +56,13 @@ impl AllowedDeviation {
     }
 }
 
-/// Whether a length, and no coordinate, could come to nothing.
+/// Returns `true` if a deviation of `by` could make a length zero; never for a coordinate.
 pub(super) fn is_beyond(length: Length, nominal: f64, by: f64) -> bool {
     matches!(length, Length::Link(_) | Length::Arm(..)) && by >= nominal
 }
 
-/// The class that a text designates, or in words why it is none; `None` where it does not mean one.
+/// Parses the designation of a class. Returns `None` if the text does not look like one, and a
+/// message that lists the known classes if the class is unknown.
 pub(super) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>> {
     names_class(text).then(|| {
         GeneralTolerance::designated(text.trim()).ok_or_else(|| {
@@ -71,7 +72,7 @@ pub(super) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>>
     })
 }
 
-/// In words, that a class has nothing for a size in mm.
+/// Returns the message that a class has no deviation for a size in mm.
 pub(super) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String {
     let GeneralSizes {
         least,
@@ -85,14 +86,14 @@ pub(super) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String
     words().no_deviation_of_size(&class.designation(), what, mm, &sizes)
 }
 
-/// All that is said of tolerances beside what links and slides say of their own.
+/// All tolerances and clearances except those given in links and slides.
 #[derive(Debug, Default)]
 pub(super) struct DraftTolerances<'t> {
     pub(super) general: Option<DraftTolerance>,
     pub(super) points: Vec<(Name<'t>, DraftTolerance)>,
     pub(super) clearance: Option<DraftClearance>,
     pub(super) pins: Vec<(Name<'t>, DraftClearance)>,
-    /// Links that are the frame, and have a tolerance.
+    /// The names and tolerances of the links that are the frame.
     pub(super) of_frame: Vec<(String, DraftTolerance)>,
 }
 
@@ -112,7 +113,8 @@ pub(super) fn tolerance(
     Some(DraftTolerance { size, place })
 }
 
-/// Whether a text is, or is meant to be, a class of the standard; anything else is a formula.
+/// Returns `true` if a text is, or looks like, a class of the standard; any other text is a
+/// formula.
 fn names_class(text: &str) -> bool {
     let begins = text.trim_start().get(..3);
     begins
@@ -193,7 +195,7 @@ fn loose_by(reader: &mut Reader<'_>, what: &str, value: &Lenient<f64>) -> Option
     })
 }
 
-/// What is known of the scene when its tolerances are settled.
+/// The inputs needed to resolve the tolerances of a scene.
 pub(super) struct Settling<'r, 's, 't> {
     pub(super) reader: &'r mut Reader<'s>,
     pub(super) draft: &'r SceneDraft<'t>,
@@ -205,7 +207,7 @@ pub(super) struct Settling<'r, 's, 't> {
 }
 
 impl<'r> Settling<'r, '_, '_> {
-    /// What may be off, and by how much.
+    /// Returns the tolerance of every length and the clearance of every pin.
     pub(super) fn settle(mut self) -> Tolerances {
         for (name, tolerance) in &self.draft.tolerances.of_frame {
             self.reader.report(
@@ -228,7 +230,8 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// A guide through a point by its name has no coordinates that could be off.
+    /// Reports tolerances of guides through a named point: they have no coordinates that could be
+    /// off.
     fn unused_slides(&mut self) {
         for (slide, id) in self.slides.iter().zip(self.mechanism.slide_ids()) {
             let is_named = self.mechanism.slide(id).named.is_some();
@@ -243,7 +246,8 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// The tolerances that points have of their own. One without coordinates of its own is reported.
+    /// Returns the tolerances given for single points. Reports points without coordinates of their
+    /// own.
     fn own_tolerances(&mut self) -> HashMap<PointId, &'r DraftTolerance> {
         let mut own = HashMap::new();
         for (name, tolerance) in &self.draft.tolerances.points {
@@ -269,7 +273,8 @@ impl<'r> Settling<'r, '_, '_> {
         self.points.get(name.text).copied()
     }
 
-    /// The tolerance of a length: the nearest that is given.
+    /// Returns the most specific tolerance of a length, if any: of its point, its element or the
+    /// scene.
     fn of(
         &self,
         length: Length,
@@ -288,7 +293,7 @@ impl<'r> Settling<'r, '_, '_> {
         point.or(owner).or(draft.tolerances.general.as_ref())
     }
 
-    /// By how much a length may be off.
+    /// Returns the deviation of a length, in the scene's unit.
     fn size(&mut self, length: Length, tolerance: &DraftTolerance) -> f64 {
         let nominal = self.mechanism.given(length).abs();
         let mm = self.draft.unit.in_units_of(Unit::Millimetre);
@@ -325,7 +330,7 @@ impl<'r> Settling<'r, '_, '_> {
         );
     }
 
-    /// What a length is called in a message.
+    /// Returns the name of a length in messages.
     fn called(&self, length: Length) -> String {
         let point = |point: PointId| {
             let name = self.point_names[point.index()].as_deref();
@@ -346,7 +351,7 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// Where the element stands that a length belongs to.
+    /// Returns the place in the text of the element that a length belongs to.
     fn place(&self, length: Length) -> ByteSpan {
         match length {
             Length::Link(link)
@@ -365,7 +370,7 @@ impl<'r> Settling<'r, '_, '_> {
         }
     }
 
-    /// How loose every pin is, in each link with play.
+    /// Returns the clearance of every pin, once for each link with play.
     fn clearances(&mut self) -> Vec<(LinkId, PointId, f64)> {
         let mut own: HashMap<PointId, &DraftClearance> = HashMap::new();
         for (name, size) in &self.draft.tolerances.pins {
@@ -402,7 +407,8 @@ impl<'r> Settling<'r, '_, '_> {
         clearances
     }
 
-    /// Reports a pin that is as loose as a length is long that ends there: the link could stand anywhere about it.
+    /// Reports a pin whose clearance is not smaller than a length that ends there: the link could
+    /// have any angle.
     fn shorter_than(&mut self, pin: PointId, clearance: &DraftClearance) {
         let ends_there = |length: &Length| match *length {
             Length::Link(link) => {
@@ -433,7 +439,7 @@ impl<'r> Settling<'r, '_, '_> {
     }
 }
 
-/// The point whose place a length is.
+/// Returns the point whose coordinate or arm a length is; `None` for other lengths.
 fn placed(length: Length) -> Option<PointId> {
     match length {
         Length::Ground(point, _)
@@ -444,9 +450,9 @@ fn placed(length: Length) -> Option<PointId> {
     }
 }
 
-/// The links with play at a pin. A pin that is fixed to the ground or moves in a slot has play in each of its links. Any
-/// other pin is fixed in one link: in a sliding link whose origin it is, since that point is where the slide is measured;
-/// otherwise in the one of the lowest rank.
+/// Returns the links with play at a pin. A pin fixed to the ground or moving in a slot has play in
+/// each of its links. Any other pin is fixed in one link. That is a sliding link with its origin at
+/// the pin, since the slide is measured from there; if there is none, the link of the lowest rank.
 fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
     let mut links = mechanism.point(point).links.clone();
     links.sort_by_key(|&link| mechanism.link_rank(link));

@@ -1,4 +1,4 @@
-//! What the file says, element by element, before names are joined.
+//! Reads the elements of a scene file one by one, before their names are resolved.
 
 use super::Unit;
 use super::deviations::{self, Deviations, DraftTolerances};
@@ -23,7 +23,7 @@ use crate::wording::words;
 use serde::Deserialize;
 use std::collections::HashSet;
 
-/// A scene as its file writes it.
+/// A scene as written in its file.
 #[derive(Debug, Deserialize)]
 pub(super) struct SceneFile {
     name: Option<Lenient<String>>,
@@ -52,8 +52,8 @@ pub(super) struct SceneFile {
     redundant: Option<Lenient<redundant::RedundantTable>>,
 }
 
-/// What a scene says. Values that could not be read have a placeholder, so that what they do not
-/// touch can still be checked; a diagnostic was reported for each.
+/// The contents of a scene. Values that could not be read have a placeholder and a diagnostic, so
+/// that the remaining elements can still be checked.
 #[derive(Debug, Default)]
 pub(super) struct SceneDraft<'t> {
     pub(super) name: Option<String>,
@@ -61,15 +61,15 @@ pub(super) struct SceneDraft<'t> {
     pub(super) note: Option<String>,
     pub(super) unit: Unit,
     pub(super) parameters: Vec<DraftParameter<'t>>,
-    /// The points of the ground, the marks among them.
+    /// The points of the ground, including the marks.
     pub(super) ground: Vec<PlacedPoint<'t>>,
-    /// Those that nothing need refer to, by their names.
+    /// The names of the marks, which no element has to refer to.
     pub(super) marks: HashSet<&'t str>,
     pub(super) links: Vec<DraftLink<'t>>,
     pub(super) links_key: Option<ByteSpan>,
     pub(super) slides: Vec<DraftSlide<'t>>,
     pub(super) driver: Option<DraftDriver<'t>>,
-    /// The key `driver`, whether or not what follows could be read.
+    /// The place of the key `driver`, even if its value could not be read.
     pub(super) driver_key: Option<ByteSpan>,
     /// The inputs that follow the driver.
     pub(super) timed: Vec<DraftTimed<'t>>,
@@ -83,11 +83,11 @@ pub(super) struct SceneDraft<'t> {
     pub(super) figures: Vec<DraftFigure<'t>>,
     pub(super) redundant: Redundant,
     pub(super) tolerances: DraftTolerances<'t>,
-    /// Whether a section could not be read at all: its names are missing everywhere.
+    /// Whether a section could not be read at all, so that all its names are missing.
     pub(super) unreadable: bool,
-    /// Whether a link or a slide names a point that could not be read.
+    /// Whether a link or a slide names an unreadable point.
     pub(super) lost_points: bool,
-    /// Whether a vector, a load or a spring could not be read, which may have named a point.
+    /// Whether a vector, a load or a spring that may have named a point could not be read.
     pub(super) lost_references: bool,
 }
 
@@ -96,7 +96,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     let mut draft = SceneDraft::default();
     // The root of a document is always a table.
     let Some(file) = root.get() else { return draft };
-    // Links make it a scene, whatever stands beside them.
+    // A file with links is a scene, even if it has a `kind`.
     if let (Some(kind), None) = (root.key("kind"), root.key("links")) {
         let fault = Diagnostic::new(words().task_for_a_scene());
         reader.report(
@@ -114,7 +114,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
     draft.note = line(reader, "note", file.note.as_ref());
     draft.unit = unit(reader, file.unit.as_ref());
     reader.named.length = (draft.unit.symbol(), draft.unit.tenths_of_mm());
-    // All numbers may be made of them.
+    // First, because every number may use parameters.
     if let Some(value) = &file.parameters {
         draft.parameters = parameters::read(reader, value);
     }
@@ -147,7 +147,8 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
 }
 
 impl<'v> SceneDraft<'v> {
-    /// What moves, and where it is. A section that is no table has lost all its names.
+    /// Reads the ground, the links, the slides, the inputs and the start. A section that is not a
+    /// table loses all its names.
     fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<SceneFile>, file: &'v SceneFile) {
         let place = |name| root.key(name).map(|key| key.span());
         if let Some(value) = &file.ground {
@@ -199,7 +200,7 @@ impl<'v> SceneDraft<'v> {
         }
     }
 
-    /// How far lengths may be off, and how loose pins are.
+    /// Reads tolerances and clearances.
     fn deviations(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
         let general = file.tolerance.as_ref();
         let all = &mut self.tolerances;
@@ -215,7 +216,7 @@ impl<'v> SceneDraft<'v> {
         }
     }
 
-    /// What names points without defining them.
+    /// Reads the elements that name points without defining them.
     fn references(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
         let before = reader.found.len();
         if let Some(value) = &file.vectors {
@@ -234,7 +235,7 @@ impl<'v> SceneDraft<'v> {
     }
 }
 
-/// A text of one line: white space runs become one space.
+/// Reads a text as one line: runs of white space become one space.
 pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
     let parts: Vec<&str> = text.split_whitespace().collect();

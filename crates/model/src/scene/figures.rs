@@ -1,4 +1,4 @@
-//! Reads figures that are made of others: names and formulas.
+//! Reads the section `[figures]`: values computed from others, by name and formula.
 
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient};
@@ -8,23 +8,23 @@ use std::ops::Range;
 
 const FIGURE: &str = r#"swing = "r4.angle - r3.angle""#;
 
-/// A figure that the scene makes of others, `swing = "armL.angle - armR.angle"`: what its names stand for is
-/// the affair of whoever lists figures.
+/// A value that the scene computes from others, such as `swing = "armL.angle - armR.angle"`. The
+/// caller that lists values resolves the names in the formula.
 #[derive(Clone, Debug)]
 pub struct NamedFormula {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// The formula as it is written.
+    /// The formula as written.
     pub text: String,
     pub(crate) tree: ExpressionTree,
     pub(crate) place: FormulaPlace,
 }
 
-/// Where a formula stands in the file.
+/// The place of a formula in the file.
 #[derive(Clone, Debug)]
 pub(crate) struct FormulaPlace {
     text: ByteSpan,
-    /// Whether the bytes between the quotes are those of the formula.
+    /// Whether the bytes between the quotes equal the formula, without escapes.
     is_literal: bool,
 }
 
@@ -38,12 +38,12 @@ impl FormulaPlace {
         }
     }
 
-    /// What is wrong with the formula of a figure, where it stands in the file.
+    /// Returns the diagnostic of a fault in a value's formula, with its place in the file.
     pub(crate) fn diagnostic(&self, figure: &str, fault: &Malformed) -> Diagnostic {
         self.fault(&words().figure_called(&quoted(figure)), fault)
     }
 
-    /// What is wrong with the formula of anything.
+    /// Returns the diagnostic of a fault in any formula; `what` names the formula.
     pub(super) fn fault(&self, what: &str, fault: &Malformed) -> Diagnostic {
         let span = match self.is_literal {
             true => {
@@ -58,17 +58,17 @@ impl FormulaPlace {
     }
 }
 
-/// The section `[figures]` as it is written.
+/// The section `[figures]` as written.
 pub(super) type FigureEntries = Lenient<Entries<Lenient<String>>>;
 
-/// A figure, and its formula as far as that is one.
+/// A named value, with its formula if that could be parsed.
 #[derive(Debug)]
 pub(super) struct DraftFigure<'t> {
     pub(super) name: Name<'t>,
     pub(super) formula: Option<NamedFormula>,
 }
 
-/// Reads the section. What is no formula is reported.
+/// Reads the section, and reports every text that is not a formula.
 pub(super) fn figures<'v>(
     reader: &mut Reader<'_>,
     value: &'v FigureEntries,

@@ -1,7 +1,9 @@
-//! The frame written as a link: `r1 = { from = "D", to = "A", length = 400 }` between two points of the ground.
+//! Converts links that are the frame to vectors: `r1 = { from = "D", to = "A", length = 400 }`
+//! between two points of the ground.
 //!
-//! Lecture notes count the frame among the links, and so it is written as one. It carries nothing and cannot move:
-//! as a link it would only repeat what the ground says already. It is the vector that `[vectors]` would make of it.
+//! Lecture notes count the frame as a link, so scene files may contain it as one. It carries
+//! nothing and cannot move: as a link it would only repeat the ground. It becomes the vector that
+//! `[vectors]` would define.
 
 use super::draft::SceneDraft;
 use super::input::DraftInput;
@@ -13,11 +15,11 @@ use crate::Vec2;
 use std::collections::HashMap;
 use std::collections::HashSet;
 
-/// What a length that was worked out by hand may miss of the distance: part of it.
+/// Maximum relative difference between a manually computed length and the distance of its ends.
 const ROUNDED: f64 = 1e-9;
 
-/// Makes vectors of the links that are the frame. One whose length is another than the distance of its ends stays a
-/// link, which then does not fit and is told so.
+/// Converts the links that are the frame to vectors. A link whose length differs from the distance
+/// of its ends stays a link, and a later check reports that it does not fit.
 pub(super) fn as_vectors(draft: &mut SceneDraft<'_>) {
     let ground = draft.ground.iter();
     let ground: HashMap<&str, Vec2> = ground
@@ -47,7 +49,7 @@ pub(super) fn as_vectors(draft: &mut SceneDraft<'_>) {
     draft.vectors.extend(vectors);
 }
 
-/// The links that are spoken of as links: driven, sliding, with a guide or a load on them.
+/// Returns the names of the links used as links: driven, sliding, carrying a guide, or with a load.
 fn carriers<'t>(draft: &SceneDraft<'t>) -> HashSet<&'t str> {
     let driven = draft
         .driver

@@ -1,4 +1,5 @@
-//! General tolerances of ISO 2768-1: how far a length may be off where a drawing says nothing else of it.
+//! General tolerances of ISO 2768-1: the permissible deviation of a length without a tolerance of
+//! its own on the drawing.
 
 /// A tolerance class of ISO 2768-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,9 +12,10 @@ pub(super) enum GeneralTolerance {
 
 /// The designation of a class without its letter.
 const STANDARD: &str = "ISO 2768-";
-/// The least size that the standard speaks of, in mm.
+/// Minimum size in the standard, in mm.
 const LEAST: f64 = 0.5;
-/// Permissible deviations in mm: up to which size, and of f, m, c and v; 0 where there is none.
+/// Permissible deviations in mm: the maximum size of each row, and the values for f, m, c and v; 0
+/// marks a missing value.
 const DEVIATIONS: [(f64, [f64; 4]); 8] = [
     (3.0, [0.05, 0.1, 0.2, 0.0]),
     (6.0, [0.05, 0.1, 0.3, 0.5]),
@@ -24,7 +26,7 @@ const DEVIATIONS: [(f64, [f64; 4]); 8] = [
     (2000.0, [0.5, 1.2, 3.0, 6.0]),
     (4000.0, [0.0, 2.0, 4.0, 8.0]),
 ];
-/// What a size that was converted to mm may be off.
+/// Maximum relative rounding error of a size converted to mm.
 const ROUNDING: f64 = 1e-12;
 
 impl GeneralTolerance {
@@ -35,13 +37,13 @@ impl GeneralTolerance {
         GeneralTolerance::VeryCoarse,
     ];
 
-    /// As a drawing designates it: `ISO 2768-m`.
+    /// Returns the designation on drawings, such as `ISO 2768-m`.
     pub(super) fn designation(self) -> String {
         let letter = ['f', 'm', 'c', 'v'][self as usize];
         format!("{STANDARD}{letter}")
     }
 
-    /// All designations.
+    /// Returns the designations of all classes.
     pub(super) fn designations() -> [String; 4] {
         Self::ALL.map(Self::designation)
     }
@@ -51,7 +53,8 @@ impl GeneralTolerance {
         all.find(|class| class.designation() == text)
     }
 
-    /// The permissible deviation of a size, both in mm; `None` outside of what the standard speaks of.
+    /// Returns the permissible deviation for a size, both in mm; `None` outside the standard's
+    /// range.
     pub(super) fn deviation(self, size: f64) -> Option<f64> {
         let least = size * (1.0 - ROUNDING);
         if size * (1.0 + ROUNDING) < LEAST {
@@ -61,7 +64,7 @@ impl GeneralTolerance {
         Some(all[self as usize]).filter(|deviation| *deviation > 0.0)
     }
 
-    /// The sizes for which it has a deviation, in mm.
+    /// Returns the range of sizes that have a deviation in this class, in mm.
     pub(super) fn sizes(self) -> GeneralSizes {
         let mut sizes = GeneralSizes {
             least: LEAST,
@@ -81,13 +84,13 @@ impl GeneralTolerance {
     }
 }
 
-/// The sizes of which a class speaks, in mm.
+/// The range of sizes of a class, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct GeneralSizes {
     pub(super) least: f64,
-    /// Whether the least itself is none of them.
+    /// Whether the range excludes `least` itself.
     pub(super) is_above: bool,
-    /// One of them.
+    /// The maximum size, included in the range.
     pub(super) greatest: f64,
 }
 

@@ -1,4 +1,5 @@
-//! Joins the names of slides: what moves, on what, and through which point.
+//! Resolves the names in slides: the slider, the body that carries the guide, and the guide's
+//! point.
 
 use super::names::Sort;
 use super::reader::Name;
@@ -8,7 +9,7 @@ use crate::document::Diagnostic;
 use crate::wording::words;
 use crate::{Body, LinkId, PointId, Vec2};
 
-/// What carries a guide: the ground, or a link by its place in the draft.
+/// The body that carries a guide: the ground, or a link by its index in the draft.
 #[derive(Clone, Copy)]
 enum Carrier {
     Ground,
@@ -24,14 +25,14 @@ impl Carrier {
     }
 }
 
-/// What slides, by id.
+/// The slider, by id.
 enum SlidingId {
     Pin(PointId),
     Link { link: LinkId, turn: f64 },
 }
 
 impl<'r, 't> Resolver<'r, '_, 't> {
-    /// All slides; one that names something unknown is left out.
+    /// Adds all slides to the builder, except those that name an unknown element.
     pub(super) fn slides(&mut self) {
         let draft = self.draft;
         for slide in &draft.slides {
@@ -91,7 +92,8 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         }
     }
 
-    /// The place of a named point of the guide in the frame of what carries the guide.
+    /// Returns the coordinates of the guide's named point in the frame of the body that carries the
+    /// guide. Reports a point that the body does not have, and returns `None`.
     fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
         let what = words().key_of("through", &words().slide_called(&slide.name.to_string()));
         self.referred.insert(name.text);

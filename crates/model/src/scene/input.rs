@@ -11,7 +11,7 @@ use crate::wording::words;
 use crate::{Double, Mechanism, MotionLaw};
 use serde::Deserialize;
 
-/// The section `[driver]` as it is written.
+/// The section `[driver]` as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct DriverTable {
     link: Option<Lenient<String>>,
@@ -27,20 +27,20 @@ pub(super) struct DriverTable {
 
 #[derive(Debug)]
 pub(super) struct DraftDriver<'t> {
-    /// The key `link` or `slide`.
+    /// The link or slide named by the key `link` or `slide`.
     pub(super) input: DraftInput<'t>,
-    /// The link that the motor of a driven link sits on; none on the ground.
+    /// The link that carries the motor of a driven link; `None` if the ground carries it.
     pub(super) from: Option<Name<'t>>,
     pub(super) start: f64,
-    /// Between which stops it moves.
+    /// The range of the coordinate.
     pub(super) range: Option<DraftEnds>,
     pub(super) speed: f64,
     pub(super) acceleration: f64,
-    /// Whether one of these was typed in another unit.
+    /// Whether the speed or the acceleration was converted from another unit.
     pub(super) is_converted: bool,
-    /// Speed and acceleration as they were typed, to twice the digits, where both are known.
+    /// The given speed and acceleration as double-doubles, if both are known.
     pub(super) typed_rates: Option<[Double; 2]>,
-    /// How it moves over time.
+    /// The motion over time.
     pub(super) motion: Option<MotionLaw>,
 }
 
@@ -50,19 +50,19 @@ pub(super) enum DraftInput<'t> {
     Slide(Name<'t>),
 }
 
-/// The rate where the file gives none: per unit of the coordinate, so that velocities are the
-/// kinematic coefficients.
+/// The speed if the file has none: one unit of the coordinate per second, so that velocities equal
+/// the kinematic coefficients.
 const UNIT_SPEED: f64 = 1.0;
 
-/// How a kind of driver is written.
+/// The keys of one kind of driver.
 pub(super) struct DriverForm {
-    /// The key that names what is driven.
+    /// The key that names the driven element.
     pub(super) driven: &'static str,
-    /// The key of its coordinate.
+    /// The key of the coordinate.
     coordinate: &'static str,
-    /// The coordinate of the other kind.
+    /// The key of the other kind's coordinate.
     other: &'static str,
-    /// What a motor drives it by, and the key for it.
+    /// The key of the motor's effort.
     pub(super) effort: &'static str,
     example: &'static str,
 }
@@ -83,7 +83,7 @@ pub(super) const PUSHED: DriverForm = DriverForm {
     example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
 };
 
-/// The key of the driver's coordinate.
+/// Returns the key of the driver's coordinate.
 pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
     let form = match mechanism.driver().input {
         crate::Input::Turn(_) => TURNED,
@@ -115,7 +115,7 @@ pub(super) fn driver<'v>(
         }
     };
     let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
-    // That a slide has none is told with its keys.
+    // The check of the keys reports a `from` of a driven slide.
     let given_seat = table.from.as_ref().filter(|_| kind == RateKind::Turn);
     let from = seat(reader, words().the_driver(), kind, given_seat);
     let (given, other) = match kind {
@@ -165,14 +165,15 @@ pub(super) fn driver<'v>(
         speed: speed.unwrap_or(UNIT_SPEED),
         acceleration: acceleration.unwrap_or(0.0),
         is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted)
-            // Its speeds are per degree.
+            // The speeds of a motion law are per degree.
             || motion.is_some(),
         typed_rates: typed_rates.map(<[Double; 2]>::from),
         motion,
     })
 }
 
-/// The link that the motor of an input sits on: a slide has its own guide for that.
+/// Reads the link that carries the motor of an input. Reports a driven slide that has one: its
+/// guide takes that role.
 pub(super) fn seat<'v>(
     reader: &mut Reader<'_>,
     of: &str,
@@ -194,7 +195,7 @@ pub(super) fn seat<'v>(
     }
 }
 
-/// How it moves over time, which no speed may stand beside.
+/// Reads the motion over time. Reports a speed or an acceleration given together with it.
 fn motion(
     reader: &mut Reader<'_>,
     (value, table): (&Lenient<DriverTable>, &DriverTable),
@@ -229,7 +230,7 @@ fn range(
     range
 }
 
-/// Nothing is driven: a misspelt key, or none at all.
+/// Reports a driver without a link or slide, unless a misspelt key explains it.
 fn neither(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, key: &ByteSpan) {
     reader.only(words().the_driver(), value);
     if !value.meant("link") && !value.meant("slide") {
@@ -246,7 +247,7 @@ fn both_forms(fault: Diagnostic) -> Diagnostic {
         .help(words().how_a_slide_is_driven(PUSHED.example))
 }
 
-/// The coordinate of the other kind of driver.
+/// Reports a coordinate of the other kind of driver.
 fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form: &DriverForm) {
     let DriverForm {
         driven,
@@ -265,7 +266,7 @@ fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form:
     );
 }
 
-/// The coordinate at which the scene opens.
+/// Reads the coordinate at which the scene opens.
 fn start(
     reader: &mut Reader<'_>,
     value: &Lenient<DriverTable>,
@@ -276,7 +277,7 @@ fn start(
     let coordinate = form.coordinate;
     let known = keys::of(keys::DRIVER, form.driven);
     reader.only_these(words().the_driver(), &value.keys, &known);
-    // A misspelt key was reported already; what it leaves missing is no second fault.
+    // A misspelt key was already reported; do not report the missing key as well.
     if given.is_none() && !meant(&value.keys, &known, coordinate) {
         let label = words().coordinate_is_missing(coordinate);
         reader.report(
@@ -288,7 +289,7 @@ fn start(
     reader.number(&words().key_of(coordinate, words().the_driver()), given?)
 }
 
-/// A speed or an acceleration, `None` if it is wrong.
+/// Reads a speed or an acceleration; returns `None` if it is invalid.
 pub(super) fn rate(
     reader: &mut Reader<'_>,
     of: &str,

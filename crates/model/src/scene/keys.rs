@@ -1,35 +1,37 @@
-//! The table of keys: what a scene file may say, what each key is, and what holds where it is left out.
+//! The table of the keys of scene files, with descriptions and defaults.
 //!
-//! From it come the faults of unknown keys, the numbers that the workbench lists and changes, and the reference in
-//! the manual. The types that a file is read into have a field for each row; a test holds them to it.
+//! The table yields the diagnostics of unknown keys, the numbers that the workbench lists and
+//! edits, and the reference in the manual. The types for deserialization have one field for each
+//! row; a test checks this.
 
 use super::measure::Measure;
 use super::rate::Degree;
 use crate::wording::{Wording, Words, words};
 
-/// A key.
+/// A key of a table in a scene file.
 pub(super) struct SceneKey {
     pub(super) name: &'static str,
     pub(super) kind: KeyKind,
-    /// The kinds of elements that have it, each called by a key of its own; every kind where none is named.
+    /// The kinds of elements that have the key, each identified by its characteristic key. Empty if
+    /// all kinds have it.
     of: &'static [&'static str],
-    /// What it is; nothing where it is told with the next one.
+    /// The description; empty if the next key's row describes both.
     words: KeyText,
-    /// What holds where it is left out; nothing where it must be given.
+    /// The default; empty if the key is required.
     default: KeyText,
 }
 
 /// A text of the reference.
 #[derive(Clone, Copy)]
 enum KeyText {
-    /// As it is typed in a scene, whatever is spoken; or nothing.
+    /// Text as typed in a scene, the same in every language; may be empty.
     Typed(&'static str),
     /// A sentence of the catalogue.
     Said(Wording),
 }
 
 impl KeyText {
-    /// In the language that is spoken.
+    /// Returns the text in the current language.
     fn spoken(self) -> &'static str {
         match self {
             KeyText::Typed(text) => text,
@@ -38,7 +40,7 @@ impl KeyText {
     }
 }
 
-/// What stands behind a key.
+/// The kind of a key's value.
 #[derive(Clone, Copy)]
 pub(super) enum KeyKind {
     /// A name, a text or a choice.
@@ -54,18 +56,18 @@ pub(super) enum KeyKind {
     Numbers(NumberMeasure),
     /// Named pairs.
     Points(NumberMeasure),
-    /// `[x, y]` on a link, or a length and an angle; and named ones.
+    /// `[x, y]` on a link, or a length and an angle; `Places` are named ones.
     Place,
     Places,
-    /// Pairs of where and how much; what the latter is called.
+    /// Pairs of an argument and a value, with the name of the value.
     Knots([NumberMeasure; 2], &'static str),
-    /// A table, one of each name, or a list of them.
+    /// A table, a table of named tables, or a list of tables.
     Table(&'static [SceneKey]),
     Each(&'static [SceneKey]),
     List(&'static [SceneKey]),
-    /// Named ends, or tables of an angle and its ends.
+    /// Named ranges, or tables of an angle and its range.
     Limits(&'static [SceneKey]),
-    /// A list of tables in another.
+    /// A list of tables inside another table.
     Steps(&'static [SceneKey]),
     /// Named pairs of names.
     Vectors,
@@ -75,20 +77,21 @@ pub(super) enum KeyKind {
     Parameters,
 }
 
-/// What a number measures.
+/// The quantity that a number measures.
 #[derive(Clone, Copy)]
 pub(super) enum NumberMeasure {
     Of(Measure),
-    /// The coordinate of the driver, or of the input that the table is for.
+    /// The coordinate of the driver, or of the input that the table belongs to.
     Driver,
-    /// The coordinate of the driver, also where the table is for another input.
+    /// The coordinate of the driver, even if the table belongs to another input.
     DriverItself,
-    /// What a motor gives: a torque, or the force on a driven slide.
+    /// The effort of a motor: a torque, or the force on a driven slide.
     Effort,
 }
 
 impl NumberMeasure {
-    /// `turns` tells that a link is driven, and no slide, by what it is the coordinate of.
+    /// Resolves the measure. `turns` is `true` if the input whose coordinate is meant drives a
+    /// link, and `false` if it drives a slide.
     pub(super) fn measure(self, turns: bool) -> Measure {
         match (self, turns) {
             (NumberMeasure::Of(measure), _) => measure,
@@ -100,7 +103,7 @@ impl NumberMeasure {
     }
 }
 
-/// A text in quotes is typed; a name is that of a sentence.
+/// Converts a literal to typed text, and an identifier to the sentence of that name.
 macro_rules! key_text {
     ($typed:literal) => {
         KeyText::Typed($typed)
@@ -110,7 +113,7 @@ macro_rules! key_text {
     };
 }
 
-/// Rows of `name: kind, of, words, default`.
+/// Builds tables from rows of `name: kind, of, words, default`.
 macro_rules! keys {
     ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:tt, $default:tt;)*)*) => {
         $(pub(super) const $table: &[SceneKey] = &[$(SceneKey {
@@ -246,19 +249,19 @@ REDUNDANT =
     "misfit": Number(Of(Measure::Length)), [], misfit_accepted, "0";
 }
 
-/// The row of a key.
+/// Returns the row of a key.
 pub(super) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
     keys.iter().find(|key| key.name == name)
 }
 
-/// The names of the keys that an element of a kind has.
+/// Returns the names of the keys that an element of this kind has.
 pub(super) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
     let fits = |key: &&SceneKey| key.of.is_empty() || key.of.contains(&kind);
     keys.iter().filter(fits).map(|key| key.name).collect()
 }
 
-/// Every key of a scene as a table in Markdown: what it is, and what holds where it is left out, in the language that
-/// is spoken. Plain keys stand first, as they do in a file.
+/// Returns a table of all keys of a scene in Markdown, with descriptions and defaults in the
+/// current language. Plain keys come first, as in a file.
 #[must_use]
 pub fn reference() -> String {
     let mut table = format!("| {} |\n|---|---|---|\n", words().heads_of_keys());
@@ -274,7 +277,7 @@ pub fn reference() -> String {
 }
 
 impl SceneKey {
-    /// Of a section how a file begins it, and the keys in it.
+    /// Returns a section's heading as written in a file, and its keys; `None` for a plain key.
     fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {

@@ -1,4 +1,4 @@
-//! Reads limits: coordinates that stay between two stops.
+//! Reads limits: minimum and maximum of coordinates.
 //!
 //! ```toml
 //! [limits]
@@ -20,22 +20,22 @@ use serde::de::{IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::fmt;
 
-/// The keys of an angle that is limited.
+/// The keys of a limited angle.
 pub(super) const ANGLE_KEYS: [&str; 3] = ["link", "from", "angle"];
 const ANGLE: &str = r#"{ link = "r4", from = "r3", angle = [20, 160] }"#;
 const PAIR: (&str, &str) = ("[low, high]", "[120, 200]");
 
-/// The section `[limits]` as it is written.
+/// The section `[limits]` as written.
 pub(super) type LimitEntries = Lenient<Entries<Lenient<WrittenLimit>>>;
 
-/// A limit of what it is named after, or of the angle of a link.
+/// A limit of the element with its name, or of the angle of a link.
 #[derive(Debug)]
 pub(super) enum WrittenLimit {
     Pair(Vec<Lenient<f64>>),
     Angle(Box<AngleTable>),
 }
 
-/// A limited angle as it is written.
+/// A limited angle as written.
 #[derive(Debug, Default)]
 pub(super) struct AngleTable {
     link: Option<Lenient<String>>,
@@ -49,7 +49,7 @@ impl<'de> Deserialize<'de> for WrittenLimit {
     }
 }
 
-/// Takes a list or a table, and nothing else.
+/// Accepts a list or a table only.
 struct PairOrAngle;
 
 impl<'de> Visitor<'de> for PairOrAngle {
@@ -74,7 +74,7 @@ impl<'de> Visitor<'de> for PairOrAngle {
                 "link" => table.link = Some(map.next_value()?),
                 "from" => table.from = Some(map.next_value()?),
                 "angle" => table.angle = Some(map.next_value()?),
-                // Told as unknown by its name, whatever stands there.
+                // The key is reported as unknown, so its value does not matter.
                 _ => drop(map.next_value::<Lenient<IgnoredAny>>()?),
             }
         }
@@ -82,7 +82,7 @@ impl<'de> Visitor<'de> for PairOrAngle {
     }
 }
 
-/// Two ends in order, and where they stand.
+/// The two ends of a range in ascending order, with their place in the file.
 #[derive(Debug)]
 pub(super) struct DraftEnds {
     pub(super) low: f64,
@@ -93,12 +93,13 @@ pub(super) struct DraftEnds {
 #[derive(Debug)]
 pub(super) struct DraftLimit<'t> {
     pub(super) name: Name<'t>,
-    /// The link and from where it is seen; `None` where the limit is named after what it holds.
+    /// The link and its reference body; `None` if the limit has the name of the element that it
+    /// limits.
     pub(super) angle: Option<(Name<'t>, Option<Name<'t>>)>,
     ends: DraftEnds,
 }
 
-/// Reads the section. What could not be read is left out, and reported.
+/// Reads the section. Reports and omits limits that could not be read.
 pub(super) fn limits<'v>(reader: &mut Reader<'_>, value: &'v LimitEntries) -> Vec<DraftLimit<'v>> {
     reader.table("[limits]", "{ r4 = [30, 150] }", value);
     let read = |(name, value)| limit(reader, name, value);
@@ -146,7 +147,7 @@ fn limited_angle<'v>(
         ("link", table.link.is_some()),
         ("angle", table.angle.is_some()),
     ] {
-        // A misspelt key was reported already; what it leaves missing is no second fault.
+        // A misspelt key was already reported; do not report the missing key as well.
         if !is_given && !meant(&value.keys, &ANGLE_KEYS, key) {
             reader.report(
                 Diagnostic::new(words().of_has_no(what, key))
@@ -163,7 +164,7 @@ fn limited_angle<'v>(
     (!is_lost).then_some((link?, from, ends?))
 }
 
-/// Two ends of what moves.
+/// Reads the two ends of a range.
 pub(super) fn range(
     reader: &mut Reader<'_>,
     what: &str,
@@ -206,10 +207,10 @@ fn ends(
     None
 }
 
-/// Refuses a driver's range of more turns than are told one by one.
+/// Reports a driver's range with more turns than can be listed.
 pub(super) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds) {
     let most = MOST_TURNS * TURN;
-    // Written so that an overflow is refused too.
+    // Negated, so that an overflow is rejected too.
     if !(ends.high - ends.low < most) {
         reader.report(
             Diagnostic::new(words().range_of_too_many_turns(what, most))
@@ -219,11 +220,11 @@ pub(super) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds)
     }
 }
 
-/// The places and names of the limits, as the mechanism numbers them.
+/// The names and places of the limits, in the order of the mechanism's ids.
 pub(super) type LimitPlaces = Vec<(String, ByteSpan)>;
 
 impl<'t> Resolver<'_, '_, 't> {
-    /// The driver's range, and what `[limits]` holds.
+    /// Adds the driver's range and the limits of `[limits]` to the builder.
     pub(super) fn limits(&mut self) {
         let draft: &SceneDraft<'t> = self.draft;
         if let Some(ends) = draft.driver.as_ref().and_then(|d| d.range.as_ref()) {
@@ -250,7 +251,8 @@ impl<'t> Resolver<'_, '_, 't> {
         self.limit_places.push((name, ends.place.clone()));
     }
 
-    /// What a limit is named after: a slide, or a link in the frame.
+    /// Returns the element that a limit is named after: a slide, or a link relative to the ground.
+    /// Reports an unknown name, and returns `None`.
     fn named(&mut self, limit: &DraftLimit<'t>) -> Option<LimitOf> {
         let name = limit.name.text;
         if let Some(&slide) = self.slides.get(name) {
@@ -263,7 +265,7 @@ impl<'t> Resolver<'_, '_, 't> {
         }
         let slides = &self.draft.slides;
         if slides.iter().any(|s| s.name.text == name) {
-            // A slide that could not be read was reported.
+            // The unreadable slide was already reported.
             return None;
         }
         let known = links.iter().map(|l| l.name.text);
@@ -276,7 +278,8 @@ impl<'t> Resolver<'_, '_, 't> {
         None
     }
 
-    /// The angle of a link as seen from another, or from the ground.
+    /// Returns the angle of a link relative to another link or the ground. Reports invalid links,
+    /// and returns `None`.
     fn seen(
         &mut self,
         limit: &DraftLimit<'t>,

@@ -9,16 +9,16 @@ use crate::document::{Diagnostic, Entries, Lenient};
 use crate::wording::words;
 use serde::Deserialize;
 
-/// The most links that a scene may have.
+/// Maximum number of links of a scene.
 const MOST_LINKS: usize = 10_000;
 
 const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 
-/// The section `[links]` as it is written.
+/// The section `[links]` as written.
 pub(super) type Links = Lenient<Entries<Lenient<LinkTable>>>;
 
-/// A link as it is written.
+/// A link as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct LinkTable {
     from: Option<Lenient<String>>,
@@ -40,22 +40,23 @@ pub(super) struct DraftLink<'t> {
     pub(super) com: Option<PlacedPoint<'t>>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
-    /// The key `mass`, or `inertia` where there is no mass.
+    /// The place of the key `mass`, or of `inertia` if there is no mass.
     pub(super) mass_key: Option<(&'static str, ByteSpan)>,
-    /// How far its length and the places of its points may be off.
+    /// The tolerance of its length and of the coordinates of its points.
     pub(super) tolerance: Option<DraftTolerance>,
-    /// Whether something about it was reported.
+    /// Whether a diagnostic was reported for the link.
     pub(super) broken: bool,
 }
 
 impl<'t> DraftLink<'t> {
-    /// Its named points, the ends first.
+    /// Returns the names of its points, the ends first.
     pub(super) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
         let ends = self.ends.iter().flat_map(|ends| [&ends.from, &ends.to]);
         ends.chain(self.points.iter().map(|p| &p.name))
     }
 
-    /// The coordinates of one of the link's points in its own frame.
+    /// Returns the coordinates of one of the link's points in the link's frame; `None` if it is not
+    /// on the link.
     pub(super) fn local(&self, point: &str) -> Option<Vec2> {
         let ends = self.ends.as_ref().and_then(|ends| {
             if ends.from.text == point {
@@ -76,18 +77,19 @@ pub(super) struct Ends<'t> {
     pub(super) length: f64,
 }
 
-/// The fault of a scene without links and slides; what else it lacks follows from that.
+/// Returns the diagnostic of a scene without links and slides; other missing parts follow from
+/// that.
 pub(super) fn nothing_moves() -> Diagnostic {
     Diagnostic::new(words().no_links()).help(words().add_for_example(&format!("[links]\n{LINK}")))
 }
 
-/// The links of a scene, and what a fault among them takes away.
+/// The links of a scene, and the parts lost by faults in them.
 #[derive(Debug, Default)]
 pub(super) struct Read<'t> {
     pub(super) links: Vec<DraftLink<'t>>,
-    /// Whether there are more than a scene may have.
+    /// Whether the number of links exceeds the maximum.
     pub(super) too_many: bool,
-    /// Whether one names a point that could not be read.
+    /// Whether a link names an unreadable point.
     pub(super) lost_points: bool,
 }
 
@@ -155,8 +157,8 @@ fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
         .help(words().or_single_joint(POINTS))
 }
 
-/// `from`, `to` and `length` belong together. An end without the others still names its point.
-/// Returns whether no end was lost.
+/// Reads `from`, `to` and `length`, which belong together. An end without the others still names
+/// its point. Returns `true` if no end was lost.
 fn link_ends<'v>(
     reader: &mut Reader<'_>,
     of: &str,
@@ -177,7 +179,7 @@ fn link_ends<'v>(
         (false, false, true) => Some(words().length_without_ends()),
     };
     if let Some(missing) = missing {
-        // A misspelt key was reported already; what it leaves missing is no second fault.
+        // A misspelt key was already reported; do not report the missing key as well.
         let misspelt = ["from", "to", "length"]
             .into_iter()
             .any(|key| value.key(key).is_none() && value.meant(key));
@@ -203,7 +205,7 @@ fn link_ends<'v>(
     }
 }
 
-/// The further points. Returns whether none was lost.
+/// Reads the further points. Returns `true` if none was lost.
 fn link_points<'v>(
     reader: &mut Reader<'_>,
     of: &str,
@@ -253,11 +255,11 @@ fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
         .help(words().points_alone(POINTS))
 }
 
-/// What is said of a length that is none.
+/// The hints in diagnostics of an invalid length.
 pub(super) struct LengthHints {
-    /// What 0 leaves open, and what to do instead.
+    /// The consequence of a zero length, and its fix.
     nought: [&'static str; 2],
-    /// What to do where the direction was meant.
+    /// The fix for a negative length.
     negative: &'static str,
 }
 
@@ -269,7 +271,7 @@ impl LengthHints {
         }
     }
 
-    /// Of a point by length and angle.
+    /// Returns the hints for a point given by length and angle.
     pub(super) fn of_point() -> LengthHints {
         LengthHints {
             nought: [words().no_place_of_its_own(), words().leave_point_out()],
@@ -278,7 +280,7 @@ impl LengthHints {
     }
 }
 
-/// A distance: positive, and not too small to compute with.
+/// Reads a distance: positive, and not too small to compute with.
 pub(super) fn length(
     reader: &mut Reader<'_>,
     of: &str,

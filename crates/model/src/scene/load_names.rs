@@ -1,4 +1,4 @@
-//! Joins the names of loads.
+//! Resolves the names in loads.
 
 use super::loads::DraftLoad;
 use super::names::Sort;
@@ -10,7 +10,7 @@ use crate::wording::words;
 use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, angle};
 
 impl<'t> Resolver<'_, '_, 't> {
-    /// All loads, the weight, and the size of the unit, which only forces need.
+    /// Adds all loads, gravity and the unit in metres, which only forces need, to the builder.
     pub(super) fn loads(&mut self) {
         let draft = self.draft;
         for load in &draft.loads {
@@ -55,7 +55,8 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// The body in whose frame a force is given.
+    /// Returns the body in whose frame a force is given. Reports an unknown link, and returns
+    /// `None`.
     fn frame(&mut self, name: &Name<'t>) -> Option<Body> {
         if name.text == "ground" {
             return Some(Body::Ground);
@@ -84,12 +85,13 @@ impl<'t> Resolver<'_, '_, 't> {
         })
     }
 
-    /// The slide, unless something about it was reported.
+    /// Returns the slide, unless a diagnostic was reported for it.
     fn built(&self, slide: &DraftSlide<'t>) -> Option<SlideId> {
         self.slides.get(slide.name.text).copied()
     }
 
-    /// Reports a press whose guide moves: its stroke would have no ends in the frame.
+    /// Reports a press with a moving guide, and returns `None`: its stroke would have no ends in
+    /// the frame.
     fn on_ground(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<()> {
         let on = slide.on.as_ref()?;
         if on.text == "ground" {
@@ -105,7 +107,8 @@ impl<'t> Resolver<'_, '_, 't> {
         None
     }
 
-    /// The end at which the guide is lower, in the direction of y.
+    /// Returns the lower end of the stroke, in the direction of y. Reports a horizontal guide, and
+    /// returns `None`.
     fn lower_end(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<StrokeEnd> {
         let up = angle::unit(slide.angle).y;
         if up > 0.0 {
@@ -125,7 +128,7 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 }
 
-/// A key of a load, as a message calls it.
+/// Returns the name of a load's key in messages.
 fn of_load(key: &str) -> String {
     words().key_of(key, words().the_load())
 }

@@ -1,4 +1,4 @@
-//! Reads what acts on the mechanism: loads.
+//! Reads the loads on the mechanism.
 
 use super::keys;
 use super::profile::{self, Knots};
@@ -11,17 +11,17 @@ use serde::Deserialize;
 
 const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
 
-/// A list, and keys of a table in it.
+/// The heading of a list, and two keys of a table in it.
 pub(super) type ListExample = [&'static str; 3];
 
 pub(super) fn said([list, one, other]: ListExample) -> String {
     words().example_of_list(list, one, other)
 }
 
-/// The list `[[loads]]` as it is written.
+/// The list `[[loads]]` as written.
 pub(super) type Loads = Lenient<Vec<Lenient<LoadTable>>>;
 
-/// A load as it is written.
+/// A load as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct LoadTable {
     point: Option<Lenient<String>>,
@@ -40,7 +40,7 @@ pub(super) enum DraftLoad<'t> {
     Force {
         point: Name<'t>,
         force: Vec2,
-        /// The link with which it turns; the ground's frame without one.
+        /// The link that the force turns with; `None` for the ground's frame.
         frame: Option<Name<'t>>,
         over: Profile,
     },
@@ -52,12 +52,12 @@ pub(super) enum DraftLoad<'t> {
     Press {
         slide: Name<'t>,
         curve: Profile,
-        /// `None` where the file leaves it to the guide.
+        /// `None` if the direction of the guide decides.
         end: Option<StrokeEnd>,
     },
 }
 
-/// The kinds of loads, each known by the key of its size.
+/// The kinds of loads, each identified by the key of its magnitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum LoadKind {
     Force,
@@ -68,7 +68,7 @@ enum LoadKind {
 impl LoadKind {
     const ALL: [LoadKind; 3] = [LoadKind::Force, LoadKind::Torque, LoadKind::Press];
 
-    /// The key of its size, and its name.
+    /// Returns the key of its magnitude, which is also its name.
     fn size(self) -> &'static str {
         match self {
             LoadKind::Force => "force",
@@ -77,7 +77,7 @@ impl LoadKind {
         }
     }
 
-    /// The key of what it acts on.
+    /// Returns the key of the element that it acts on.
     fn on(self) -> &'static str {
         match self {
             LoadKind::Force => "point",
@@ -95,13 +95,14 @@ impl LoadKind {
     }
 }
 
-/// Reads the loads. What could not be read is left out, and reported.
+/// Reads the loads. Reports and omits those that could not be read.
 pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<DraftLoad<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
-/// The items of a list of tables; nothing of what is none, which is reported.
+/// Returns the items of a list of tables. Reports a value that is not a list, and returns an empty
+/// slice for it.
 pub(super) fn list<'v, T>(
     reader: &mut Reader<'_>,
     key: &str,
@@ -168,7 +169,7 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
 }
 
 impl LoadTable {
-    /// What a load of a kind acts on.
+    /// Returns the name of the element that a load of this kind acts on, if given.
     fn on(&self, kind: LoadKind) -> Option<&Lenient<String>> {
         match kind {
             LoadKind::Force => self.point.as_ref(),
@@ -178,7 +179,8 @@ impl LoadTable {
     }
 }
 
-/// What kind of load it is; one that says on what it acts, and how much.
+/// Returns the kind of a load that has a magnitude and an element to act on; reports any other
+/// load.
 fn kind(
     reader: &mut Reader<'_>,
     table: &LoadTable,
@@ -201,8 +203,8 @@ fn kind(
     None
 }
 
-/// The fault of a load that acts on nothing. A misspelt key was reported already; what it leaves
-/// missing is no second fault.
+/// Returns the diagnostic of a load without an element to act on; `None` if a misspelt key, already
+/// reported, explains it.
 fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
     let (size, on) = (kind.size(), kind.on());
     if load.meant(on) {
@@ -214,7 +216,7 @@ fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
     Some(fault.help(words().for_example(kind.example())))
 }
 
-/// The fault of a load without a size.
+/// Returns the diagnostic of a load without a magnitude; `None` if a misspelt key explains it.
 fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
     let meant = |kind: &LoadKind| load.meant(kind.size());
     if LoadKind::ALL.iter().any(meant) {

@@ -1,75 +1,76 @@
-//! What the numbers of a scene measure, and the units in which they may be typed.
+//! The quantities that numbers of a scene measure, and the units in which they may be typed.
 
 use super::Unit;
 use super::rate::{Degree, RateKind};
 use crate::expression::Dimension;
 
-/// What a value measures, and what it may be.
+/// The quantity that a value measures, with its permitted range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0, and
-    /// so may a misfit.
+    /// A distance, positive, in the scene's unit. A spring's length at zero force and a misfit may
+    /// also be 0.
     Length,
     /// A coordinate or a slide's position, in the scene's unit.
     Coordinate,
-    /// A rough coordinate of `[start]`, in the scene's unit: it chooses the assembly.
+    /// A rough coordinate of `[start]`, in the scene's unit; it chooses the assembly.
     Start,
-    /// How far a length may be off, or a pin is loose, in the scene's unit; not negative.
+    /// A tolerance or a clearance, in the scene's unit; not negative.
     Deviation,
-    /// In degrees, counter-clockwise.
+    /// An angle in degrees, counter-clockwise.
     Angle,
-    /// How fast the driver turns, with a unit of its own.
+    /// The speed of a turned driver, with its own unit.
     TurnSpeed,
-    /// How its speed changes.
+    /// The acceleration of a turned driver, with its own unit.
     TurnAcceleration,
-    /// How fast the driver is pushed, with a unit of its own.
+    /// The speed of a pushed driver, with its own unit.
     PushSpeed,
-    /// How its speed changes.
+    /// The acceleration of a pushed driver, with its own unit.
     PushAcceleration,
-    /// In kg, not negative.
+    /// A mass in kg, not negative.
     Mass,
-    /// In kg m^2, not negative.
+    /// A moment of inertia in kg m^2, not negative.
     Inertia,
-    /// In N.
+    /// A force in N.
     Force,
-    /// In N m.
+    /// A torque in N m.
     Torque,
-    /// In m/s^2.
+    /// An acceleration in m/s^2.
     Gravity,
-    /// In N/m, not negative.
+    /// A stiffness in N/m, not negative.
     Stiffness,
-    /// In N s/m, not negative.
+    /// A damping constant in N s/m, not negative.
     Damping,
-    /// In N m/rad, not negative.
+    /// A torsional stiffness in N m/rad, not negative.
     TurnStiffness,
-    /// In N m s/rad, not negative.
+    /// A torsional damping constant in N m s/rad, not negative.
     TurnDamping,
-    /// In s.
+    /// A time in s.
     Time,
-    /// A plain number: the part of a load that acts, or of a speed by which it fluctuates.
+    /// A plain number: the factor of a load, or the relative fluctuation of a speed.
     Factor,
-    /// A number with a name: what it measures is what it is used for.
+    /// A named number, whose use determines the measured quantity.
     Parameter,
 }
 
 /// The units of a measure.
 #[derive(Clone, Copy)]
 pub(super) enum MeasureUnits {
-    /// Every unit of length; the file has the scene's.
+    /// Every unit of length; the file uses the scene's.
     Length,
-    /// Degrees, which the file has, and radians.
+    /// Degrees, which the file uses, and radians.
     Angle,
-    /// A rate brings its unit along.
+    /// The units of a rate, which always has its own.
     Rate(RateKind, Degree),
-    /// The first one is the file's; a plain number has none.
+    /// Units by scale, the file's first; a plain number has the symbol "".
     Scales(&'static [UnitScale]),
 }
 
-/// A unit that may be typed; it is worth so many, divided by so many, of the one in the file.
+/// The symbol of a unit, and its size in the file's unit as numerator and denominator.
 pub(super) type UnitScale = (&'static str, u32, u32);
 
 impl Measure {
-    /// What the same number of a torsion spring measures: of torques over angles.
+    /// Returns the measure of the corresponding number of a torsion spring, with torques and
+    /// angles.
     pub(super) fn of_torsion(self) -> Measure {
         match self {
             Measure::Stiffness => Measure::TurnStiffness,
@@ -79,7 +80,8 @@ impl Measure {
         }
     }
 
-    /// What a rate of the driver measures, which is turned or pushed.
+    /// Returns the measure of a rate of the driver; `turns` is `true` for a link, `false` for a
+    /// slide.
     pub(super) fn of_rate(degree: Degree, turns: bool) -> Measure {
         match (degree, turns) {
             (Degree::Speed, true) => Measure::TurnSpeed,
@@ -89,7 +91,7 @@ impl Measure {
         }
     }
 
-    /// Whether it is a speed or an acceleration of the driver.
+    /// Returns `true` for a speed or an acceleration of the driver.
     pub(crate) fn is_rate(self) -> bool {
         matches!(
             self,
@@ -100,7 +102,7 @@ impl Measure {
         )
     }
 
-    /// Its units in a scene with this unit of length.
+    /// Returns the permitted units in a scene with this unit of length.
     pub(super) fn units(self, scene: Unit) -> MeasureUnits {
         let push = RateKind::Push(scene);
         let scales: &'static [UnitScale] = match self {
@@ -139,7 +141,8 @@ impl Measure {
         MeasureUnits::Scales(scales)
     }
 
-    /// What a formula that has units must measure; a rate and a parameter may be anything.
+    /// Returns the dimension required of a formula with units; `None` for rates and parameters,
+    /// which may have any.
     pub(super) fn dimension(self) -> Option<Dimension> {
         Some(match self {
             Measure::Length | Measure::Coordinate | Measure::Start | Measure::Deviation => {
@@ -165,7 +168,7 @@ impl Measure {
         })
     }
 
-    /// The unit in which the file has it; a rate brings its own.
+    /// Returns the unit used in the file; empty for a rate, which has its own.
     pub(super) fn unit(self, scene: Unit) -> &'static str {
         match self.units(scene) {
             MeasureUnits::Length => scene.symbol(),

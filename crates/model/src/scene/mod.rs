@@ -1,7 +1,7 @@
 //! The scene file: a mechanism with names, a unit and a place for every element in the text.
 //!
-//! A scene is a [TOML](https://toml.io) file of at most 1 MiB and 10,000 links, written by a person who
-//! has a sketch and a textbook:
+//! A scene is a [TOML](https://toml.io) file of at most 1 MiB and 10,000 links, written by hand
+//! from a sketch and a textbook:
 //!
 //! ```
 //! let text = r#"
@@ -33,15 +33,15 @@
 //!
 //! # Rules
 //!
-//! [`reference()`] has every key, what it is and its default, as `krank help scene` tells them.
+//! [`reference()`] lists every key with its description and default; `krank help scene` shows them.
 //!
 #![doc = include_str!("rules.md")]
 //!
 //! # Faults
 //!
-//! [`Scene::parse`] reports everything that it finds, not only the first, each with line and column, what
-//! is wrong and what would mend it: [`Diagnostics`]. What is wrong with the mechanism as a whole the
-//! solver finds, and [`Scene::explain`] says it in the same way.
+//! [`Scene::parse`] reports all faults that it finds as [`Diagnostics`], each with line, column,
+//! cause and fix. Faults of the mechanism as a whole are found by the solver, and
+//! [`Scene::explain`] reports them in the same form.
 
 mod defect;
 mod deviations;
@@ -119,20 +119,19 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The rules of the scene file as Markdown, for manuals.
+/// Maximum size of a scene file in bytes: 1 MiB.
 pub const RULES: &str = include_str!("rules.md");
 
-/// Bytes that a scene file may have: 1 MiB.
 pub const LARGEST_FILE: usize = 1 << 20;
 
-/// A scene: a mechanism, its names and its unit.
+/// A scene: a mechanism with names, a unit and a place in the text for every element.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// The title (`name`), or the file's stem where there is none.
+    /// The title (`name`), or the file's stem if there is none.
     pub name: String,
-    /// Where the mechanism comes from (`source`).
+    /// The origin of the mechanism (`source`).
     pub source: Option<String>,
-    /// What there is to see (`note`).
+    /// A note on the scene's purpose (`note`).
     pub note: Option<String>,
     /// The unit of every length.
     pub unit: Unit,
@@ -140,13 +139,13 @@ pub struct Scene {
     pub mechanism: Mechanism,
     /// The vectors of the tables in the order of the file: links with two ends, slides, `[vectors]`.
     pub vectors: Vec<Vector>,
-    /// The figures that are made of others (`[figures]`), in the order of the file.
+    /// The values computed from others (`[figures]`), in the order of the file.
     pub figures: Vec<NamedFormula>,
-    /// How the driver moves over time (`motion` of `[driver]`).
+    /// The motion of the driver over time (`motion` of `[driver]`).
     pub motion: Option<MotionLaw>,
-    /// The motor that is to drive it (`[motor]`).
+    /// The motor intended as drive (`[motor]`).
     pub motor: Option<Motor>,
-    /// The numbers with names (`[parameters]`), in the order of the file.
+    /// The named numbers (`[parameters]`), in the order of the file.
     pub parameters: Vec<Parameter>,
     named: Arc<NamedNumbers>,
     #[doc(hidden)]
@@ -155,7 +154,7 @@ pub struct Scene {
     pub link_names: Vec<String>,
     #[doc(hidden)]
     pub slide_names: Vec<String>,
-    /// The limits by their names, with the places of their ends in the text.
+    /// The names of the limits, with the places of their ends in the text.
     limits: limits::LimitPlaces,
     tolerances: Tolerances,
     places: TextPlaces,
@@ -163,7 +162,7 @@ pub struct Scene {
     text: Arc<str>,
 }
 
-/// Where the elements stand in the text, as ranges of bytes.
+/// The places of the elements in the text, as ranges of bytes.
 #[derive(Clone, Debug, Default)]
 struct TextPlaces {
     points: Vec<Range<usize>>,
@@ -175,9 +174,9 @@ struct TextPlaces {
 /// A vector of the loop equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// What it is.
+    /// The kind of vector, with its elements.
     pub kind: VectorKind,
 }
 
@@ -188,7 +187,7 @@ pub enum VectorKind {
     Link(LinkId),
     /// A slide, from the sliding point back to `through`: its length is the signed position.
     Slide(SlideId),
-    /// From one point to another.
+    /// A vector from one point to another.
     Between(PointId, PointId),
 }
 
@@ -196,7 +195,7 @@ impl Scene {
     /// Reads a scene from the bytes of a file; `origin` is the name of the file in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Returns all faults found, with their places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Scene, Diagnostics> {
         if bytes.len() > LARGEST_FILE {
             return Err(too_large(origin));
@@ -207,10 +206,10 @@ impl Scene {
         }
     }
 
-    /// Reads a scene from a text; `origin` is the name of the file in messages.
+    /// Parses a scene; `origin` is the name of the file in messages.
     ///
     /// # Errors
-    /// Everything found wrong, with its places.
+    /// Returns all faults found, with their places.
     pub fn parse(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
         if text.len() > LARGEST_FILE {
             return Err(too_large(origin));
@@ -253,25 +252,26 @@ impl Scene {
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }
 
-    /// The name of the file that the scene comes from.
+    /// Returns the name of the file that the scene comes from.
     #[must_use]
     pub fn origin(&self) -> &str {
         &self.origin
     }
 
-    /// Another text read under the same name; `None` where that is no scene.
+    /// Parses another text with the same file name; returns `None` if it is not a scene.
     #[must_use]
     pub fn again(&self, text: &str) -> Option<Scene> {
         Scene::parse(text, &self.origin).ok()
     }
 
-    /// The text of the file, without a byte order mark: what [`Scene::place`] counts in.
+    /// Returns the text of the file without a byte order mark; offsets of [`Scene::place`] refer to
+    /// it.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Where an element stands in the text: the bytes of its name where it is defined.
+    /// Returns the place of an element in the text: the bytes of its name where it is defined.
     #[must_use]
     pub fn place(&self, element: ElementId) -> Range<usize> {
         match element {
@@ -282,7 +282,7 @@ impl Scene {
         }
     }
 
-    /// Faults of this scene, with the text that they point into.
+    /// Combines diagnostics of this scene with the text that they point into.
     pub(crate) fn diagnostics(&self, items: Vec<Diagnostic>) -> Diagnostics {
         Diagnostics {
             origin: self.origin.clone(),
@@ -291,56 +291,58 @@ impl Scene {
         }
     }
 
-    /// A point's name; `None` for the hidden points of the model (`r3.com` is the name of a centre of mass).
+    /// Returns the name of a point; `None` for hidden points of the model. `r3.com` is the name of
+    /// a centre of mass.
     #[must_use]
     pub fn point_name(&self, point: PointId) -> Option<&str> {
         self.point_names[point.index()].as_deref()
     }
 
-    /// Whether a point is one of `[marks]`, which is only shown.
+    /// Returns `true` for a point of `[marks]`, which is only shown.
     #[must_use]
     pub fn is_mark(&self, point: PointId) -> bool {
         self.mechanism.point(point).is_mark
     }
 
-    /// The points that tables list: those that have a name and are no marks, in the order of the file.
+    /// Returns the points listed in tables: named points except marks, in the order of the file.
     pub fn listed_points(&self) -> impl Iterator<Item = (PointId, &str)> {
         let named = |point| Some((point, self.point_name(point)?));
         let all = self.mechanism.point_ids().filter_map(named);
         all.filter(|(point, _)| !self.is_mark(*point))
     }
 
-    /// A link's name.
+    /// Returns the name of a link.
     #[must_use]
     pub fn link_name(&self, link: LinkId) -> &str {
         &self.link_names[link.index()]
     }
 
-    /// A limit's name: what it is named after, or what the scene calls it; `driver` where the driver has a range.
+    /// Returns the name of a limit: that of the limited element, the name given by the scene, or
+    /// `driver` for the driver's range.
     #[must_use]
     pub fn limit_name(&self, limit: LimitId) -> &str {
         &self.limits[limit.index()].0
     }
 
-    /// Where the ends of a limit stand in the text.
+    /// Returns the place of a limit's ends in the text.
     #[must_use]
     pub fn limit_place(&self, limit: LimitId) -> Range<usize> {
         self.limits[limit.index()].1.clone()
     }
 
-    /// The title as a person reads it: that of a scene that is built in, in the language that is spoken.
+    /// Returns the display title; titles of presets are translated.
     #[must_use]
     pub fn title(&self) -> String {
         words().told_of_scene(&self.name)
     }
 
-    /// How far lengths may be off, and how loose pins are.
+    /// Returns the tolerances of lengths and the clearances of pins.
     #[must_use]
     pub fn tolerances(&self) -> &Tolerances {
         &self.tolerances
     }
 
-    /// The name of the link that the motor of an input sits on, if it sits on one.
+    /// Returns the name of the link that carries the motor of an input, if a link carries it.
     #[must_use]
     pub fn seat_name(&self, input: Input) -> Option<&str> {
         let Input::Turn(link) = input else {
@@ -352,7 +354,7 @@ impl Scene {
         }
     }
 
-    /// What an input drives, for people: with the link that its motor sits on.
+    /// Returns the display name of the driven element, including the link that carries its motor.
     #[must_use]
     pub fn driven_name(&self, input: Input) -> String {
         let name = match input {
@@ -362,14 +364,14 @@ impl Scene {
         from_seat(name, self.seat_name(input))
     }
 
-    /// A slide's name.
+    /// Returns the name of a slide.
     #[must_use]
     pub fn slide_name(&self, slide: SlideId) -> &str {
         &self.slide_names[slide.index()]
     }
 }
 
-/// A driven link or slide, with the link that its motor sits on if it sits on one.
+/// Returns the name of a driven link or slide, with the link that carries its motor, if any.
 #[doc(hidden)]
 pub fn from_seat(name: &str, seat: Option<&str>) -> String {
     match seat {
@@ -378,7 +380,8 @@ pub fn from_seat(name: &str, seat: Option<&str>) -> String {
     }
 }
 
-/// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
+/// Returns the diagnostic of a file that is too large. Its true size is unknown, because reading
+/// stops one byte after the limit.
 #[doc(hidden)]
 pub fn too_large(origin: &str) -> Diagnostics {
     let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
@@ -389,7 +392,7 @@ pub fn too_large(origin: &str) -> Diagnostics {
     }
 }
 
-/// The name of a file without folder and ending.
+/// Returns the name of a file without folder and extension.
 #[doc(hidden)]
 pub fn stem(origin: &str) -> String {
     let stem = Path::new(origin).file_stem();

@@ -1,4 +1,4 @@
-//! The motor that a scene is to be driven by.
+//! The motor that is to drive a scene.
 
 use super::input::{self, DraftInput, PUSHED, TURNED};
 use super::rate::{Degree, RateKind};
@@ -8,32 +8,33 @@ use crate::document::{Diagnostic, Lenient, WrittenKey};
 use crate::wording::words;
 use serde::Deserialize;
 
-/// What the motor at the driver's shaft can do, and what is wished of the whole; for a driven slide the
-/// cylinder or the linear motor.
+/// The capabilities of the motor at the driver's shaft, and the requirements on the drive. For a
+/// driven slide it is a cylinder or a linear motor.
 ///
-/// Nothing of it changes how a mechanism moves or what its joints bear.
+/// Nothing here changes the motion of the mechanism or the reactions in its joints.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motor {
-    /// What it gives without end: its rated torque in N m, for a driven slide its force in N.
+    /// The continuous rating: torque in N m, or force in N for a driven slide.
     pub rated: Option<f64>,
-    /// What it gives for a short while, in the same unit; not less than `rated`.
+    /// The peak for short times, in the same unit; not less than `rated`.
     pub peak: Option<f64>,
-    /// The speed for which that holds: in rad/s, for a driven slide in the scene's unit per s.
+    /// The rated speed in rad/s, or in the scene's unit per s for a driven slide.
     pub speed: Option<f64>,
     /// Moment of inertia of a flywheel on the driver's shaft, in kg m^2.
     pub flywheel: Option<f64>,
-    /// The fluctuation of the speed that is wished: (greatest - least) / mean.
+    /// The required fluctuation of the speed: (maximum - minimum) / mean.
     pub fluctuation: Option<f64>,
-    /// How far from the end of its stroke a ram still counts as at rest, in the scene's unit.
+    /// Maximum distance from the end of its stroke at which a ram counts as at rest, in the scene's
+    /// unit.
     pub rest: Option<f64>,
 }
 
 impl Scene {
-    /// Reads a speed of the driver or of its motor from a text, as a scene writes it: `1500 rpm`,
-    /// `15 rad/s`, `0.2 m/s`.
+    /// Parses a speed of the driver or of its motor as a scene writes it: `1500 rpm`, `15 rad/s`,
+    /// `0.2 m/s`.
     ///
     /// # Errors
-    /// What would be read.
+    /// Returns a message with the supported units.
     pub fn speed(&self, text: &str) -> Result<f64, String> {
         let kind = match self.mechanism.driver().input {
             crate::Input::Turn(_) => RateKind::Turn,
@@ -49,7 +50,7 @@ impl Scene {
 
 const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;
 
-/// The section `[motor]` as it is written.
+/// The section `[motor]` as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct MotorTable {
     torque: Option<Lenient<f64>>,
@@ -59,11 +60,11 @@ pub(super) struct MotorTable {
     flywheel: Option<Lenient<f64>>,
     fluctuation: Option<Lenient<f64>>,
     rest: Option<Lenient<f64>>,
-    /// As it was called once.
+    /// The former name of `rest`.
     tolerance: Option<Lenient<f64>>,
 }
 
-/// Reads the section; what it may hold depends on what is driven.
+/// Reads the section; its permitted keys depend on the kind of driver.
 pub(super) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
@@ -72,7 +73,7 @@ pub(super) fn read(
 ) -> Option<Motor> {
     let table = reader.table("[motor]", EXAMPLE, value)?;
     reader.only(words().the_motor(), value);
-    // Without a driver nothing can be said about its motor.
+    // Without a driver, the keys of its motor cannot be checked.
     let pushes = matches!(driven?, DraftInput::Slide(_));
     misfits(reader, &value.keys, pushes);
     let (form, rated, size, kind) = if pushes {
@@ -154,7 +155,7 @@ fn positive(reader: &mut Reader<'_>, key: &str, unit: &str, value: &Lenient<f64>
     None
 }
 
-/// What the numbers must be to each other.
+/// Checks the relations between the numbers.
 fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor) {
     let mut fault = |span: ByteSpan, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
@@ -178,7 +179,7 @@ fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor
     }
     if motor.fluctuation.is_some_and(|share| share > 1.0) {
         let message = match motor.fluctuation {
-            // (w - 0) / (w / 2): at 2 it stands still, and more there is not.
+            // (w - 0) / (w / 2) = 2: the minimum speed is zero, and a larger value is impossible.
             Some(share) if share > 2.0 => words().fluctuation_of_motor_impossible().to_owned(),
             _ => words().fluctuation_of_motor_too_large().to_owned(),
         };

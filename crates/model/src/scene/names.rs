@@ -1,4 +1,4 @@
-//! The one namespace of points, links, slides and vectors.
+//! The common namespace of points, links, slides and vectors.
 
 use super::draft::SceneDraft;
 use super::keys;
@@ -10,16 +10,17 @@ use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::collections::{HashMap, HashSet};
 
-/// Names with a meaning of their own in columns.
+/// Names with a special meaning in columns.
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
-/// What figures may not be called beside that: what stands along x, and a number of mathematics.
+/// Further names reserved for values and parameters: the time axis, and a mathematical constant.
 const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
-/// Characters in a name: columns are named by it.
+/// Maximum length of a name in bytes, which for valid names equals the number of characters. Names
+/// become column headers.
 const LONGEST: usize = 64;
-/// Names that a help lists at most.
+/// Maximum number of names in a hint.
 const LISTED: usize = 12;
 
-/// What a name stands for.
+/// The kinds of named elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Sort {
     Point,
@@ -57,22 +58,24 @@ impl Sort {
 }
 
 struct Symbol {
-    /// The position among those of its sort, in the order of the draft (points: of the file).
+    /// The position among the elements of its kind, in the order of the draft; for points, in that
+    /// of the file.
     index: usize,
     span: ByteSpan,
 }
 
 /// All names of a scene.
 pub(super) struct Names<'t> {
-    /// By [`Sort`]: a name with two meanings, once reported, has both.
+    /// The elements of each name, indexed by [`Sort`]. A name with two meanings keeps both after
+    /// the clash has been reported.
     symbols: HashMap<&'t str, [Option<Symbol>; Sort::COUNT]>,
     points: Vec<(&'t str, ByteSpan)>,
     lost_points: bool,
 }
 
 impl<'t> Names<'t> {
-    /// Takes in every name that the draft defines, in the order of the file. A point is defined by
-    /// the ground, a link or a slide that names it.
+    /// Collects every name that the draft defines, in the order of the file. A point is defined by
+    /// the ground, a link or a slide that names it. Reports invalid names and clashes.
     pub(super) fn collect(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Self {
         let mut names = Names {
             symbols: HashMap::new(),
@@ -113,7 +116,7 @@ impl<'t> Names<'t> {
         self.symbols.get(name)?[sort as usize].as_ref()
     }
 
-    /// What else a name stands for.
+    /// Returns an element of another kind with this name, if any.
     fn other(&self, name: &str, sort: Sort) -> Option<(Sort, &Symbol)> {
         let mut others = Sort::ALL.into_iter().filter(|&other| other != sort);
         others.find_map(|other| Some((other, self.get(name, other)?)))
@@ -130,12 +133,13 @@ impl<'t> Names<'t> {
         )
     }
 
-    /// The points in the order of the file, each with the place that first names it.
+    /// Returns the points in the order of the file, each with the place that first names it.
     pub(super) fn points(&self) -> impl Iterator<Item = (&'t str, &ByteSpan)> {
         self.points.iter().map(|(name, span)| (*name, span))
     }
 
-    /// The position of a named element of a sort; reports a name that is unknown or something else.
+    /// Returns the position of a named element of this kind; reports an unknown name, or one of
+    /// another kind.
     pub(super) fn find(
         &self,
         reader: &mut Reader<'_>,
@@ -154,7 +158,7 @@ impl<'t> Names<'t> {
                     .at(name.span.clone(), words().expected_name_of(noun))
                     .and(symbol.span.clone(), words().that_one(other))
             }
-            // The name may stand where something could not be read.
+            // The name may be defined in an unreadable part.
             None if sort == Sort::Point && self.lost_points => return None,
             None => Diagnostic::new(words().there_is_no(what, noun, &name.to_string()))
                 .at(name.span.clone(), words().unknown_noun(noun)),
@@ -168,7 +172,7 @@ impl<'t> Names<'t> {
         None
     }
 
-    /// The name that was probably meant, or those that there are.
+    /// Suggests a similar name, or lists the known names.
     fn help(&self, reader: &Reader<'_>, name: &Name<'_>, sort: Sort) -> Option<String> {
         if reader.is_full() {
             return None;
@@ -196,7 +200,7 @@ impl<'t> Names<'t> {
     }
 }
 
-/// Every definition of a name.
+/// Returns every definition of a name.
 fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
     let mut all = Vec::new();
     all.extend(draft.ground.iter().map(|p| (&p.name, Sort::Point, 0)));
@@ -222,24 +226,24 @@ fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize
     for (i, parameter) in draft.parameters.iter().enumerate() {
         all.push((&parameter.name, Sort::Parameter, i));
     }
-    // Others are named after what they hold.
+    // Other limits have the name of the element that they limit.
     let of_angles = draft.limits.iter().filter(|limit| limit.angle.is_some());
     all.extend(of_angles.map(|limit| (&limit.name, Sort::Limit, 0)));
     all
 }
 
-/// Whether a figure may be called so, as far as its name by itself tells.
+/// Returns `true` if a value may have this name, as far as the name alone decides.
 pub fn is_figure_name(text: &str) -> bool {
     let name = Name { text, span: 0..0 };
     bad(&name, Sort::Figure).is_none()
 }
 
-/// All names that a figure may not have, if this is one of them.
+/// Returns the list of names reserved for values, if `text` is one of them.
 pub fn reserved_for_figures(text: &str) -> Option<String> {
     reserved(text, Sort::Figure)
 }
 
-/// The names that a sort may not have, if this is one of them.
+/// Returns the list of names reserved for this kind, if `text` is one of them.
 fn reserved(text: &str, sort: Sort) -> Option<String> {
     let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
         Sort::Figure | Sort::Parameter => RESERVED_IN_FORMULAS.len(),
@@ -250,7 +254,7 @@ fn reserved(text: &str, sort: Sort) -> Option<String> {
     all.contains(&text).then(list)
 }
 
-/// What is wrong with a name by itself.
+/// Returns the diagnostic of an invalid name; `None` for a valid one.
 fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');

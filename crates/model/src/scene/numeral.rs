@@ -1,14 +1,14 @@
-//! Decimal numbers as people write them, with a point or a comma.
+//! Parses decimal numbers with a point or a comma.
 
 use crate::Double;
 use crate::arithmetic::Decimal;
 use std::borrow::Cow;
 
-/// What is typed, with a point for the decimal comma of the number that it begins with; `None` where nobody knows
-/// which mark is the decimal one, as in `1,500` and `1.234,5`.
+/// Replaces the decimal comma of the number at the beginning of a text by a point. Returns `None`
+/// if it is ambiguous which mark is the decimal one, as in `1,500` and `1.234,5`.
 pub fn with_point(text: &str) -> Option<Cow<'_, str>> {
     let text = text.trim();
-    // As many bytes: what is found of the one is there in the other.
+    // Replacing keeps the number of bytes, so the length applies to both texts.
     let length = number_length(&text.replace(',', "."));
     let (number, rest) = text.split_at(length);
     if are_thousands(number) || !number.is_empty() && rest.starts_with(['.', ',']) {
@@ -20,7 +20,7 @@ pub fn with_point(text: &str) -> Option<Cow<'_, str>> {
     })
 }
 
-/// Whether the comma of a number may stand between thousands and hundreds.
+/// Returns `true` if the comma of a number could separate thousands.
 pub fn are_thousands(number: &str) -> bool {
     let digits = number.trim_start_matches(['+', '-']);
     let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
@@ -30,7 +30,7 @@ pub fn are_thousands(number: &str) -> bool {
     })
 }
 
-/// The bytes of a decimal number at the beginning of a text.
+/// Returns the length in bytes of the decimal number at the beginning of a text.
 pub(super) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {
@@ -54,22 +54,23 @@ pub(super) fn number_length(text: &str) -> usize {
     end
 }
 
-/// Decimals of so many digits are what was meant; longer ones have been rounded by whoever typed them.
+/// Maximum number of digits of an exact decimal; longer ones are assumed to be rounded.
 const MOST_DIGITS: usize = 14;
 
-/// Whether a long number reads as a decimal of few digits, which it is not.
+/// Returns `true` if a text has more digits than an exact decimal, but reads as a decimal of few
+/// digits.
 pub(super) fn is_rounded(text: &str, number: f64) -> bool {
     digits(text) > MOST_DIGITS && !Decimal::of(number).is_long
 }
 
-/// The decimal of few digits that a text is, to twice the digits.
+/// Parses a decimal of few digits as a double-double; returns `None` for more digits.
 pub(super) fn typed(text: &str) -> Option<Double> {
     let number: f64 = text.parse().ok()?;
     let decimal = Decimal::of(number);
     (digits(text) <= MOST_DIGITS).then_some(decimal.value)
 }
 
-/// The digits of a decimal number, without zeros at its ends.
+/// Returns the number of digits of a decimal number, without leading and trailing zeros.
 fn digits(text: &str) -> usize {
     let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
     let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();

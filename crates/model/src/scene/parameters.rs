@@ -1,4 +1,4 @@
-//! Reads `[parameters]`: numbers with names, in any order, some of them made of others.
+//! Reads `[parameters]`: named numbers in any order, which may be formulas of each other.
 
 use super::figures::FormulaPlace;
 use super::reader::{Name, Reader, number_of};
@@ -7,23 +7,23 @@ use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
 use crate::wording::words;
 use std::collections::HashMap;
 
-/// A number of the scene that has a name.
+/// A named number of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// As the scene names it.
+    /// The name given by the scene.
     pub name: String,
-    /// What it is worth.
+    /// The value.
     pub number: f64,
-    /// The formula that it follows from, where it is no plain number.
+    /// The formula that it is computed from; `None` for a plain number.
     pub formula: Option<String>,
-    /// What it measures, if a unit tells: a plain number may stand for anything.
+    /// The dimension, if a unit determines it; a plain number may measure anything.
     pub dimension: Option<Dimension>,
 }
 
-/// The section as it is written.
+/// The section as written.
 pub(super) type ParameterEntries = Lenient<Entries<Lenient<f64>>>;
 
-/// A name, and the formula that stands behind it.
+/// A name with its formula.
 #[derive(Debug)]
 pub(super) struct DraftParameter<'t> {
     pub(super) name: Name<'t>,
@@ -32,17 +32,17 @@ pub(super) struct DraftParameter<'t> {
 
 const EXAMPLE: &str = "{ a = 100 }";
 
-/// A formula that waits for what it is made of.
+/// A formula that depends on others not evaluated yet.
 struct WaitingParameter<'v> {
     name: Name<'v>,
     formula: Name<'v>,
     tree: ExpressionTree,
-    /// The formulas that wait for it, and for how many it waits itself.
+    /// The indices of the formulas that use it, and the number of formulas that it still waits for.
     followers: Vec<usize>,
     waits: usize,
 }
 
-/// Reads the section: from then on all formulas know its names.
+/// Reads the section and makes its names known to all formulas.
 pub(super) fn read<'v>(
     reader: &mut Reader<'_>,
     value: &'v ParameterEntries,
@@ -70,7 +70,7 @@ pub(super) fn read<'v>(
     draft
 }
 
-/// The parameters with what they are worth.
+/// Returns the parameters with their values.
 pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
     let told = draft.into_iter().filter_map(|parameter| {
         let worth = named.worth.get(parameter.name.text)?.as_ref()?;
@@ -95,7 +95,7 @@ fn number(
 ) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
     let digits = reader.text().get(value.span.clone()).unwrap_or("");
-    // Whole numbers to another base are doubles.
+    // Whole numbers in another base are doubles.
     let typed = Wide::decimal(&digits.replace('_', ""));
     let typed = typed.filter(|typed| typed.nearest() == number);
     Some(MeasuredNumber::plain(
@@ -124,7 +124,7 @@ fn parsed<'v>(
     }
 }
 
-/// Works each out as soon as everything is known that it is made of; what waits for itself is reported.
+/// Evaluates each parameter once all its inputs are known; reports cyclic dependencies.
 fn in_order(reader: &mut Reader<'_>, mut waiting: Vec<WaitingParameter<'_>>) {
     let numbers = waiting.iter().enumerate();
     let numbers: HashMap<String, usize> = numbers
@@ -161,7 +161,7 @@ fn in_order(reader: &mut Reader<'_>, mut waiting: Vec<WaitingParameter<'_>>) {
     circles(reader, &waiting, &parts);
 }
 
-/// The formulas that are named in one, each once.
+/// Returns the indices of the formulas named in one, without duplicates.
 fn uses(one: &WaitingParameter<'_>, numbers: &HashMap<String, usize>) -> Vec<usize> {
     let mut parts = Vec::new();
     one.tree
@@ -171,9 +171,9 @@ fn uses(one: &WaitingParameter<'_>, numbers: &HashMap<String, usize>) -> Vec<usi
     parts
 }
 
-/// Reports every circle of what still waits.
+/// Reports every cycle among the parameters that still wait.
 fn circles(reader: &mut Reader<'_>, waiting: &[WaitingParameter<'_>], parts: &[Vec<usize>]) {
-    // In which walk each was met first.
+    // The index of the walk that first reached each parameter.
     let mut met = vec![usize::MAX; waiting.len()];
     for first in 0..waiting.len() {
         let mut walk = Vec::new();
@@ -181,7 +181,7 @@ fn circles(reader: &mut Reader<'_>, waiting: &[WaitingParameter<'_>], parts: &[V
         while waiting[at].waits > 0 && met[at] == usize::MAX {
             met[at] = first;
             walk.push(at);
-            // Who waits waits for one that does.
+            // A waiting parameter always depends on another waiting one.
             let Some(&next) = parts[at].iter().find(|&&part| waiting[part].waits > 0) else {
                 break;
             };
@@ -194,7 +194,7 @@ fn circles(reader: &mut Reader<'_>, waiting: &[WaitingParameter<'_>], parts: &[V
     }
 }
 
-/// Names that a message lists at most.
+/// Maximum number of names in a message.
 const LISTED: usize = 8;
 
 fn circle(waiting: &[WaitingParameter<'_>], round: &[usize]) -> Diagnostic {

@@ -8,18 +8,19 @@ use crate::wording::words;
 
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
-/// A point with coordinates, in whatever frame.
+/// A point with coordinates in the frame of its section or link.
 #[derive(Debug)]
 pub(super) struct PlacedPoint<'t> {
     pub(super) name: Name<'t>,
     /// `None` if the coordinates could not be read.
     pub(super) read: Option<Vec2>,
-    /// The length and the angle that the coordinates follow from, on a link that gives them so.
+    /// The length and angle that define the coordinates, for points of a link given in this form.
     pub(super) sighted: Option<Sighted<'t>>,
 }
 
 impl<'t> PlacedPoint<'t> {
-    /// A point of a link, as its place was read: one that is seen from others has no coordinates yet.
+    /// Creates a point of a link from its place as read. A point given by length and angle has no
+    /// coordinates yet.
     pub(super) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
         let (read, sighted) = match place {
             None => (None, None),
@@ -33,13 +34,13 @@ impl<'t> PlacedPoint<'t> {
         }
     }
 
-    /// The coordinates, or a placeholder.
+    /// Returns the coordinates, or a placeholder.
     pub(super) fn at(&self) -> Vec2 {
         self.read.unwrap_or_default()
     }
 }
 
-/// A table of points with coordinates.
+/// Reads a table of points with coordinates.
 pub(super) fn places<'v>(
     reader: &mut Reader<'_>,
     section: &str,
@@ -58,7 +59,7 @@ pub(super) fn places<'v>(
     value.entries().map(place).collect()
 }
 
-/// The section `[vectors]` as it is written.
+/// The section `[vectors]` as written.
 pub(super) type Vectors = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 #[derive(Debug)]
@@ -68,7 +69,7 @@ pub(super) struct DraftVector<'t> {
     pub(super) head: Name<'t>,
 }
 
-/// Reads the section. What could not be read is left out, and reported.
+/// Reads the section. Reports and omits vectors that could not be read.
 pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Vectors) -> Vec<DraftVector<'v>> {
     reader.table("[vectors]", VECTOR, value);
     let read = |(name, value)| vector(reader, name, value);

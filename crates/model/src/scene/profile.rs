@@ -1,11 +1,11 @@
-//! Reads values over a coordinate, as lists of knots `[coordinate, value]`.
+//! Reads functions of a coordinate, given as lists of knots `[coordinate, value]`.
 
 use super::reader::{ByteSpan, CoordinatePair, Reader};
 use crate::Profile;
 use crate::document::{Diagnostic, Lenient};
 use crate::wording::words;
 
-/// A list of knots as it is written.
+/// A list of knots as written.
 pub(super) type Knots = Lenient<Vec<CoordinatePair>>;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
@@ -20,7 +20,7 @@ struct Knot {
     value_place: ByteSpan,
 }
 
-/// The factor of a load over the driver's coordinate; 1 everywhere where nothing is given.
+/// Reads the factor of a load over the driver's coordinate; without a list it is 1 everywhere.
 pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Profile> {
     let Some(value) = value else {
         return Some(Profile::default());
@@ -39,8 +39,8 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Pro
     profile(knots)
 }
 
-/// The force of a press over the distance before the end of its stroke, in the order in which the
-/// file has it: towards the end, or away from it.
+/// Reads the force of a press over the distance from the end of its stroke, in ascending or
+/// descending order of distance.
 pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     let what = &words().key_of("press", words().the_load());
     let knots = knots(reader, what, words().distance_and_force(), PRESS, value)?;
@@ -52,7 +52,7 @@ pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     either_way(reader, what, knots)
 }
 
-/// The force of a gas spring over its length, in the order in which the file has it.
+/// Reads the force of a gas spring over its length, in ascending or descending order of length.
 pub(super) fn gas(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     let what = &words().key_of("force", words().the_spring());
     let knots = knots(reader, what, words().length_and_force(), GAS, value)?;
@@ -63,7 +63,7 @@ pub(super) fn gas(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     either_way(reader, what, knots)
 }
 
-/// Knots of time and coordinate: no two at one time.
+/// Reads knots of time and coordinate, with strictly increasing times.
 pub(super) fn over_time(
     reader: &mut Reader<'_>,
     what: &str,
@@ -78,7 +78,8 @@ pub(super) fn over_time(
     curve(reader, what, example, value, &sentences)
 }
 
-/// Knots of the driver's coordinate and that of an input: no two at one place.
+/// Reads knots of the driver's coordinate and that of an input, with strictly increasing driver
+/// coordinates.
 pub(super) fn over_driver(
     reader: &mut Reader<'_>,
     what: &str,
@@ -93,15 +94,16 @@ pub(super) fn over_driver(
     curve(reader, what, example, value, &sentences)
 }
 
-/// How the knots of a curve are spoken of.
+/// The texts of messages on a curve.
 struct CurveSentences<'w> {
-    /// What a knot is.
+    /// The form of a knot.
     form: &'w str,
-    /// Of what, and the places of two knots that do not grow.
+    /// Returns the message that two knots do not increase, from the curve's name and their
+    /// literals.
     must_grow: &'w dyn Fn(&str, &str, &str) -> String,
 }
 
-/// Knots without jumps.
+/// Reads at least two knots with strictly increasing coordinates.
 fn curve(
     reader: &mut Reader<'_>,
     what: &str,
@@ -131,7 +133,8 @@ fn curve(
     Some(knots.iter().map(|knot| [knot.at, knot.value]).collect())
 }
 
-/// Knots that may grow or fall: what they do first is what is meant.
+/// Checks and sorts knots in ascending or descending order; the first two distinct ones decide
+/// which. Returns `None` for a reported fault.
 fn either_way(reader: &mut Reader<'_>, what: &str, mut knots: Vec<Knot>) -> Option<Profile> {
     let differs = knots.windows(2).find(|pair| pair[0].at != pair[1].at);
     let grows = differs.is_some_and(|pair| pair[0].at < pair[1].at);
@@ -142,7 +145,7 @@ fn either_way(reader: &mut Reader<'_>, what: &str, mut knots: Vec<Knot>) -> Opti
     profile(knots)
 }
 
-/// What is wrong with a knot that lies beyond the end of the stroke.
+/// Returns the diagnostic of a knot beyond the end of the stroke; `None` for other knots.
 fn before_end(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_distance(what, literal);
     negative(
@@ -153,14 +156,14 @@ fn before_end(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic
     )
 }
 
-/// What is wrong with a knot whose force is not against the motion.
+/// Returns the diagnostic of a knot whose force does not oppose the motion; `None` for other knots.
 fn helping(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_press(what, literal);
     let help = words().press_is_against_motion();
     negative(reader, (knot.value, &knot.value_place), message, help)
 }
 
-/// What is wrong with a knot at a length below 0.
+/// Returns the diagnostic of a knot with a negative length; `None` for other knots.
 fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     let message = |literal: &str| words().negative_length(what, literal);
     negative(
@@ -171,7 +174,7 @@ fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
     )
 }
 
-/// The fault of a number below 0.
+/// Returns the diagnostic of a negative number; `None` for other numbers.
 fn negative(
     reader: &Reader<'_>,
     (value, place): (f64, &ByteSpan),
@@ -182,7 +185,7 @@ fn negative(
     (value < 0.0).then(|| fault().at(place.clone(), words().is_negative()).help(help))
 }
 
-/// A list of at least one knot.
+/// Reads a list of at least one knot.
 fn knots(
     reader: &mut Reader<'_>,
     what: &str,
@@ -224,7 +227,8 @@ fn each(
     Some(knots)
 }
 
-/// Reports the first knot that turns back, or the first that is the third at one coordinate: two are a jump.
+/// Checks the order of knots. Reports the first that reverses it, or else the third at one
+/// coordinate, since two there are a jump. Returns `None` for a reported fault.
 fn ordered(reader: &mut Reader<'_>, what: &str, knots: &[Knot], grows: bool) -> Option<()> {
     let turns_back = |pair: &[Knot]| {
         let (before, after) = (pair[0].at, pair[1].at);
@@ -267,7 +271,7 @@ fn ordered(reader: &mut Reader<'_>, what: &str, knots: &[Knot], grows: bool) -> 
     None
 }
 
-/// The profile of knots in order, made to grow; they are finite, as every number of a scene is.
+/// Creates a profile from sorted knots. They are finite, as all numbers of a scene are.
 fn profile(knots: Vec<Knot>) -> Option<Profile> {
     Profile::new(knots.iter().map(|knot| [knot.at, knot.value]).collect())
 }

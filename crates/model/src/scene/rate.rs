@@ -1,4 +1,4 @@
-//! Speeds and accelerations with their units, as the driver gives them.
+//! Parses speeds and accelerations with units, as used for the driver.
 
 use super::Unit;
 use super::numeral::{self, are_thousands, number_length};
@@ -7,7 +7,7 @@ use crate::{Double, angle};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// What a rate is the rate of.
+/// The quantity whose rate is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RateKind {
     /// An angle: the result is in rad/s or rad/s^2.
@@ -16,41 +16,42 @@ pub(super) enum RateKind {
     Push(Unit),
 }
 
-/// Which rate.
+/// The order of the derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Degree {
-    /// Per second.
+    /// First derivative, per second.
     Speed,
-    /// Per second squared.
+    /// Second derivative, per second squared.
     Acceleration,
 }
 
-/// A rate as a mechanism has it.
+/// A rate in the units of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rate {
     pub(super) value: f64,
-    /// Whether it was typed in another unit: the conversion rounds.
+    /// Whether it was converted from another unit, which rounds it.
     pub(super) is_converted: bool,
-    /// What was typed, to twice the digits, where that is known.
+    /// The typed value as a double-double, if known.
     pub(super) typed: Option<Double>,
 }
 
-/// Why a text is no rate.
+/// The reason why a text is not a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Misfit<'t> {
-    /// It does not begin with a number.
+    /// The text does not begin with a number.
     NoNumber,
-    /// The number stands alone.
+    /// The number has no unit.
     NoUnit,
-    /// The number has a point and a comma, or one of them twice: which of them is the decimal mark?
+    /// The number has both a point and a comma, or one of them twice, so the decimal mark is
+    /// ambiguous.
     TwoMarks,
-    /// The unit is none of [`units`].
+    /// The unit is not one of [`units`].
     Unit(&'t str),
-    /// The number, or what it becomes in the scene's unit, is not finite.
+    /// The number, or its value in the scene's unit, is not finite.
     NotFinite,
 }
 
-/// The units that may be written.
+/// Returns the supported units.
 pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     match (kind, degree) {
         (RateKind::Turn, Degree::Speed) => &["rad/s", "deg/s", "rpm"],
@@ -60,14 +61,15 @@ pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     }
 }
 
-/// Returns the unit that a text stands for: `rad/s` for `rd/sn`, `rpm` for `d/dk`.
+/// Returns the unit that a text denotes, `rad/s` for `rd/sn` and `rpm` for `d/dk`; `None` for an
+/// unknown unit.
 pub(super) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'static str> {
     let plain = plain_unit(text);
     let units = units(kind, degree).iter();
     units.copied().find(|unit| *unit == plain)
 }
 
-/// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
+/// Parses a number with a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
 pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
     let WrittenRate {
         number: written,
@@ -92,7 +94,7 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
     is_finite.then_some(rate).ok_or(Misfit::NotFinite)
 }
 
-/// Converts a number, known in double-double, from one of its units.
+/// Converts a double-double from one of its units.
 pub(super) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
     let converted = converted(number.hi, unit, kind);
     Rate {
@@ -102,7 +104,8 @@ pub(super) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
     }
 }
 
-/// The formula in front of a unit, which is that of the whole: `2 * n rpm`. None where a plain number stands there.
+/// Splits a text into a formula and a trailing unit that applies to all of it: `2 * n rpm`. Returns
+/// `None` if the text begins with a plain number.
 pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
     let text = text.trim();
     let ends = text.match_indices([' ', '\t', ')']);
@@ -115,27 +118,27 @@ pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&st
         let is_number = head
             .chars()
             .all(|c| c.is_ascii_digit() || c == '.' || c == ',');
-        // `nan` and `inf` are no names.
+        // `nan` and `inf` are not names.
         !is_number && number_length(&plain) < plain.len() && plain.parse::<f64>().is_err()
     };
     heads.into_iter().find(is_formula)
 }
 
-/// A number and a unit as they stand in the file.
+/// A number and a unit as written in the file.
 pub(super) struct WrittenRate<'t> {
-    /// With a decimal point, whether it was written with that or with a comma.
+    /// The number with a decimal point, whether written with a point or a comma.
     pub(super) number: Cow<'t, str>,
     pub(super) unit: &'t str,
 }
 
 impl WrittenRate<'_> {
-    /// The number at the beginning of a text, and what stands behind it.
+    /// Splits a text into the number at its beginning and the rest.
     pub(super) fn of(text: &str) -> WrittenRate<'_> {
         let text = text.trim();
-        // As many bytes: what is found of the one is there in the other.
+        // Replacing keeps the number of bytes, so the length applies to both texts.
         let length = number_length(&text.replace(',', "."));
         let (number, unit) = text.split_at(length);
-        // `1,500` is fifteen hundred to some and one and a half to others: nobody is asked which.
+        // `1,500` is ambiguous: fifteen hundred or one and a half. Reject it.
         let (number, unit) = match number.find(',').filter(|_| are_thousands(number)) {
             Some(comma) => text.split_at(comma),
             None => (number, unit),
@@ -151,7 +154,7 @@ impl WrittenRate<'_> {
     }
 }
 
-/// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
+/// Converts to radians or the scene's unit; returns `None` if the number already has that unit.
 fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
     let base = unit.split('/').next().unwrap_or(unit);
     match kind {
@@ -168,7 +171,7 @@ fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
     }
 }
 
-/// The same in twice the digits.
+/// Converts to radians or the scene's unit in double-double.
 fn closely(number: Double, unit: &str, kind: RateKind) -> Double {
     let base = unit.split('/').next().unwrap_or(unit);
     match kind {

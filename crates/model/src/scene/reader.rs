@@ -1,4 +1,4 @@
-//! Numbers and pairs of a scene; what does not fit becomes a diagnostic.
+//! Reads numbers and pairs of a scene, and reports invalid ones.
 
 use super::numeral::{is_rounded, number_length};
 use crate::Vec2;
@@ -8,22 +8,22 @@ use crate::document::{Diagnostic, Entries, Lenient, Misplaced, has_decimal_comma
 use crate::expression;
 use crate::wording::words;
 
-/// A pair of coordinates, as far as it is one.
+/// A pair of coordinates as written.
 pub(super) type CoordinatePair = Lenient<Vec<Lenient<f64>>>;
 /// Points by their names.
 pub(super) type Points = Lenient<Entries<CoordinatePair>>;
 
-/// No coordinate or length may be larger: squares of scaled values must stay finite, and nothing
-/// that a person builds comes near.
+/// Maximum absolute value of a coordinate or length. Squares of scaled values must stay finite, and
+/// no real mechanism comes near.
 pub(super) const LARGEST: f64 = 1e300;
-/// No length may be smaller, for the same reason.
+/// Minimum length, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 
-/// What a formula in twice the digits may have lost of a decimal, with room.
+/// Maximum relative rounding error of a formula in double-double, with a margin.
 const TWICE_ROUNDED: f64 = 1e-29;
 
 impl Reader<'_> {
-    /// A finite number that is not too large.
+    /// Reads a finite number of permitted size.
     pub fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
         let number = match number_of(self.text(), value) {
             Ok(number) => {
@@ -46,7 +46,7 @@ impl Reader<'_> {
             }
         };
         let literal = self.literal(&value.span);
-        // Written so that NaN is refused too.
+        // A comparison that also rejects NaN.
         if number.abs() <= LARGEST {
             return Some(number);
         }
@@ -77,7 +77,8 @@ impl Reader<'_> {
         None
     }
 
-    /// A number of a table that may be left out, and is 0 then; `unit` is put behind its name.
+    /// Reads an optional number that must not be negative; returns 0 if it is missing or invalid.
+    /// `unit` is appended to its name in messages.
     pub(super) fn not_negative(
         &mut self,
         of: &str,
@@ -101,13 +102,13 @@ impl Reader<'_> {
         number.unwrap_or(0.0).max(0.0)
     }
 
-    /// A pair `[x, y]`.
+    /// Reads a pair `[x, y]`.
     pub(super) fn pair(&mut self, what: &str, value: &CoordinatePair) -> Option<Vec2> {
         let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         self.coordinates(what, items)
     }
 
-    /// A pair `[x, y]` of the items of a list.
+    /// Reads a pair `[x, y]` from the items of a list.
     pub(super) fn pair_of(
         &mut self,
         what: &str,
@@ -124,7 +125,7 @@ impl Reader<'_> {
         Some(Vec2::new(x?, y?))
     }
 
-    /// A list of exactly two values.
+    /// Reads a list of exactly two values.
     pub(super) fn two<'v, T>(
         &mut self,
         what: &str,
@@ -141,7 +142,7 @@ impl Reader<'_> {
         None
     }
 
-    /// Exactly two values of a list.
+    /// Returns the two values of a list. Reports a list of another length, and returns `None`.
     pub(super) fn two_of<'v, T>(
         &mut self,
         what: &str,
@@ -166,7 +167,7 @@ impl Reader<'_> {
         None
     }
 
-    /// A text that need not be given.
+    /// Reads an optional text.
     pub(super) fn text_of<'v>(
         &mut self,
         key: &str,
@@ -177,7 +178,8 @@ impl Reader<'_> {
     }
 }
 
-/// The mend for a number that was written as a text, with something behind it that is no unit.
+/// Returns the hint for a number written as text, possibly followed by something that is not a
+/// unit; `None` for other texts.
 pub(super) fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
     let (number, rest) = text.split_at(number_length(text));
@@ -185,7 +187,7 @@ pub(super) fn bare_number(text: &str) -> Option<String> {
         (true, _) => return None,
         (false, true) => words().write_without_quotes(number),
         (false, false) if rest.trim() == "%" => {
-            // Exactly by text: two places further left.
+            // Dividing the parsed number by 100 gives the nearest double of the shifted decimal.
             let part = number.parse::<f64>().ok()? / 100.0;
             words().write_as_a_part(part)
         }
@@ -197,8 +199,8 @@ pub(super) fn bare_number(text: &str) -> Option<String> {
     Some(help)
 }
 
-/// The nearest double of the digits in the text, infinite where they overflow: TOML's own reading has no negative
-/// zero among whole numbers, and ends at 128 bits.
+/// Returns the nearest double of the digits in the text, infinite on overflow. TOML's own parser
+/// has no negative zero among integers, and is limited to 128 bits.
 pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, &'v Misplaced> {
     let number = match &value.read {
         Ok(number) => *number,
@@ -206,7 +208,7 @@ pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, 
         Err(found) => return Err(found),
     };
     let digits = text.get(value.span.clone()).unwrap_or("").replace('_', "");
-    // What begins with 0x, 0o or 0b does not read so.
+    // Numbers that begin with 0x, 0o or 0b do not parse as f64.
     Ok(digits.parse().unwrap_or(number))
 }
 

@@ -1,4 +1,4 @@
-//! How far constraints that repeat others may be from fitting.
+//! Reads the accepted misfit of redundant constraints.
 
 use super::Unit;
 use super::draft::SceneDraft;
@@ -10,17 +10,17 @@ use crate::wording::words;
 use serde::Deserialize;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
-/// A misfit of more than this part of the longest length is no matter of digits.
+/// Maximum accepted misfit relative to the longest length. A larger one cannot be a rounding error.
 const LARGEST_PART: f64 = 0.01;
 
-/// The misfit that is accepted, in the scene's unit, and where it stands.
+/// The accepted misfit in the scene's unit, with its place in the text.
 #[derive(Debug, Default)]
 pub(super) struct Redundant {
     pub(super) misfit: f64,
     place: ByteSpan,
 }
 
-/// The section `[redundant]` as it is written.
+/// The section `[redundant]` as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct RedundantTable {
     misfit: Option<Lenient<f64>>,
@@ -45,7 +45,7 @@ pub(super) fn read(
     }
 }
 
-/// Reports a misfit that is out of proportion: it would make a mechanism of what is none.
+/// Reports a misfit out of proportion, which would accept constraints that contradict each other.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
     let Redundant { misfit, place } = &draft.redundant;
     let most = LARGEST_PART * longest(draft);
@@ -60,7 +60,8 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
     }
 }
 
-/// The longest distance of two points of a link, or of a point of the ground from the first one.
+/// Returns the maximum of the lengths and the distances of points from their frame's origin; for
+/// the ground, from its first point.
 fn longest(draft: &SceneDraft<'_>) -> f64 {
     let ground = draft.ground.iter().map(PlacedPoint::at);
     let first = draft.ground.first().map_or(Vec2::ZERO, PlacedPoint::at);

@@ -1,4 +1,5 @@
-//! What is refused as a whole, and how a message looks. `tests/broken` has the single faults.
+//! Tests which files are rejected as a whole, and the layout of messages. `tests/broken` has the
+//! single faults.
 
 use super::*;
 

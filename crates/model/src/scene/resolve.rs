@@ -1,4 +1,4 @@
-//! Joins the names of a draft and builds the mechanism.
+//! Resolves the names of a draft and builds the mechanism.
 
 use super::deviations::Settling;
 use super::draft::SceneDraft;
@@ -17,7 +17,7 @@ use crate::wording::words;
 use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, Tolerances, mechanism};
 use std::collections::{HashMap, HashSet};
 
-/// Everything of a scene that comes from joining names.
+/// The parts of a scene that depend on resolved names.
 pub(super) struct Resolved {
     pub(super) mechanism: Mechanism,
     pub(super) vectors: Vec<Vector>,
@@ -29,7 +29,7 @@ pub(super) struct Resolved {
     pub(super) places: TextPlaces,
 }
 
-/// Joins names and builds; `None` if anything was or is reported.
+/// Resolves names and builds the mechanism; returns `None` if any diagnostic was reported.
 pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Option<Resolved> {
     if draft.unreadable {
         return None;
@@ -54,7 +54,7 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Op
     resolver.finish()
 }
 
-/// The mechanism as far as it is built.
+/// The state of resolving: the mechanism under construction and the ids of its elements.
 pub(super) struct Resolver<'r, 's, 't> {
     pub(super) reader: &'r mut Reader<'s>,
     pub(super) draft: &'r SceneDraft<'t>,
@@ -62,12 +62,12 @@ pub(super) struct Resolver<'r, 's, 't> {
     pub(super) builder: Builder,
     pub(super) ground: HashMap<&'t str, &'r PlacedPoint<'t>>,
     pub(super) points: HashMap<&'t str, PointId>,
-    /// Points that slides, vectors and loads refer to without defining them.
+    /// Points used by slides, vectors and loads, which do not define them.
     pub(super) referred: HashSet<&'t str>,
-    /// The centres of mass, by the link's place in the draft.
+    /// The centres of mass, by the link's index in the draft.
     centres: HashMap<usize, PointId>,
     pub(super) slides: HashMap<&'t str, SlideId>,
-    /// The slides that could be built, by id.
+    /// The slides added to the builder, by id.
     built_slides: Vec<&'r DraftSlide<'t>>,
     point_names: Vec<Option<String>>,
     pub(super) limit_places: LimitPlaces,
@@ -98,7 +98,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    /// Every named point, in the order in which the file first names it.
+    /// Adds every named point, in the order in which the file first names it.
     fn points(&mut self) {
         for (name, span) in self.names.points() {
             let id = match self.ground.get(name) {
@@ -147,7 +147,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    /// The centres of mass follow all named points, so that tables show the joints first.
+    /// Adds the centres of mass after all named points, so that tables show the joints first.
     fn centres(&mut self) {
         for (i, link) in self.draft.links.iter().enumerate() {
             if let Some(com) = &link.com {
@@ -165,7 +165,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    /// From which point of its link a place is seen, and how.
+    /// Returns the reference point of a place on a link, with its length and angle.
     fn arm(&self, sighted: &Sighted<'_>) -> (Option<PointId>, (f64, f64)) {
         let from = sighted.from.as_ref();
         let from = from.and_then(|from| self.points.get(from.text).copied());
@@ -180,7 +180,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         self.vectors.push((name.span.clone(), vector));
     }
 
-    /// Takes note of a slide that was built.
+    /// Records a slide added to the builder.
     pub(super) fn push_slide(&mut self, slide: &'r DraftSlide<'t>, id: SlideId) {
         self.slides.insert(slide.name.text, id);
         self.built_slides.push(slide);
@@ -225,7 +225,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         self.slides.get(name.text).copied()
     }
 
-    /// A link that an input turns, against the ground or the link that its motor sits on.
+    /// Resolves a link that an input turns, relative to the ground or to the link that carries its
+    /// motor.
     pub(super) fn turned_link(
         &mut self,
         [what, seat]: [&str; 2],
@@ -250,7 +251,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         Some(link)
     }
 
-    /// A link pinned to the ground at two places could not turn.
+    /// Resolves a driven link. Reports a link pinned to the ground at two places, which cannot
+    /// turn.
     pub(super) fn driven_link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
         let link = self.names.find(self.reader, what, name, Sort::Link);
         if link.is_none() && self.slides.contains_key(name.text) {
@@ -276,7 +278,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     fn start(&mut self) {
         for place in &self.draft.start {
             let name = &place.name;
-            // A centre of mass may be all that tells on which side a link without other points lies.
+            // A centre of mass may be the only point that selects the assembly of its link.
             if let Some(link) = name.text.strip_suffix(".com") {
                 if let Some(centre) = self.centre("[start]", name, link) {
                     self.builder.start(centre, place.at());
@@ -328,7 +330,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    /// A point by its name; `r3.com` is the centre of mass of `r3`.
+    /// Resolves a point by its name; `r3.com` is the centre of mass of `r3`.
     pub(super) fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
         if let Some(link) = name.text.strip_suffix(".com") {
             return self.centre(what, name, link);
@@ -357,7 +359,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         centre
     }
 
-    /// A ground point that nothing refers to is a slip: mostly a name written in two ways.
+    /// Reports ground points without any reference: usually one name was written in two ways.
     fn unused(&mut self) {
         let links = self.draft.links.iter().flat_map(DraftLink::point_names);
         let pins = self.draft.slides.iter().filter_map(|s| match &s.slider {
@@ -438,15 +440,15 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 }
 
-/// A name by which names are sorted: r9 before r10.
+/// Returns a key for natural sorting: r9 before r10.
 fn natural(name: &str) -> (&str, usize, &str) {
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = &name[letters.len()..];
     (letters, number.len(), number)
 }
 
-/// The origins that sliding links were given have no name, and the place of their slide. They follow
-/// all named points.
+/// Extends `names` and `places` by the origins added for sliding links. They follow all named
+/// points, have no name, and get the place of their slide.
 fn name_origins(mechanism: &Mechanism, names: &mut Vec<Option<String>>, places: &mut TextPlaces) {
     names.resize(mechanism.points().len(), None);
     places.points.resize(mechanism.points().len(), 0..0);

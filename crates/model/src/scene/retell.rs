@@ -1,20 +1,22 @@
-//! The text of a scene told anew: with another title, and without remarks that told of its old numbers.
+//! Rewrites the text of a scene with another title, without comments that refer to its old numbers.
 
 use super::Scene;
 use super::rewrite::Edits;
 use toml::de::DeTable;
 
 impl Scene {
-    /// The text with these in the place of `name`, `source` and `note`, each put in front where the file has
-    /// none, and without lines that are comments alone: they tell of numbers that are to be changed.
+    /// Returns the text with new values of `name`, `source` and `note`; a missing key is added at
+    /// the front. Lines that consist of a comment are removed, because they refer to numbers that
+    /// will change.
     ///
-    /// What stands in the file beside that stays as it is. Whether it is a scene is for [`Scene::parse`] to say.
+    /// The rest of the file stays unchanged. [`Scene::parse`] decides whether the result is a
+    /// scene.
     #[must_use]
     pub fn retold(&self, name: &str, source: &str, note: &str) -> String {
         let texts = [("name", name), ("source", source), ("note", note)];
         let mut edits = Edits::default();
         let mut front = String::new();
-        // It was read once before.
+        // Parsing succeeded before, when the scene was read.
         let root = DeTable::parse(self.text()).ok();
         for (key, text) in texts {
             let value = root.as_ref().and_then(|root| root.get_ref().get(key));
@@ -31,7 +33,7 @@ impl Scene {
     }
 }
 
-/// A text as a basic string of TOML.
+/// Formats a text as a basic string of TOML.
 pub fn toml_string(text: &str) -> String {
     let mut string = String::from("\"");
     for c in text.chars() {

@@ -1,32 +1,33 @@
-//! The text of a scene with other start positions: every other character stays as it stands,
-//! comments, order and blanks included.
+//! Rewrites the text of a scene with other start positions. Every other character stays unchanged,
+//! including comments, order and blanks.
 
 use super::Scene;
 use crate::{PointId, Vec2};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// How exactly numbers are written.
+/// The precision of written numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// Six digits: a start is rough.
     Rough,
-    /// So that the same double is read back.
+    /// Enough digits to read back the same double.
     Exact,
 }
 
-/// A coordinate this small a part of the largest one is rounding.
+/// Coordinates below this fraction of the largest one are rounding errors.
 const NOISE: f64 = 1e-9;
-/// Significant digits of a rough figure.
+/// Significant digits of a rough number.
 const DIGITS: usize = 6;
 
 impl Scene {
-    /// The scene's text with these start positions (in the scene's unit and frame), and where `opening`
-    /// is given also with another coordinate at which the driver opens.
+    /// Returns the scene's text with these start positions, in the scene's unit and frame.
+    /// `opening` also replaces the coordinate at which the driver opens.
     ///
-    /// Points that `[start]` names already are replaced where they stand, others stand behind them; what
-    /// `start` does not name stays as it is. Points without a name are left out. `None` where the
-    /// text has no place for them, which no scene that was read is known to do.
+    /// Points already in `[start]` are replaced in place, others are appended. Entries of `[start]`
+    /// without a counterpart in `start` stay unchanged, and points without a name are omitted.
+    /// Returns `None` if the text has no place for the changes, which no parsed scene is known to
+    /// cause.
     #[must_use]
     pub fn rewritten(
         &self,
@@ -58,7 +59,7 @@ impl Scene {
         Some(edits.made_in(self.text()))
     }
 
-    /// Notes what changes in `[start]`.
+    /// Adds the changes of `[start]` to `edits`.
     fn put_start(&self, root: &DeTable<'_>, named: &[(&str, String)], edits: &mut Edits) {
         let text = self.text();
         let section = root.get("start");
@@ -116,19 +117,19 @@ impl Scene {
     }
 }
 
-/// Whether a line that begins so goes on with a key of `[start]`.
+/// Returns `true` if `before` is the part of a line in front of a key of `[start]`.
 fn is_beginning(before: &str) -> bool {
     let compact: String = before.split_whitespace().collect();
     compact.is_empty() || compact == "start."
 }
 
-/// The end of the line, without its line break.
+/// Returns the end of the line, without its line break.
 fn line_end(text: &str, from: usize) -> usize {
     let line = text[from..].lines().next().unwrap_or_default();
     from + line.len()
 }
 
-/// Changes of a text by place, made all at once.
+/// Replacements in a text by place, applied all at once.
 #[derive(Default)]
 pub(super) struct Edits {
     list: Vec<(Range<usize>, String)>,
@@ -157,7 +158,8 @@ impl Edits {
     }
 }
 
-/// A name as a key of TOML: what a bare key may not hold, or would divide (`r3.com`), stands in quotes.
+/// Formats a name as a TOML key. Quotes it if it is not a bare key, or if a dot would split it
+/// (`r3.com`).
 pub fn key(name: &str) -> String {
     if name.contains(['\'', '.']) {
         format!("\"{name}\"")
@@ -166,7 +168,7 @@ pub fn key(name: &str) -> String {
     }
 }
 
-/// A number with a few significant digits, as TOML may read it back.
+/// Formats a number with a few significant digits, in a form that TOML can read.
 pub fn figure(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -186,7 +188,7 @@ pub fn figure(value: f64) -> String {
     trimmed(&format!("{value:.decimals$}")).to_owned()
 }
 
-/// Without the zeros at the end of a decimal fraction.
+/// Removes trailing zeros of a decimal fraction.
 fn trimmed(decimal: &str) -> &str {
     if decimal.contains('.') {
         decimal.trim_end_matches('0').trim_end_matches('.')
@@ -203,7 +205,7 @@ mod tests {
         [links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\n\
         r3 = { from = \"B\", to = \"C\", length = 300 }\nr4 = { from = \"C\", to = \"D\", length = 250 }\n";
 
-    /// The text with B and C started elsewhere; what is not asked for must stay to the letter.
+    /// Returns the text with other start positions of B and C.
     fn rewritten(text: &str) -> String {
         let scene = Scene::parse(text, "test").unwrap();
         let point = |name: &str| {

@@ -1,4 +1,4 @@
-//! Places in a link's own frame: by coordinates, or by a length and an angle as a drawing dimensions them.
+//! Places in a link's frame: by coordinates, or by length and angle as dimensioned on a drawing.
 //!
 //! ```toml
 //! points = { P = [150, 80], E = { from = "D", length = 180, angle = 72 } }
@@ -19,19 +19,19 @@ use std::fmt;
 pub(super) const KEYS: [&str; 3] = ["from", "length", "angle"];
 const SIGHTED: &str = r#"{ from = "D", length = 180, angle = 72 }"#;
 
-/// A place on a link as it is written.
+/// A place on a link as written.
 pub(super) type LinkPlace = Lenient<WrittenPlace>;
-/// Points of a link by their names, as they are written.
+/// Named points of a link as written.
 pub(super) type LinkPlaces = Lenient<Entries<LinkPlace>>;
 
-/// A place, either way.
+/// A place in either form.
 #[derive(Debug)]
 pub(super) enum WrittenPlace {
     Pair(Vec<Lenient<f64>>),
     Sighted(Box<SightedTable>),
 }
 
-/// A place by length and angle as it is written.
+/// A place by length and angle as written.
 #[derive(Debug, Default)]
 pub(super) struct SightedTable {
     from: Option<Lenient<String>>,
@@ -45,7 +45,7 @@ impl<'de> Deserialize<'de> for WrittenPlace {
     }
 }
 
-/// Takes a list or a table, and nothing else.
+/// Accepts a list or a table only.
 struct EitherWay;
 
 impl<'de> Visitor<'de> for EitherWay {
@@ -70,7 +70,7 @@ impl<'de> Visitor<'de> for EitherWay {
                 "from" => table.from = Some(map.next_value()?),
                 "length" => table.length = Some(map.next_value()?),
                 "angle" => table.angle = Some(map.next_value()?),
-                // Told as unknown by its name, whatever stands there.
+                // The key is reported as unknown, so its value does not matter.
                 _ => drop(map.next_value::<Lenient<IgnoredAny>>()?),
             }
         }
@@ -81,10 +81,10 @@ impl<'de> Visitor<'de> for EitherWay {
 /// A place by length and angle.
 #[derive(Debug)]
 pub(super) struct Sighted<'t> {
-    /// From which point of the link; the origin of its frame where none is named.
+    /// The reference point on the link; `None` for the origin of its frame.
     pub(super) from: Option<Name<'t>>,
     pub(super) length: f64,
-    /// In degrees.
+    /// The angle in degrees.
     pub(super) angle: f64,
 }
 
@@ -95,7 +95,7 @@ pub(super) enum ReadPlace<'t> {
     Sighted(Sighted<'t>),
 }
 
-/// Reads a place; `owner` is where a missing key is told.
+/// Reads a place; a missing key is reported at `owner`.
 pub(super) fn place<'v>(
     reader: &mut Reader<'_>,
     what: &str,
@@ -137,7 +137,7 @@ fn sighted<'v>(
         ("length", table.length.is_some()),
         ("angle", table.angle.is_some()),
     ] {
-        // A misspelt key was reported already; what it leaves missing is no second fault.
+        // A misspelt key was already reported; do not report the missing key as well.
         if !is_given && !meant(&value.keys, &KEYS, key) {
             reader.report(
                 Diagnostic::new(words().of_has_no(what, key))
@@ -160,7 +160,8 @@ fn sighted<'v>(
     })
 }
 
-/// Lays the points of a link that are seen from others, and brings those from which others are seen before them.
+/// Computes the coordinates of a link's points given by length and angle, and sorts points after
+/// their reference points.
 pub(super) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
     let ends = link.ends.iter().flat_map(|ends| {
         let to = Vec2::new(ends.length, 0.0).map(Constant::given);
@@ -197,7 +198,7 @@ pub(super) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
         }
         laid.entry(point.name.text).or_insert(place);
         let mut seen = waiting.remove(point.name.text).unwrap_or_default();
-        // The last one is taken first.
+        // `ready` is popped from its end.
         seen.reverse();
         ready.append(&mut seen);
         placed.push(point);
@@ -215,7 +216,8 @@ pub(super) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
     link.points = placed;
 }
 
-/// The fault of a point that is seen from no point of its link, or from itself in the end.
+/// Returns the diagnostic of a point whose reference point is not on its link, or depends on the
+/// point itself.
 fn unseen(of: &str, name: &Name<'_>, from: &Name<'_>, known: bool) -> Diagnostic {
     let what = format!("{} {}", words().point_in(of), quoted(name.text));
     if known {
@@ -233,7 +235,7 @@ fn not_on_link(what: &str, of: &str, from: &Name<'_>) -> Diagnostic {
         .help(words().name_another_point_of(of))
 }
 
-/// Checks from where the centre of mass is seen, and lays it.
+/// Computes the coordinates of a centre of mass; reports a reference point that is not on the link.
 pub(super) fn lay_centre(
     reader: &mut Reader<'_>,
     of: &str,

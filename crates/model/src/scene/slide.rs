@@ -10,16 +10,16 @@ use serde::Deserialize;
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
 
-/// The section `[slides]` as it is written.
+/// The section `[slides]` as written.
 pub(super) type Slides = Lenient<Entries<Lenient<SlideTable>>>;
 
-/// A slide as it is written.
+/// A slide as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct SlideTable {
     point: Option<Lenient<String>>,
     link: Option<Lenient<String>>,
     on: Option<Lenient<String>>,
-    /// Coordinates, or the name of a point in their place.
+    /// Coordinates, or the name of a point.
     through: Option<CoordinatePair>,
     angle: Option<Lenient<f64>>,
     turn: Option<Lenient<f64>>,
@@ -29,12 +29,12 @@ pub(super) struct SlideTable {
 #[derive(Debug)]
 pub(super) struct DraftSlide<'t> {
     pub(super) name: Name<'t>,
-    /// `None` for this and the following: a fault was reported.
+    /// `None` here and in the following fields means that a fault was reported.
     pub(super) slider: Option<DraftSlider<'t>>,
     pub(super) on: Option<Name<'t>>,
     pub(super) through: Option<Through<'t>>,
     pub(super) angle: f64,
-    /// How far the coordinates of `through` may be off.
+    /// The tolerance of the coordinates of `through`.
     pub(super) tolerance: Option<DraftTolerance>,
 }
 
@@ -80,7 +80,7 @@ fn slide<'v>(
     let what = words().key_of("tolerance", &of);
     slide.tolerance = tolerance.and_then(|value| deviations::tolerance(reader, &what, value));
     let mut required = |key: &str, given: bool, example: &str| {
-        // A misspelt key was reported already; what it leaves missing is no second fault.
+        // A misspelt key was already reported; do not report the missing key as well.
         let misspelt = || meant(&value.keys, &keys::of(keys::SLIDE, "link"), key);
         if !given && !misspelt() {
             reader.report(
@@ -98,7 +98,7 @@ fn slide<'v>(
     slide
 }
 
-/// A point of the guide, by name or by coordinates.
+/// Reads a point of the guide, by name or by coordinates.
 fn through<'v>(
     reader: &mut Reader<'_>,
     of: &str,
@@ -112,7 +112,7 @@ fn through<'v>(
     at.map(Through::At)
 }
 
-/// What slides: a pin or a link.
+/// Reads the slider: a pin or a link.
 fn slider<'v>(
     reader: &mut Reader<'_>,
     of: &str,
@@ -163,7 +163,7 @@ fn slider<'v>(
     }
 }
 
-/// An angle in degrees, 0 if left out.
+/// Reads an angle in degrees; 0 if it is missing.
 fn angle(reader: &mut Reader<'_>, of: &str, key: &str, value: Option<&Lenient<f64>>) -> f64 {
     let angle = value.and_then(|v| reader.number(&(words().key_of(key, of) + " (deg)"), v));
     angle.unwrap_or(0.0)

@@ -1,4 +1,5 @@
-//! Reads springs: between points, gas springs by their force over the length, and torsion springs between links.
+//! Reads springs: between points, gas springs by their force over the length, and torsion springs
+//! between links.
 
 use super::keys;
 use super::loads::{ListExample, list, said};
@@ -11,10 +12,10 @@ use serde::Deserialize;
 
 const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
 
-/// The list `[[springs]]` as it is written.
+/// The list `[[springs]]` as written.
 pub(super) type Springs = Lenient<Vec<Lenient<SpringTable>>>;
 
-/// A spring as it is written.
+/// A spring as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct SpringTable {
     from: Option<Lenient<String>>,
@@ -30,15 +31,16 @@ pub(super) struct SpringTable {
 
 #[derive(Debug)]
 pub(super) struct DraftSpring<'t> {
-    /// The point where it begins, or the link that it turns back.
+    /// The point where it begins, or the link on which a torsion spring acts.
     pub(super) from: Name<'t>,
-    /// Its other end; of a torsion spring the link to which it is fixed, the ground without one.
+    /// The other end. For a torsion spring it is the link to which it is fixed, or `None` for the
+    /// ground.
     pub(super) to: Option<Name<'t>>,
     pub(super) law: DraftLaw,
     pub(super) damping: f64,
 }
 
-/// With what a spring acts.
+/// The force or torque law of a spring.
 #[derive(Debug)]
 pub(super) enum DraftLaw {
     Line {
@@ -63,7 +65,7 @@ enum SpringKind {
 }
 
 impl SpringKind {
-    /// A torsion spring acts on a link; the force of a gas spring is given over its length.
+    /// Returns the kind by its keys: a torsion spring has `link`, a gas spring `force`.
     fn of(value: &Lenient<SpringTable>) -> SpringKind {
         if value.key("link").is_some() {
             SpringKind::Torsion
@@ -74,7 +76,7 @@ impl SpringKind {
         }
     }
 
-    /// What the keys are that are its own.
+    /// Returns the name under which the table of keys lists its own keys.
     fn key(self) -> &'static str {
         match self {
             SpringKind::Line => "spring",
@@ -107,7 +109,7 @@ impl SpringKind {
     }
 }
 
-/// Reads the springs. What could not be read is left out, and reported.
+/// Reads the springs. Reports and omits those that could not be read.
 pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<DraftSpring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
@@ -132,7 +134,7 @@ fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Optio
     })
 }
 
-/// Its two ends; those that it lacks are reported. A torsion spring may be fixed to the ground.
+/// Reads the two ends and reports missing ones. A torsion spring may be fixed to the ground.
 fn ends<'v>(
     reader: &mut Reader<'_>,
     value: &Lenient<SpringTable>,
@@ -182,7 +184,7 @@ fn law(reader: &mut Reader<'_>, table: &SpringTable, kind: SpringKind) -> Option
     })
 }
 
-/// Reports a spring that has nothing to act with.
+/// Reports a spring without stiffness, damping or preload.
 fn sized(reader: &mut Reader<'_>, value: &Lenient<SpringTable>, kind: SpringKind) {
     let is_given = |key: &&str| value.key(key).is_some() || value.meant(key);
     if kind != SpringKind::Gas && !["stiffness", "damping", "preload"].iter().any(is_given) {

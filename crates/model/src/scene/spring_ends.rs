@@ -1,4 +1,4 @@
-//! Joins the names of springs.
+//! Resolves the names in springs.
 
 use super::link::DraftLink;
 use super::names::Sort;
@@ -10,7 +10,7 @@ use crate::wording::words;
 use crate::{Body, LinkId, Load};
 
 impl<'t> Resolver<'_, '_, 't> {
-    /// All springs.
+    /// Adds all springs to the builder.
     pub(super) fn springs(&mut self) {
         let draft = self.draft;
         for spring in &draft.springs {
@@ -26,7 +26,8 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// A spring along the line of its ends.
+    /// Returns a spring along the line between two points. Reports faults, and returns `None` for
+    /// them.
     fn between_points(&mut self, spring: &DraftSpring<'t>, to: &Name<'t>) -> Option<Load> {
         let of = words().the_spring();
         let begin = self.point(&words().key_of("from", of), &spring.from);
@@ -60,7 +61,7 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// A torsion spring.
+    /// Returns a torsion spring. Reports faults, and returns `None` for them.
     fn between_links(&mut self, spring: &DraftSpring<'t>, to: Option<&Name<'t>>) -> Option<Load> {
         let DraftLaw::Torsion {
             stiffness,
@@ -96,7 +97,7 @@ impl<'t> Resolver<'_, '_, 't> {
         Some(LinkId::new(link))
     }
 
-    /// The fault of a spring whose length never changes.
+    /// Returns the diagnostic of a spring whose length never changes; `None` for other springs.
     fn idle(&self, from: &Name<'t>, to: &Name<'t>) -> Option<Diagnostic> {
         if from.text == to.text {
             return Some(to_itself(from, to, words().name_two_points()));
@@ -118,7 +119,7 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 }
 
-/// The fault of a spring whose end is its beginning.
+/// Returns the diagnostic of a spring with two equal ends.
 fn to_itself(from: &Name<'_>, to: &Name<'_>, help: &'static str) -> Diagnostic {
     Diagnostic::new(words().spring_to_itself(&from.to_string()))
         .at(to.span.clone(), words().end_is_beginning())
@@ -126,7 +127,7 @@ fn to_itself(from: &Name<'_>, to: &Name<'_>, help: &'static str) -> Diagnostic {
         .help(help)
 }
 
-/// Whether a point, or a centre of mass, is one of the link's.
+/// Returns `true` if a point or a centre of mass belongs to the link.
 fn carries(link: &DraftLink<'_>, name: &Name<'_>) -> bool {
     let centre = name.text.strip_suffix(".com");
     centre == Some(link.name.text) || link.point_names().any(|point| point.text == name.text)

@@ -1,11 +1,12 @@
-//! What people mostly meant where a scene is not valid TOML.
+//! Suggests fixes for common mistakes in the TOML syntax of a scene.
 
 use super::numeral::number_length;
 use crate::document::ByteSpan;
 use crate::expression;
 use crate::wording::words;
 
-/// What was mostly meant, by the parser's message and what stands there.
+/// Returns the hint for a syntax error, from the parser's message and the text at the error; `None`
+/// for an unfamiliar error.
 pub fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     let at = text.get(span.start..).unwrap_or("");
     let before = text.get(..span.start).unwrap_or("");
@@ -37,7 +38,8 @@ fn is_angle(before: &str) -> bool {
     key == Some("angle")
 }
 
-/// The mend for a value that is neither a number nor quoted; `is_angle` where one is meant.
+/// Returns the hint for a value that is neither a number nor quoted; `is_angle` if it should be an
+/// angle.
 fn bare_value(value: &str, is_angle: bool) -> String {
     let (number, rest) = value.split_at(number_length(value));
     if number.is_empty() {

@@ -1,4 +1,4 @@
-//! The reading of good scenes.
+//! Tests of reading valid scenes.
 
 use super::*;
 use crate::{Body, Input, Load, Profile, Slider, StrokeEnd, Vec2};
@@ -79,7 +79,7 @@ fn every_preset_opens() {
     }
 }
 
-/// Every key of the format at once.
+/// A scene with every key of the format.
 const EVERYTHING: &str = r#"
 name = "Every  key"
 source = "made up"
@@ -415,7 +415,7 @@ fn every_element_knows_its_place_in_the_text() {
     assert_eq!(points, expected);
 }
 
-/// The parts of a scene that a person sees, for comparing two texts of the same scene.
+/// Returns the visible parts of a scene, for comparing two texts of one scene.
 fn gist(text: &str) -> String {
     let scene = Scene::parse(text, "gist").unwrap_or_else(|faults| panic!("{faults}"));
     let names: Vec<_> = scene

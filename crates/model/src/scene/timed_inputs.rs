@@ -13,10 +13,10 @@ use serde::Deserialize;
 const INPUT: &str = "r7 = { ratio = 1, phase = 30 }";
 const TABLE: &str = "rod = { over = [[1.0, 0.2], [1.3, 0.35]] }";
 
-/// The section `[inputs]` as it is written.
+/// The section `[inputs]` as written.
 pub(super) type TimedInputs = Lenient<Entries<Lenient<TimedTable>>>;
 
-/// An input as it is written.
+/// An input as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct TimedTable {
     ratio: Option<Lenient<f64>>,
@@ -27,10 +27,10 @@ pub(super) struct TimedTable {
 
 #[derive(Debug)]
 pub(super) struct DraftTimed<'t> {
-    /// The link or the slide that is driven.
+    /// The driven link or slide.
     pub(super) name: Name<'t>,
     law: DraftInputLaw,
-    /// The link that its motor sits on, as it is written; none on the ground.
+    /// The link that carries its motor, as written; `None` for the ground.
     from: Option<&'t Lenient<String>>,
 }
 
@@ -155,7 +155,8 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
-    /// A table that spans whole turns of a driven link closes, unless the driver has a range of its own.
+    /// Creates the table of an input. A table over whole turns of a driven link must close, unless
+    /// the driver has a range of its own. Reports one that does not, and returns `None`.
     fn table(
         &mut self,
         of: &str,
@@ -192,7 +193,7 @@ impl<'t> Resolver<'_, '_, 't> {
         None
     }
 
-    /// Reports an input that drives what the driver does.
+    /// Reports an input of the element that the driver itself drives; returns `true` for one.
     fn is_the_driver(&mut self, name: &Name<'t>) -> bool {
         let driver = self.draft.driver.as_ref().map(|driver| &driver.input);
         let (Some(DraftInput::Link(driven)) | Some(DraftInput::Slide(driven))) = driver else {

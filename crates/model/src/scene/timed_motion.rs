@@ -9,10 +9,10 @@ use crate::wording::words;
 use crate::{ClampedSpline, MotionLaw, StepLaw, TimedStep};
 use serde::Deserialize;
 
-/// The list `motion` as it is written.
+/// The list `motion` as written.
 pub(super) type MotionList = Lenient<Vec<Lenient<StepTable>>>;
 
-/// A step of it as it is written.
+/// A step of a motion as written.
 #[derive(Debug, Deserialize)]
 pub(super) struct StepTable {
     law: Option<Lenient<String>>,
@@ -25,18 +25,18 @@ pub(super) struct StepTable {
 
 const STEP: &str = r#"{ law = "cycloidal", to = 120, time = 0.5 }"#;
 const LAWS: [&str; 5] = ["constant", "harmonic", "cycloidal", "trapezoid", "table"];
-/// The part of its time in which a trapezoid's speed grows, where none is given.
+/// The default fraction of a trapezoid's time during which its speed increases.
 const RAMP: f64 = 1.0 / 3.0;
 
-/// What a motion begins with, and what holds it.
+/// The start and range of a motion.
 pub(super) struct MotionFrame<'r> {
     pub(super) start: f64,
-    /// Whether a link is turned: a motion may end whole turns from where it began.
+    /// Whether a link is turned: its motion may end whole turns away from the start.
     pub(super) turns: bool,
     pub(super) range: Option<&'r DraftEnds>,
 }
 
-/// Reads the list; `None` where it is wrong, which is reported.
+/// Reads the list; reports faults and returns `None` for them.
 pub(super) fn read(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
@@ -84,7 +84,7 @@ fn steps(
     law
 }
 
-/// Reports a step that ends beyond the driver's stops.
+/// Reports a step that ends outside the driver's range.
 fn stays_in_range(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
@@ -122,7 +122,7 @@ fn step(
             return Some(TimedStep::Law { law, to, time });
         }
         (law, _) => {
-            // A misspelt key was reported already.
+            // A misspelt key was already reported.
             if law.is_some() || !(value.meant("law") || value.meant("dwell")) {
                 reader.report(
                     Diagnostic::new(words().step_has_one_of(&of, "law", "dwell"))
@@ -158,7 +158,7 @@ fn step(
     }
 }
 
-/// The name of a law.
+/// Reads the name of a law.
 fn law_of<'v>(reader: &mut Reader<'_>, of: &str, value: &'v Lenient<String>) -> Option<&'v str> {
     let name = reader.string(&words().key_of("law", of), value)?;
     if LAWS.contains(&name.text) {
@@ -214,7 +214,7 @@ fn through_knots(
     ClampedSpline::new(knots).map(TimedStep::Table)
 }
 
-/// Reports a key that is missing.
+/// Reports a missing key.
 fn lacks(
     reader: &mut Reader<'_>,
     of: &str,
@@ -272,7 +272,7 @@ fn part(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> 
     )
 }
 
-/// A number that keeps a rule.
+/// Returns the number if it satisfies a rule, or else reports it.
 fn within(
     reader: &mut Reader<'_>,
     what: &str,
@@ -291,7 +291,7 @@ fn within(
     None
 }
 
-/// What stands beside a motion says how fast the driver is once more.
+/// Reports a key that contradicts a motion, which already determines the speed.
 pub(super) fn alone(reader: &mut Reader<'_>, key: &str, place: &ByteSpan) {
     reader.report(
         Diagnostic::new(words().motion_beside(key))

@@ -1,8 +1,8 @@
-//! Numbers as people type them, with or without a unit, made into what stands in the file.
+//! Converts typed numbers, with or without a unit, to the text stored in a scene file.
 //!
-//! The conversion from another unit is exact in decimals (of radians, to 23 digits) and rounded once, to the
-//! nearest double, which is then written with as few digits as tell it: `12 in` become `304.8` mm, `30cm`
-//! become `300`.
+//! The conversion from another unit is exact in decimals (of radians, to 23 digits) and rounded
+//! once, to the nearest double. The result is written with the fewest digits that identify it:
+//! `12 in` become `304.8` mm, `30cm` become `300`.
 
 use super::Unit;
 use super::measure::{Measure, MeasureUnits};
@@ -13,36 +13,37 @@ use crate::expression::{self, Malformed};
 use crate::wording::words;
 use std::fmt;
 
-/// Why what was typed cannot stand for a value.
+/// The reason why a typed text is not a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Mistyped {
-    /// It does not begin with a number.
+    /// The text does not begin with a number.
     NoNumber {
-        /// What was typed.
+        /// The typed text.
         typed: String,
-        /// What could have been.
+        /// The supported units.
         units: Vec<&'static str>,
     },
-    /// A point and a comma, or a comma that may stand between thousands and hundreds: which mark is the decimal one?
+    /// The decimal mark is ambiguous: both a point and a comma, or a comma that could separate
+    /// thousands.
     TwoMarks {
-        /// What was typed.
+        /// The typed text.
         typed: String,
     },
-    /// The unit measures something else, or nothing.
+    /// The unit is unknown or measures another quantity.
     Unit {
-        /// What stands behind the number.
+        /// The text after the number.
         unit: String,
-        /// What could stand there.
+        /// The supported units.
         units: Vec<&'static str>,
     },
-    /// A formula that cannot be worked out.
+    /// The formula cannot be evaluated.
     Formula {
-        /// Why, in words.
+        /// The reason, as a sentence.
         why: String,
     },
-    /// More than a double can hold.
+    /// The number is too large for a double.
     TooLarge {
-        /// What was typed.
+        /// The typed text.
         typed: String,
     },
 }
@@ -66,11 +67,12 @@ impl fmt::Display for Mistyped {
 impl std::error::Error for Mistyped {}
 
 impl Value {
-    /// What stands in the file for what was typed: a number in the value's own unit, or one with a unit
-    /// behind it; or a formula. A comma is taken for the point where it can be nothing else.
+    /// Returns the text to store for a typed one: a number in the value's own unit or with a unit,
+    /// or a formula. A comma is read as decimal point if it is unambiguous.
     ///
     /// # Errors
-    /// What is no number, or has a unit that measures something else; a formula that cannot be worked out.
+    /// Returns an error if the text is not a number, its unit measures another quantity, or its
+    /// formula cannot be evaluated.
     pub fn typed(&self, typed: &str) -> Result<String, Mistyped> {
         let typed = typed.trim();
         self.typed_number(typed)
@@ -81,7 +83,8 @@ impl Value {
             })
     }
 
-    /// What stands in the file for a formula; in words why it cannot be worked out. `None` for what is none.
+    /// Returns the text to store for a formula, or a message why it cannot be evaluated. Returns
+    /// `None` if the text is not a formula.
     fn typed_formula(&self, typed: &str) -> Option<Result<String, String>> {
         let is_parameter = self.measure == Measure::Parameter;
         let (head, unit) = match self.measure.units(self.scene) {
@@ -91,7 +94,7 @@ impl Value {
             }
             _ => (typed, ""),
         };
-        // As a number with a unit is typed everywhere else.
+        // A number and a unit may be typed without a blank, as in every other field.
         let spaced = expression::glued(head).map(|(number, unit)| format!("{number} {unit}"));
         let head = spaced.as_deref().unwrap_or(head);
         let tree = match expression::parse(head) {
@@ -106,7 +109,7 @@ impl Value {
             true => head.parse::<f64>().is_ok(),
             false => tree.is_number(),
         };
-        // Where nothing has a name, a word is no formula.
+        // Without named parameters, a word is not a formula.
         let is_word = tree.is_name() && self.named.worth.is_empty();
         if is_number || is_word {
             return None;
@@ -119,19 +122,20 @@ impl Value {
         }))
     }
 
-    /// Whether what cannot be read is meant for a formula: not a number with a unit that does not fit, nor a word.
+    /// Returns `true` if an unreadable text was probably meant as a formula, rather than as a word
+    /// or a number with an unsuitable unit.
     fn is_meant(&self, typed: &str) -> bool {
         let (number, rest) = typed.split_at(number_length(typed));
         let rest = rest.trim();
         let has_sign = |text: &str| text.contains(['+', '-', '*', '(', ')']);
-        // The powers and quotients of a unit stand within it.
+        // Powers and quotients inside a unit do not indicate a formula.
         let is_cut = rest.starts_with(['/', '^']) || rest.ends_with(['/', '^']);
         let is_listed = number.is_empty() && rest.contains([' ', '/', '^']);
         let is_parameter = self.measure == Measure::Parameter && !rest.is_empty();
         is_parameter || has_sign(rest) || is_cut || is_listed || self.named.worth.contains_key(rest)
     }
 
-    /// What stands in the file for a number, with a unit behind it or without.
+    /// Returns the text to store for a number with or without a unit.
     pub(super) fn typed_number(&self, typed: &str) -> Result<String, Mistyped> {
         let Some(text) = with_point(typed) else {
             let typed = typed.to_owned();
@@ -170,8 +174,8 @@ impl Value {
         }
     }
 
-    /// What stands in the file for this value moved by a step in its own unit. Decimals that neither the
-    /// value nor the step has do not come in by rounding.
+    /// Returns the text to store for this value moved by a step in its own unit. Rounding adds no
+    /// decimals beyond those of the value and the step.
     #[must_use]
     pub fn moved(&self, by: f64) -> String {
         let sum = self.number + by;
@@ -187,7 +191,7 @@ impl Value {
         }
     }
 
-    /// The units that may be typed, that of the file first.
+    /// Returns the units that may be typed, the file's own first.
     #[must_use]
     pub fn units(&self) -> Vec<&'static str> {
         let all: Vec<&'static str> = match self.measure.units(self.scene) {
@@ -198,11 +202,11 @@ impl Value {
         };
         let others = all.into_iter().filter(|&unit| unit != self.unit);
         let all = std::iter::once(self.unit).chain(others);
-        // A plain number has no unit of its own to be typed.
+        // A plain number has an empty unit.
         all.filter(|unit| !unit.is_empty()).collect()
     }
 
-    /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
+    /// Converts a number from another unit to the file's; returns `None` if the unit does not fit.
     fn converted(&self, number: &str, plain: f64, unit: &str) -> Option<f64> {
         match self.measure.units(self.scene) {
             MeasureUnits::Length => {
@@ -218,13 +222,13 @@ impl Value {
                 let (_, times, of) = scales.iter().find(|(known, ..)| same(known, unit))?;
                 Some(scaled(number, plain, *times, *of))
             }
-            // Written with the unit that was typed.
+            // Rates keep the unit that was typed.
             MeasureUnits::Rate(..) => None,
         }
     }
 }
 
-/// What is wrong with a formula, and where: behind its end there is no place to tell.
+/// Returns the message of a fault in a formula, with its position unless it is at the end.
 fn placed(fault: &Malformed, formula: &str) -> String {
     let before = formula.get(..fault.span.start).unwrap_or(formula);
     match before.trim_end().len() == formula.trim_end().len() {
@@ -233,22 +237,23 @@ fn placed(fault: &Malformed, formula: &str) -> String {
     }
 }
 
-/// Whether two units are the same but for blanks.
+/// Returns `true` if two units differ only in blanks.
 fn same(one: &str, other: &str) -> bool {
     let bare = |c: &char| *c != ' ';
     one.chars().filter(bare).eq(other.chars().filter(bare))
 }
 
-/// A radian in degrees, 180/pi, with 23 digits: those of the number that is typed and these are all told
-/// before the product is rounded.
+/// One radian in degrees, 180/pi, to 23 digits. The product with the typed digits is exact before
+/// it is rounded.
 const RADIAN: (u128, i64) = (57_295_779_513_082_320_876_798, -21);
 
-/// The double nearest to `number * times / of`.
+/// Returns the double nearest to `number * times / of`.
 fn scaled(number: &str, plain: f64, times: u32, of: u32) -> f64 {
     exactly(number, times, of).unwrap_or(plain * f64::from(times) / f64::from(of))
 }
 
-/// The same in decimals; `None` where there are more digits than anybody types.
+/// Returns the double nearest to `number * times / of`, computed in decimals; `None` if there are
+/// too many digits.
 fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
     let TypedDecimal {
         sign,
@@ -256,7 +261,7 @@ fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
         mut exponent,
     } = TypedDecimal::of(number)?;
     let (mut product, of) = (digits.checked_mul(times.into())?, u128::from(of));
-    // As many more digits as there is room for, until the division leaves nothing.
+    // Extend the product by decimal digits until the division is exact or the integer is full.
     while product % of != 0 {
         let Some(longer) = product.checked_mul(10) else {
             break;
@@ -265,15 +270,14 @@ fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
         exponent -= 1;
     }
     let quotient = product / of;
-    // More than 30 digits are there; one behind them says on which side of a tie the rest is.
+    // The quotient has more than 30 digits; one further digit decides the rounding of ties.
     let (rest, shift) = if product % of == 0 { ("", 0) } else { ("1", 1) };
     format!("{sign}{quotient}{rest}e{}", exponent - shift)
         .parse()
         .ok()
 }
 
-/// The double nearest to a number of radians in degrees; `None` where there are more digits than anybody
-/// types.
+/// Converts radians to the nearest double in degrees; returns `None` if there are too many digits.
 fn degrees(number: &str) -> Option<f64> {
     let TypedDecimal {
         sign,
@@ -286,7 +290,7 @@ fn degrees(number: &str) -> Option<f64> {
         .ok()
 }
 
-/// A decimal number as it was typed: `digits` times ten to the power of `exponent`.
+/// A decimal number as typed: `digits` times ten to the power of `exponent`.
 struct TypedDecimal {
     sign: &'static str,
     digits: u128,
@@ -303,24 +307,24 @@ impl TypedDecimal {
         Some(TypedDecimal {
             sign,
             digits: format!("{whole}{fraction}").parse().ok()?,
-            // Small enough that a few more digits lead to no overflow.
+            // Clamped, so that adding a few digits cannot overflow.
             exponent: (exponent.clamp(-MOST_POWER, MOST_POWER))
                 .checked_sub(i64::try_from(fraction.len()).ok()?)?,
         })
     }
 }
 
-/// Beyond these powers of ten every number is 0 or too large, however many digits are typed before.
+/// Beyond these powers of ten every number is zero or infinite, however many digits precede.
 const MOST_POWER: i64 = 1_000_000_000;
 
-/// As few digits as tell the double, as TOML reads them.
+/// Formats a double with the fewest digits that identify it, in a form that TOML can read.
 fn shortest(number: f64) -> String {
-    // What is nothing has no sign.
+    // Adding 0.0 removes the sign of a negative zero.
     let text = format!("{:?}", number + 0.0);
     text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 
-/// Decimals of a number when it is written in full.
+/// Returns the number of decimals of a number written in full.
 fn decimals(number: f64) -> usize {
     let text = number.to_string();
     text.split_once('.')

@@ -1,4 +1,5 @@
-//! A tolerance of every length, as it is typed beside a scene: `0.1`, `0.004 in`, `ISO 2768-m`.
+//! Parses a common tolerance of all lengths, typed separately from the scene: `0.1`, `0.004 in`,
+//! `ISO 2768-m`.
 
 use super::deviations::{AllowedDeviation, designated, is_beyond, unsized_by};
 use super::{Measure, Scene, Unit, Value};
@@ -6,11 +7,12 @@ use crate::wording::words;
 use crate::{Length, PointId, Tolerances};
 
 impl Scene {
-    /// What may be off where every length and coordinate has the tolerance that was typed, in place of what the scene
-    /// says; pins are as loose as it says. `name` calls a length in a message.
+    /// Returns tolerances in which every length and coordinate has the typed tolerance instead of
+    /// the scene's own; clearances stay as in the scene. `name` returns the name of a length in
+    /// messages.
     ///
     /// # Errors
-    /// In words: what is no tolerance, and a length for which it cannot be.
+    /// Returns a message if the text is not a tolerance, or if a length cannot have it.
     pub fn typed_tolerances(
         &self,
         typed: &str,
@@ -38,7 +40,8 @@ impl Scene {
         }))
     }
 
-    /// Sorts tolerances by names: random machines take their numbers in this order, whatever the order of the file.
+    /// Sorts tolerances by names. Random samples draw their numbers in this order, so they do not
+    /// depend on the order of the file.
     pub(super) fn in_order_of_names(&self, mut tolerances: Tolerances) -> Tolerances {
         let lengths = &mut tolerances.lengths;
         lengths.sort_by(|(a, _), (b, _)| self.order_of(*a).cmp(&self.order_of(*b)));
@@ -48,7 +51,7 @@ impl Scene {
         tolerances
     }
 
-    /// The rank of a length: its kind and axis, and the names of what it belongs to.
+    /// Returns the sort key of a length: its kind and axis, and the names of its elements.
     fn order_of(&self, length: Length) -> (usize, &str, &str) {
         let point = |point: PointId| self.point_name(point).unwrap_or_default();
         match length {
@@ -61,7 +64,7 @@ impl Scene {
         }
     }
 
-    /// A size in the scene's unit.
+    /// Parses a positive size in the scene's unit.
     fn typed_size(&self, typed: &str) -> Result<f64, String> {
         let size = Value::beside(self, Measure::Deviation).typed_number(typed.trim());
         let size = size.map_err(|why| why.to_string())?;

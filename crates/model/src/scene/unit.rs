@@ -15,10 +15,10 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// All units, in the order in which messages list them.
+    /// All units, in their order in messages.
     pub const ALL: [Unit; 4] = [Unit::Millimetre, Unit::Centimetre, Unit::Metre, Unit::Inch];
 
-    /// As the scene file and the column headers write it.
+    /// Returns the symbol used in scene files and column headers.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -29,25 +29,25 @@ impl Unit {
         }
     }
 
-    /// How many of `unit` it is: a length in this unit times this is the length in `unit`.
+    /// Returns the size of this unit in `unit`: the factor that converts a length to `unit`.
     #[must_use]
     pub fn in_units_of(self, unit: Unit) -> f64 {
         self.tenths_of_mm() / unit.tenths_of_mm()
     }
 
-    /// Its size in metres.
+    /// Returns its size in metres.
     #[must_use]
     pub fn metres(self) -> f64 {
         self.in_units_of(Unit::Metre)
     }
 
-    /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
-    /// operation.
+    /// Returns its size in tenths of a millimetre: whole numbers, so that a conversion rounds only
+    /// once per operation.
     pub fn tenths_of_mm(self) -> f64 {
         self.whole_tenths_of_mm().into()
     }
 
-    /// The same as an integer.
+    /// Returns its size in tenths of a millimetre as an integer.
     pub(super) fn whole_tenths_of_mm(self) -> u32 {
         match self {
             Unit::Millimetre => 10,

@@ -1,7 +1,7 @@
-//! Every number of a scene that a person may change, with its place in the text.
+//! The editable numbers of a scene, with their places in the text.
 //!
-//! A value is changed in the text, and the text is read again: what may stand there is said in one
-//! place, by the reader of scenes, and comments, order and blanks stay as they are.
+//! Editing a value changes the text, which is then parsed again. So the parser alone decides which
+//! texts are valid, and comments, order and blanks stay unchanged.
 
 mod collector;
 
@@ -16,16 +16,16 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What a number of the scene belongs to.
+/// The owner of a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ValueOwner {
-    /// The scene as a whole, as gravity does.
+    /// The scene as a whole, as for gravity.
     Scene,
     /// The driver.
     Driver,
-    /// The point, link or slide of this name; what acts on one belongs to it.
+    /// The point, link or slide of this name; loads on an element belong to it.
     Element(String),
-    /// The line from one point to another, as of a spring.
+    /// The line from one point to another, as for a spring.
     Between(String, String),
     /// The parameter of this name.
     Parameter(String),
@@ -34,34 +34,34 @@ pub enum ValueOwner {
 /// A number of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
-    /// For people: `A x`, `r2 length`, `driver speed`. No two values of a scene have the same.
+    /// The display name, unique in the scene: `A x`, `r2 length`, `driver speed`.
     pub name: String,
-    /// What it belongs to.
+    /// The element that the number belongs to.
     pub owner: ValueOwner,
-    /// The formula that it follows from, where it is no plain number.
+    /// The formula that it is computed from; `None` for a plain number.
     pub formula: Option<String>,
-    /// What it measures.
+    /// The measured quantity.
     pub measure: Measure,
     /// The number, in `unit`.
     pub number: f64,
-    /// The number as the file writes it, or the formula.
+    /// The number or formula as written in the file.
     pub literal: String,
-    /// The unit in which the file has it.
+    /// The unit used in the file.
     pub unit: &'static str,
     /// The bytes of the text that [`Scene::with_value`] replaces.
     pub place: Range<usize>,
     /// The scene's unit of length.
     pub(super) scene: Unit,
-    /// Whether what is put there needs quotes of its own.
+    /// Whether a replacement text needs quotes.
     quotes: bool,
-    /// What its formula measures, where a unit tells.
+    /// The dimension of its formula, if a unit determines it.
     pub(super) dimension: Option<Dimension>,
-    /// What formulas may name.
+    /// The names available to formulas.
     pub(super) named: Arc<NamedNumbers>,
 }
 
 impl Value {
-    /// What is typed beside a scene, and stands nowhere in it.
+    /// Creates a value typed outside the scene, without a place in the text.
     pub(super) fn beside(scene: &Scene, measure: Measure) -> Value {
         Value {
             name: String::new(),
@@ -79,13 +79,13 @@ impl Value {
         }
     }
 
-    /// Its name as columns and the command line have it: `r2.length`.
+    /// Returns the name used in columns and on the command line: `r2.length`.
     #[must_use]
     pub fn dotted(&self) -> String {
         dotted(&self.name)
     }
 
-    /// The unit of its number as tables have it: that of the file, and of a parameter what its formula measures.
+    /// Returns the unit shown in tables: that of the file, or of a parameter's formula.
     #[must_use]
     pub fn shown_unit(&self) -> String {
         let measured = self
@@ -97,7 +97,7 @@ impl Value {
         )
     }
 
-    /// The text that stands in the file for this value: a number, of a rate with its unit.
+    /// Returns the text of this value in the file; for a rate it includes the unit.
     #[must_use]
     pub fn text(&self) -> String {
         match (&self.formula, self.measure.units(self.scene)) {
@@ -106,7 +106,8 @@ impl Value {
         }
     }
 
-    /// The value as it is where this text stands in its place; its number stays where that is a formula.
+    /// Returns the value after replacing its text. If the text is a formula, the number stays
+    /// unchanged.
     pub fn with_text(&self, text: &str) -> Value {
         let literal = text.split(' ').next().unwrap_or(text);
         match literal.parse() {
@@ -124,13 +125,13 @@ impl Value {
         }
     }
 
-    /// Whether it is a number, with its unit or without: nothing is worked out there.
+    /// Returns `true` if it is a literal number, with or without a unit.
     pub(crate) fn is_number(&self) -> bool {
         let tree = self.formula.as_deref().map(expression::parse);
         tree.is_none_or(|tree| tree.is_ok_and(|tree| tree.is_number()))
     }
 
-    /// The parameters that its formula names.
+    /// Returns the parameters named in its formula.
     #[must_use]
     pub fn follows_from(&self) -> Vec<String> {
         let tree = self.formula.as_deref().map(expression::parse);
@@ -145,18 +146,18 @@ impl Value {
         names
     }
 
-    /// The text that [`Scene::with_value`] puts there for another number in the same unit.
+    /// Returns the text for [`Scene::with_value`] that represents another number in the same unit.
     #[must_use]
     pub fn with_number(&self, number: f64) -> String {
         self.written(&number.to_string())
     }
 
-    /// The text for another number in the same unit.
+    /// Returns the text of another number in the same unit.
     pub(crate) fn written(&self, literal: &str) -> String {
         match self.measure.units(self.scene) {
             MeasureUnits::Rate(..) => format!("{literal} {}", self.unit),
             MeasureUnits::Length | MeasureUnits::Angle | MeasureUnits::Scales(_) => {
-                // A parameter keeps its unit: formulas count on it.
+                // A parameter keeps its unit, because formulas depend on it.
                 let kept = self
                     .dimension
                     .filter(|_| self.measure == Measure::Parameter);
@@ -170,8 +171,8 @@ impl Value {
 }
 
 impl Scene {
-    /// Every number that may be changed: parameters first, then all others in the order of the file. What the file
-    /// leaves out is not among them.
+    /// Returns every editable number: parameters first, then all others in the order of the file.
+    /// Defaults not written in the file are excluded.
     #[must_use]
     pub fn values(&self) -> Vec<Value> {
         let mut found = collector::values(self);
@@ -180,10 +181,11 @@ impl Scene {
         found
     }
 
-    /// The value of a name, with a dot or a blank between its words: `a`, `r3.length`, `driver speed`.
+    /// Returns the value of a name with dots or blanks between its words: `a`, `r3.length`,
+    /// `driver speed`.
     ///
     /// # Errors
-    /// In words: there is none, and which was probably meant.
+    /// Returns a message for an unknown name, with a suggestion.
     pub fn value_named(&self, name: &str) -> Result<Value, String> {
         let sought = dotted(name.trim());
         let mut values = self.values();
@@ -197,14 +199,14 @@ impl Scene {
         }
     }
 
-    /// The text with another text for one of its [`Scene::values`], every other byte as it was. Whether
-    /// that is a scene is for [`Scene::parse`] to say.
+    /// Returns the text with one of its [`Scene::values`] replaced, and every other byte unchanged.
+    /// [`Scene::parse`] decides whether the result is a scene.
     #[must_use]
     pub fn with_value(&self, value: &Value, text: &str) -> String {
         self.with_values(&[(value.clone(), text.to_owned())])
     }
 
-    /// The same for some values of this scene at once.
+    /// Returns the text with several values of this scene replaced.
     #[must_use]
     pub fn with_values(&self, texts: &[(Value, String)]) -> String {
         let mut edits = Edits::default();
@@ -224,12 +226,13 @@ fn dotted(name: &str) -> String {
     name.replace(' ', ".")
 }
 
-/// A formula as a text of TOML: what one may hold needs no escapes.
+/// Quotes a formula as TOML text; characters of a formula need no escapes.
 pub(super) fn quoted(formula: &str) -> String {
     format!("\"{formula}\"")
 }
 
-/// Elements are named freely: `motor torque` may be the motor's, and what acts on a link `motor`.
+/// Makes display names unique. Elements may have any name: `motor torque` may belong to the motor,
+/// or be the load on a link called `motor`.
 fn tell_apart(values: &mut [Value]) {
     let mut met = HashMap::<String, usize>::new();
     for value in values {

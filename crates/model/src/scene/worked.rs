@@ -1,4 +1,4 @@
-//! Numbers of a scene that are worked out from formulas of its parameters.
+//! Evaluates the numbers of a scene that are formulas of its parameters.
 
 use super::figures::FormulaPlace;
 use super::reader::{ByteSpan, Name, Reader, bare_number};
@@ -10,11 +10,11 @@ use crate::expression::{
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 
-/// Names that a help lists at most.
+/// Maximum number of names in a hint.
 const LISTED: usize = 12;
 
 impl Reader<'_> {
-    /// What a formula that stands for a number is worth.
+    /// Evaluates a formula given as a number; reports faults.
     pub fn worked_out(
         &mut self,
         what: &str,
@@ -38,14 +38,14 @@ impl Reader<'_> {
         self.worth(what, &formula, &tree)
     }
 
-    /// The same of a formula that was parsed.
+    /// Evaluates a parsed formula; reports faults.
     pub(super) fn worth(
         &mut self,
         what: &str,
         formula: &Name<'_>,
         tree: &ExpressionTree,
     ) -> Option<MeasuredNumber> {
-        // What is wrong with a parameter is told there.
+        // The fault of the parameter was reported at its definition.
         if self.named.lacks(tree) {
             return None;
         }
@@ -64,14 +64,14 @@ impl Reader<'_> {
 }
 
 impl NamedNumbers {
-    /// Whether a formula names a number whose worth is not known.
+    /// Returns `true` if a formula names a parameter without a known value.
     fn lacks(&self, tree: &ExpressionTree) -> bool {
         let mut lacks = false;
         tree.each_name(&mut |name| lacks |= matches!(self.worth.get(name), Some(None)));
         lacks
     }
 
-    /// What a formula is worth.
+    /// Evaluates a parsed formula.
     fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
         let (symbol, tenths_of_mm) = self.length;
         let length = LengthScale {
@@ -84,12 +84,13 @@ impl NamedNumbers {
         })
     }
 
-    /// The same of a text.
+    /// Parses and evaluates a formula.
     pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, Malformed> {
         self.worth_of(text, &expression::parse(text)?)
     }
 
-    /// The parameters with units that a value follows from, each with its own.
+    /// Lists the parameters with units in a value's formula, each with its own unit; `None` if
+    /// there are none.
     fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
         let told = value.follows_from().into_iter().filter_map(|name| {
             let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
@@ -99,7 +100,7 @@ impl NamedNumbers {
         (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
     }
 
-    /// The mend for a number and a name that stand side by side.
+    /// Suggests a product sign between a number and a name; returns `None` for other texts.
     pub(super) fn product(&self, text: &str) -> Option<String> {
         let (number, name) = text.trim().split_once(' ')?;
         let name = name.trim();
@@ -108,7 +109,7 @@ impl NamedNumbers {
             .then(|| words().product_has_a_sign(number, name))
     }
 
-    /// What was probably meant by a name that is unknown.
+    /// Suggests a fix for an unknown name.
     fn meant(&self, name: &str) -> Option<String> {
         if let Some((number, unit)) = expression::glued(name) {
             return Some(words().blank_before_unit(number, unit));
@@ -131,7 +132,8 @@ impl NamedNumbers {
     }
 }
 
-/// Whether all formulas with units measure what stands there; reports those that do not.
+/// Checks that formulas with units have the required dimensions. Reports those that do not, and
+/// returns `false`.
 pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     if reader.worked.is_empty() {
         return true;

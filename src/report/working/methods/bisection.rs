@@ -1,4 +1,4 @@
-//! The table of halvings.
+//! Writes the table of a bisection.
 
 use super::super::draft::{Context, Draft};
 use super::super::solution::Solution;
@@ -11,7 +11,8 @@ use crate::report::error_text;
 use crate::study::{Bisection, SoughtKind};
 use crate::wording::words;
 
-/// Halves an interval of one unknown of a group, and tells the errors of the middles.
+/// Bisects an interval of one unknown of a group, and returns the errors of the midpoints; `None`
+/// without a bisection or an assembly.
 pub(super) fn halve(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -71,7 +72,7 @@ pub(super) fn halve(
         return None;
     }
     let finest = f.angle(finest);
-    // A bound is no figure that was found: it needs no noughts behind its last digit.
+    // A bound is not a computed value, so it has no trailing zeros.
     let finest = match finest.contains('e') || !finest.contains('.') {
         true => finest.as_str(),
         false => finest.trim_end_matches('0'),
@@ -88,7 +89,7 @@ pub(super) fn halve(
     errors.collect()
 }
 
-/// Where f is least, on either side of which a root lies.
+/// Describes the minimum of f, with a root on either side.
 fn least(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
     let [middle, _] = reduced.interval(None);
     let (f, symbol) = (context.figures, &reduced.symbol);
@@ -98,7 +99,7 @@ fn least(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
     }
 }
 
-/// An interval that begins, or ends, on the one root that there is.
+/// Writes the result for an interval that begins or ends at the only root.
 fn at_the_root(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -141,7 +142,7 @@ fn why_not(stage: &Stage) -> String {
     }
 }
 
-/// The interval that was said, the one around what was said, or the one that holds the assembly.
+/// Returns the given interval, the one around a given value, or the one that contains the assembly.
 fn begins(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
     match guesses.said(reduced.unknown) {
         None => reduced.interval(reduced.right),
@@ -175,7 +176,7 @@ fn table(
     draft.table(["k", &a, &b, &middle, &value, error], rows.collect());
 }
 
-/// The root, what follows from it, and which assembly that is.
+/// Writes the root, the other unknown that follows from it, and the assembly.
 fn conclude(
     context: &Context<'_>,
     draft: &mut Draft,

@@ -1,4 +1,4 @@
-//! The drawing with compass and ruler, step by step, and what can be read off it.
+//! Writes the construction with compass and ruler, step by step, and the values read from it.
 
 use super::super::draft::{Context, Draft};
 use super::super::polygon::{Loop, Term};
@@ -9,7 +9,7 @@ use super::{heading, sought};
 use crate::wording::words;
 use crate::{Vec2, angle};
 
-/// The steps of a drawing on one sheet.
+/// Writes the steps of a drawing on one sheet.
 pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
     if !context.has_positions() {
         draft.page.text(words().no_assembly_to_draw());
@@ -30,7 +30,7 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// Lines that cross at no more than this sine touch, but for rounding.
+/// Maximum sine of the angle between lines that count as tangent.
 const TOUCHING: f64 = 1e-6;
 
 struct Construction<'a> {
@@ -38,20 +38,20 @@ struct Construction<'a> {
     sheet: DrawingSheet,
 }
 
-/// Two ways in which a point can lie on two lines.
+/// The two possible positions of a point on two lines.
 struct TwoMeetings<'a> {
     name: &'a str,
     assembly: Vec2,
     other: Vec2,
-    /// The sine of the angle at which they cross.
+    /// The sine of the angle between the lines.
     sine: f64,
 }
 
-/// What is read off: its symbol, value, unit and what it may be off.
+/// A value read from the drawing: symbol, value, unit and uncertainty.
 type Reading<'a> = (&'a str, f64, &'a str, f64);
 
 impl Construction<'_> {
-    /// What is there before anything is sought: the ground, and what the driver places.
+    /// Writes the points known at the start: those of the ground, and those placed by the driver.
     fn given(&self, draft: &mut Draft) {
         let mechanism = &self.context.scene.mechanism;
         let driver = self.context.solver.plan().groups.first();
@@ -62,7 +62,7 @@ impl Construction<'_> {
             .into_iter()
             .flat_map(|group| group.points.iter().copied());
         let rows = ground.chain(driven).filter_map(|point| {
-            // A centre of mass is nothing to draw from.
+            // A centre of mass is not used in the drawing.
             let name = self.context.scene.point_name(point)?;
             if name.contains('.') {
                 return None;
@@ -111,13 +111,13 @@ impl Construction<'_> {
         }
     }
 
-    /// `300 mm (60.0 mm)`: as it is, and on paper.
+    /// Formats a length, in reality and on paper: `300 mm (60.0 mm)`.
     fn both(&self, length: f64) -> String {
         let f = self.context.figures;
         words().also_on_paper(&f.number(length), f.unit, &self.sheet.length(length))
     }
 
-    /// A circle about the far end of each arm.
+    /// Writes the intersection of two circles, each about the far end of an arm.
     fn two_circles(&self, draft: &mut Draft, solution: &Solution<'_>, a: &[Term], b: &[Term]) {
         let [first, second] = solution.in_order(a, b);
         let [p, x, q] = solution.joints(&first, &second);
@@ -155,7 +155,7 @@ impl Construction<'_> {
         );
     }
 
-    /// A circle with the arm, a line along the guide.
+    /// Writes the intersection of a circle of the arm's radius with a line along the guide.
     fn circle_and_line(
         &self,
         draft: &mut Draft,
@@ -172,7 +172,7 @@ impl Construction<'_> {
             return;
         };
         let (pivot, through) = if is_arm_first { (p, q) } else { (q, p) };
-        // Along the loop the arm leads to the joint, or away from it.
+        // Along the loop, the arm leads to the joint or away from it.
         let rod = own.direction() * own.value;
         let centre = if is_arm_first { from } else { at + rod };
         let theta = member.side.theta();
@@ -204,7 +204,7 @@ impl Construction<'_> {
         );
     }
 
-    /// A line through a pin, or past it: what turns and slides at once.
+    /// Writes a line through a pin, or at a distance from it, for a link that rotates and slides.
     fn along_a_pin(&self, draft: &mut Draft, solution: &Solution<'_>, arm: &[Term], slide: Term) {
         let [own, _] = solution.in_order(arm, &[]);
         let Some((first, last)) = own.first().zip(own.last()) else {
@@ -242,7 +242,7 @@ impl Construction<'_> {
         );
     }
 
-    /// Two lines along guides.
+    /// Writes the intersection of two lines along guides.
     fn two_lines(&self, draft: &mut Draft, solution: &Solution<'_>, a: Term, b: Term) {
         let [first, second] = solution.in_order(&[a], &[b]);
         let [p, x, q] = solution.joints(&first, &second);
@@ -269,7 +269,7 @@ impl Construction<'_> {
         );
     }
 
-    /// Where two lines meet, and how well that can be seen.
+    /// Writes the intersections of two lines, and returns their uncertainty on the sheet.
     fn cross(&self, draft: &mut Draft, of: &TwoMeetings<'_>) -> f64 {
         let blur = self.sheet.blur(of.sine);
         if of.sine.abs() <= TOUCHING {
@@ -297,7 +297,7 @@ impl Construction<'_> {
         blur
     }
 
-    /// What is sought, as it is and as it is read.
+    /// Writes the unknowns, exact and as read from the drawing.
     fn read(&self, draft: &mut Draft, readings: &[Reading<'_>]) {
         draft.page.text(words().read_off_sheet());
         let f = self.context.figures;
@@ -319,7 +319,7 @@ impl Construction<'_> {
         draft.table(head, rows.collect());
     }
 
-    /// Where an arm of a loop begins and ends.
+    /// Returns the start and the end of an arm of a loop.
     fn ends(&self, of: &Loop, arm: &[Term]) -> Option<[Vec2; 2]> {
         let places = self.nodes(of)?;
         let count = of.terms.len();
@@ -329,7 +329,8 @@ impl Construction<'_> {
         Some([begin, end])
     }
 
-    /// Where each term of a loop begins: from a point that has a name, along the vectors.
+    /// Returns the start of each term of a loop, computed from a named point along the vectors;
+    /// `None` without a named point.
     fn nodes(&self, of: &Loop) -> Option<Vec<Vec2>> {
         let (scene, count) = (self.context.scene, of.terms.len());
         let point = |term: &Term| {

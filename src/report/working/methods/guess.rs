@@ -1,5 +1,5 @@
-//! Where a method begins: what is guessed by the name of a vector, and what is read off the scene's rough start
-//! positions where nothing is said.
+//! Initial values of a method: guesses given by the name of a vector, or by default the scene's
+//! rough start positions.
 
 use super::super::draft::Context;
 use super::super::sides::{Side, SideShape, Turns};
@@ -17,12 +17,12 @@ use crate::{Body, LinkId, PointId, Vec2, angle};
 use std::fmt;
 use std::str::FromStr;
 
-/// `r3=20`, `r4=120mm` or `r3=0..90`: where a vector is guessed to be.
+/// A guess for a vector: `r3=20`, `r4=120mm` or `r3=0..90`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guess {
-    /// The vector.
+    /// The name of the vector.
     name: String,
-    /// A value twice, or the ends of an interval.
+    /// The value, twice, or the ends of an interval.
     between: [f64; 2],
     unit: Option<GuessUnit>,
 }
@@ -34,10 +34,10 @@ enum GuessUnit {
     Length(Unit),
 }
 
-/// Farther away nothing is found: of an angle a double has no digits left behind the point.
+/// Maximum absolute value of a guess. A double of this size leaves few decimals for an angle.
 const FARTHEST: f64 = 1e12;
 
-/// A guess cannot be read.
+/// The error of a guess that cannot be parsed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GuessError;
 
@@ -50,10 +50,10 @@ impl fmt::Display for GuessError {
 impl std::error::Error for GuessError {}
 
 impl Guess {
-    /// Guesses as they are typed in one line, between commas: `r3=20, r4=280`.
+    /// Parses guesses typed in one line, separated by commas: `r3=20, r4=280`.
     ///
     /// # Errors
-    /// Where one of them cannot be read.
+    /// Returns an error if one of them cannot be parsed.
     pub fn listed(text: &str) -> Result<Vec<Guess>, GuessError> {
         let all = text.split(',').map(str::trim);
         all.filter(|guess| !guess.is_empty())
@@ -101,16 +101,18 @@ impl FromStr for Guess {
 
 /// The guesses for a scene.
 pub(super) struct Guesses {
-    /// What was said: in degrees of the link, or in the scene's unit.
+    /// The given values: in degrees of the link, or in the scene's unit.
     said: Vec<(LoopUnknown, [f64; 2])>,
-    /// Where the scene opens.
+    /// The state at the opening of the scene.
     opening: Workspace,
 }
 
 impl Guesses {
+    /// Resolves guesses for a scene.
+    ///
     /// # Errors
-    /// In words: a name that is none, nothing sought there, a unit that is missing or does not fit, an interval for
-    /// a method that begins at one place.
+    /// Returns a message for an unknown name, a vector without an unknown, a missing or unsuitable
+    /// unit, or an interval for a method that starts at a single value.
     pub(super) fn new(
         context: &Context<'_>,
         method: PositionMethod,
@@ -136,13 +138,15 @@ impl Guesses {
         Ok(Guesses { said, opening })
     }
 
-    /// What was said of this: in degrees of the link, or in the scene's unit.
+    /// Returns the given values of an unknown, if any: in degrees of the link, or in the scene's
+    /// unit.
     pub(super) fn said(&self, unknown: LoopUnknown) -> Option<[f64; 2]> {
         let said = self.said.iter().find(|(of, _)| *of == unknown);
         said.map(|(_, between)| *between)
     }
 
-    /// Where to begin: what was said, or what one reads off a sketch. In degrees, or in the scene's unit.
+    /// Returns the initial value: the given one, or one as read from a sketch. In degrees, or in
+    /// the scene's unit.
     pub(super) fn one(&self, context: &Context<'_>, unknown: LoopUnknown) -> f64 {
         if let Some([value, _]) = self.said(unknown) {
             return value;
@@ -158,7 +162,8 @@ impl Guesses {
         }
     }
 
-    /// The direction of a link between two of its points, where the scene says roughly that they are.
+    /// Returns the direction of a link between two of its points, from their rough positions in the
+    /// scene.
     fn rough_angle(&self, context: &Context<'_>, link: LinkId) -> f64 {
         let of = context.scene.mechanism.link(link);
         let members = &of.members;
@@ -190,7 +195,8 @@ impl Guesses {
     }
 }
 
-/// What is sought of the vector or link of a name, with how far its angle lies ahead of the link's.
+/// Returns the unknowns of the named vector or link, each with the angle between the vector and the
+/// link; `None` for an unknown name.
 fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)>> {
     let is_sought = |unknown: &(LoopUnknown, f64)| {
         let mut stages = context.stages.iter().filter(|stage| stage.group.is_some());
@@ -222,7 +228,8 @@ fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)
     Some(found.into_iter().flatten().filter(is_sought).collect())
 }
 
-/// What a guess is about, and its values: in degrees of the link, or in the scene's unit.
+/// Returns the unknown meant by a guess, and its values: in degrees of the link, or in the scene's
+/// unit.
 fn meant(context: &Context<'_>, guess: &Guess) -> Result<(LoopUnknown, [f64; 2]), String> {
     let Some(found) = sought_of(context, &guess.name) else {
         let mend = did_you_mean(&guess.name, vectors(context));
@@ -254,19 +261,19 @@ fn meant(context: &Context<'_>, guess: &Guess) -> Result<(LoopUnknown, [f64; 2])
     Ok((unknown, guess.between.map(value)))
 }
 
-/// The names of all vectors.
+/// Returns the names of all vectors.
 fn vectors<'a>(context: &'a Context<'_>) -> impl Iterator<Item = &'a str> {
     context.polygon.sides.iter().map(|side| side.name.as_str())
 }
 
-/// The vectors in which something is sought, by their names.
+/// Lists the names of the vectors with an unknown.
 fn sought_names(context: &Context<'_>) -> String {
     let is_sought = |name: &&str| sought_of(context, name).is_some_and(|found| !found.is_empty());
     let names: Vec<&str> = vectors(context).filter(is_sought).collect();
     names.join(", ")
 }
 
-/// `θ3 = 30 deg, θ4 = 290 deg`.
+/// Formats values of unknowns: `θ3 = 30 deg, θ4 = 290 deg`.
 pub(super) fn told(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
     let f = context.figures;
     let one = |&(unknown, value): &(LoopUnknown, f64)| {

@@ -1,4 +1,4 @@
-//! The working by a method of one's choice: the closed form, or by hand as in a lecture, every iteration told.
+//! Solutions by a chosen method: the closed form, or by hand as in a lecture, with every iteration.
 
 mod bisection;
 mod construction;
@@ -21,33 +21,33 @@ use crate::study::ErrorCurve;
 use crate::wording::words;
 use guess::Guesses;
 
-/// A way to fill the position table.
+/// A method for positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PositionMethod {
     /// The cosine theorem, or the quadratic of a guide.
     Closed,
-    /// Newton and Raphson's method on the loop equations.
+    /// The Newton-Raphson method on the loop equations.
     Newton,
-    /// Halving an interval of one unknown.
+    /// Bisection of an interval of one unknown.
     Bisection,
-    /// Compass and ruler.
+    /// Construction with compass and ruler.
     Graphical,
 }
 
-/// The working by a method.
+/// A solution by a method.
 #[derive(Clone, Debug)]
 pub struct WorkedMethod {
-    /// What is to be read.
+    /// The page.
     pub page: Page,
-    /// The errors of every group that was iterated.
+    /// The errors of every iterated group.
     pub curves: Vec<ErrorCurve>,
 }
 
 impl Working {
-    /// The working of a state by a method, which begins where the guesses say.
+    /// Writes the solution of a state by a method, starting from the guesses.
     ///
     /// # Errors
-    /// In words, where a guess is none for this scene.
+    /// Returns a message for a guess that does not fit the scene.
     pub fn by(
         &self,
         method: PositionMethod,
@@ -71,10 +71,10 @@ impl Working {
         Ok(method.work(&context, draft, &guesses))
     }
 
-    /// What a method does at a state from where the guesses say, without all that leads to it.
+    /// Writes only the steps of a method at a state, starting from the guesses.
     ///
     /// # Errors
-    /// In words, where a guess is none for this scene.
+    /// Returns a message for a guess that does not fit the scene.
     pub fn watched(
         &self,
         method: PositionMethod,
@@ -98,20 +98,20 @@ impl WorkedMethod {
 }
 
 impl PositionMethod {
-    /// Whether it begins at a guess.
+    /// Returns `true` for a method that starts from a guess.
     #[must_use]
     pub fn takes_guess(self) -> bool {
         matches!(self, PositionMethod::Newton | PositionMethod::Bisection)
     }
 
-    /// The methods that are watched one after the other: the closed form has a view of its own.
+    /// The methods shown in turn in the workbench; the closed form has a view of its own.
     pub const WATCHED: [PositionMethod; 3] = [
         PositionMethod::Newton,
         PositionMethod::Bisection,
         PositionMethod::Graphical,
     ];
 
-    /// What it is called.
+    /// Returns the title.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -131,7 +131,7 @@ impl PositionMethod {
         }
     }
 
-    /// Group by group.
+    /// Applies the method group by group.
     fn work(self, context: &Context<'_>, mut draft: Draft, guesses: &Guesses) -> WorkedMethod {
         if self == PositionMethod::Graphical {
             construction::construct(context, &mut draft);
@@ -155,7 +155,7 @@ impl PositionMethod {
     }
 }
 
-/// The groups in which something is sought, in the order in which they are solved.
+/// Returns the groups with unknowns, in solution order.
 fn sought<'a>(context: &Context<'a>) -> impl Iterator<Item = &'a Stage> + use<'a> {
     let is_sought = |stage: &&Stage| {
         stage.group.is_some()
@@ -171,7 +171,8 @@ fn heading(context: &Context<'_>, stage: &Stage) -> String {
         .map_or_else(String::new, |group| context.group_text(group))
 }
 
-/// What marks the errors of a group in a chart: its number, or where there is one group alone a star.
+/// Returns the mark of a group's errors in a chart: its number, or a star if there is only one
+/// group.
 fn mark(context: &Context<'_>, stage: &Stage) -> char {
     if sought(context).count() == 1 {
         return '*';

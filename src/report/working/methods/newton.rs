@@ -1,4 +1,4 @@
-//! The table of Newton and Raphson's iterations.
+//! Writes the table of Newton-Raphson iterations.
 
 use super::super::draft::{Context, Draft};
 use super::super::equations::{Multiplier, in_figures, in_symbols};
@@ -12,15 +12,16 @@ use crate::solver::Condition;
 use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, SoughtKind};
 use crate::wording::words;
 
-/// Of more unknowns than this the values stand alone: residuals, steps and matrix are told by their sizes.
+/// Maximum number of unknowns with a full table; beyond it, only magnitudes of residuals, steps and
+/// matrix are shown.
 const MOST_WHOLE: usize = 2;
-/// And of more than this a matrix is not read by anybody.
+/// Maximum number of unknowns for which a matrix is shown.
 const MOST_COLUMNS: usize = 6;
 
-/// In fewer steps no squares of errors are to be seen.
+/// Minimum number of steps in which quadratic convergence is visible.
 const FEW: usize = 3;
 
-/// Iterates a group, and tells the errors if there is an assembly.
+/// Iterates a group, and returns the errors if there is an assembly.
 pub(super) fn iterate(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -64,7 +65,7 @@ pub(super) fn iterate(
     (!errors.is_empty()).then_some(errors)
 }
 
-/// Degrees, or the scene's unit, as the method counts.
+/// Converts degrees to radians for the method; lengths stay unchanged.
 pub(super) fn inside(kind: SoughtKind, value: f64) -> f64 {
     match kind {
         SoughtKind::Angle => value.to_radians(),
@@ -72,7 +73,7 @@ pub(super) fn inside(kind: SoughtKind, value: f64) -> f64 {
     }
 }
 
-/// As people read it.
+/// Converts radians to degrees for display; lengths stay unchanged.
 fn outside(kind: SoughtKind, value: f64) -> f64 {
     match kind {
         SoughtKind::Angle => value.to_degrees(),
@@ -94,7 +95,8 @@ impl IterationTable<'_> {
         }
     }
 
-    /// `fx` and `fy`; with several loops `f1x`, `f1y`, `f2x`.
+    /// Returns the names of the functions: `fx` and `fy`, or `f1x`, `f1y`, `f2x` with several
+    /// loops.
     fn functions(&self) -> Vec<String> {
         let loops = self.problem.system.loops.len();
         let of = |number: usize| {
@@ -132,7 +134,7 @@ impl IterationTable<'_> {
         values.collect()
     }
 
-    /// What is smaller than the rounding of the longest length is nought.
+    /// Formats a residual; 0 within the rounding error of the longest length.
     fn residual(&self, value: f64) -> String {
         small(value, self.problem.system.longest)
     }
@@ -172,7 +174,7 @@ impl IterationTable<'_> {
         draft.table_of_units("k", heads, rows.collect());
     }
 
-    /// The matrix of every iteration in a line, in the scene's unit and per rad.
+    /// Writes the matrix of every iteration in one line, in the scene's unit and per rad.
     fn matrices(&self, draft: &mut Draft) {
         draft
             .page
@@ -195,7 +197,7 @@ impl IterationTable<'_> {
         draft.wide_table(head, rows.collect());
     }
 
-    /// Many unknowns: their values, and how large all else is.
+    /// Writes the iterations for many unknowns: their values, and the magnitudes of the rest.
     fn sizes(&self, draft: &mut Draft) {
         let unit = self.context.figures.unit;
         let mut head = vec!["k".to_owned()];
@@ -244,7 +246,7 @@ impl IterationTable<'_> {
         draft.wide_table(head.collect(), rows.collect());
     }
 
-    /// What has become of the guess.
+    /// Returns the sentence on the outcome of the iteration.
     fn ends(&self) -> String {
         let steps = self.trace.iterations.len().saturating_sub(1);
         let condition = self.context.state.condition();
@@ -253,7 +255,7 @@ impl IterationTable<'_> {
             NewtonOutcome::Found | NewtonOutcome::Unsettled if is_dead => {
                 words().newton_at_dead_point(steps)
             }
-            // Where two assemblies meet, errors are halved and not squared.
+            // At a change point errors are halved rather than squared.
             NewtonOutcome::Found if steps < FEW || condition != Condition::Ok => {
                 words().newton_found(steps)
             }
@@ -272,7 +274,8 @@ impl IterationTable<'_> {
     }
 }
 
-/// A figure that goes to nought: two digits and an exponent tell more of it than a row of noughts.
+/// Formats a value that converges to zero: two digits and an exponent are more readable than many
+/// zeros.
 fn small(value: f64, size: f64) -> String {
     let is_nothing = value.abs() <= 4.0 * f64::EPSILON * size;
     match value.abs() {

@@ -1,26 +1,26 @@
-//! A drawing on paper: its scale, and what can be read off it.
+//! The scale of a drawing on paper, and the precision of values read from it.
 
 use super::super::draft::Context;
 use crate::Vec2;
 use crate::scene::Unit;
 
-/// What a line of a pencil, the compass and the eye together are off, in mm on paper.
+/// The total error of a pencil line, the compass and the eye, in mm on paper.
 const BLUR: f64 = 0.2;
-/// An A4 sheet without its borders, in mm.
+/// The usable area of an A4 sheet, in mm.
 const SHEET: [f64; 2] = [250.0, 170.0];
-/// Scales are these times a power of ten.
+/// Scales are these numbers times a power of ten.
 const STEPS: [f64; 3] = [1.0, 2.0, 5.0];
 
 /// A sheet with its scale.
 pub(super) struct DrawingSheet {
-    /// So many mm are one on paper.
+    /// The length in mm represented by 1 mm on paper.
     reduced: f64,
     /// The scene's unit in mm.
     unit: f64,
 }
 
 impl DrawingSheet {
-    /// The largest usual scale at which all points lie on the sheet.
+    /// Chooses the largest usual scale at which all points fit on the sheet.
     pub(super) fn of(context: &Context<'_>) -> DrawingSheet {
         let unit = context.scene.unit.in_units_of(Unit::Millimetre);
         let points = context.scene.mechanism.point_ids();
@@ -45,7 +45,7 @@ impl DrawingSheet {
         DrawingSheet { reduced, unit }
     }
 
-    /// `1:5`, `2:1`.
+    /// Formats the scale: `1:5`, `2:1`.
     pub(super) fn scale(&self) -> String {
         if self.reduced >= 1.0 {
             format!("1:{:.0}", self.reduced)
@@ -54,19 +54,20 @@ impl DrawingSheet {
         }
     }
 
-    /// What a length measures on paper, in mm to a tenth.
+    /// Formats a length on paper, in mm to a tenth.
     pub(super) fn length(&self, length: f64) -> String {
         let length = length * self.unit / self.reduced;
         format!("{:.1}", if length.abs() < 0.05 { 0.0 } else { length })
     }
 
-    /// How well a place is known, in the scene's unit, where two lines cross at an angle of this sine.
+    /// Returns the uncertainty of an intersection in the scene's unit; `sine` is that of the angle
+    /// between the lines.
     pub(super) fn blur(&self, sine: f64) -> f64 {
         BLUR * self.reduced / self.unit / sine.abs()
     }
 }
 
-/// A figure with no more decimals than are known, and by how much it may be off.
+/// Formats a value with no more decimals than are known, and its uncertainty.
 pub(super) fn read_off(value: f64, blur: f64) -> [String; 2] {
     if !(blur.is_finite() && blur < 1e6) {
         return ["-".into(), "-".into()];

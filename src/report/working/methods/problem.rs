@@ -1,4 +1,4 @@
-//! The equations of a group as numbers, and what is sought in them by its symbol.
+//! The numeric equations of a group, with the symbols of its unknowns.
 
 use super::super::draft::Context;
 use super::super::sides::{Side, SideShape, Turns};
@@ -7,17 +7,18 @@ use super::super::symbols;
 use crate::angle;
 use crate::study::{LoopSum, LoopSystem, SoughtKind, SoughtVector, VectorPart};
 
-/// What a group seeks in its loops.
+/// The equations of a group's loops.
 pub(super) struct LoopProblem {
     pub(super) system: LoopSystem,
-    /// The symbols of what is sought.
+    /// The symbols of the unknowns.
     pub(super) names: Vec<String>,
-    /// The solver's values, where there is an assembly.
+    /// The solver's values, if there is an assembly.
     pub(super) right: Option<Vec<f64>>,
 }
 
 impl LoopProblem {
-    /// `None` where it stands on what is not known.
+    /// Creates the equations of a group; returns `None` if they depend on values that are not
+    /// known.
     pub(super) fn of(context: &Context<'_>, stage: &Stage) -> Option<LoopProblem> {
         let kinds = stage.unknowns.iter().map(|unknown| kind(*unknown));
         let system = LoopSystem {
@@ -48,7 +49,7 @@ pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> SoughtKind {
     }
 }
 
-/// The symbol of what is sought.
+/// Returns the symbol of an unknown.
 pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
     let side = |side: usize| context.polygon.sides.get(side);
     match unknown {
@@ -59,7 +60,8 @@ pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
     }
 }
 
-/// The solver's value: in rad, or in the scene's unit.
+/// Returns the solver's value: in rad, or in the scene's unit. Returns `None` for a vector between
+/// two bodies.
 fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
     match unknown {
         LoopUnknown::Angle(link) => Some(angle::radians(context.state.angle(link))),
@@ -72,7 +74,7 @@ fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
     }
 }
 
-/// The longest side in this state.
+/// Returns the length of the longest side in this state.
 pub(super) fn longest(context: &Context<'_>) -> f64 {
     context.longest()
 }

@@ -1,4 +1,5 @@
-//! A loop of two unknowns as one equation of one: the other is removed by the squared length of its arm.
+//! Reduces a loop of two unknowns to one equation in one unknown: the squared length of an arm
+//! eliminates the other.
 
 use super::super::draft::{Context, Draft};
 use super::super::expression::Expression;
@@ -12,30 +13,32 @@ use crate::study::{SoughtKind, half_turn};
 use crate::wording::words;
 use crate::{Vec2, angle};
 
-/// Two roots so close together, in parts of half a turn or of the reach, are one that rounding has parted.
+/// Maximum distance of two roots, relative to half a turn or to the reach, that counts as one
+/// double root split by rounding errors.
 const IN_LINE: f64 = 1e-6;
 
-/// One equation f(x) = 0 with a root on either side of x = `middle`, no further away than `reach`; x in degrees, or
-/// in the scene's unit.
+/// An equation f(x) = 0 with a root on either side of x = `middle`, at most `reach` away; x is in
+/// degrees, or in the scene's unit.
 pub(super) struct ReducedLoop<'a> {
     pub(super) symbol: String,
     pub(super) unknown: LoopUnknown,
     pub(super) kind: SoughtKind,
-    /// What x is when what is sought is 0.
+    /// The value of x at which the unknown is 0.
     pub(super) ahead: f64,
-    /// Where f is least.
+    /// The minimum of f.
     pub(super) middle: f64,
     pub(super) reach: f64,
-    /// x of the assembly, where there is one.
+    /// The value of x in the assembly, if there is one.
     pub(super) right: Option<f64>,
-    /// The vector along which the arm lies at the middle, where x is an angle.
+    /// The vector along which the arm lies at the middle, if x is an angle.
     pub(super) along: Option<&'static str>,
-    /// The other unknown by what is known with x.
+    /// The formula of the other unknown, in terms of x.
     pub(super) formula: String,
     way: ReducedWay<'a>,
 }
 
-/// An arm along the guide itself has its root at its full length: the interval goes beyond that.
+/// Factor of the interval's width. An arm along the guide itself has its root at its full length,
+/// so the interval must extend farther.
 const BEYOND: f64 = 1.5;
 
 enum ReducedWay<'a> {
@@ -51,7 +54,7 @@ enum ReducedWay<'a> {
         u: Vec2,
         arm: DyadArm<'a>,
     },
-    /// (x + t)^2 + e^2 - m^2 along a guide that turns with x, with its angle.
+    /// (x + t)^2 + e^2 - m^2 along a guide that rotates with x, with its angle.
     Reach {
         m: Vec2,
         sign: f64,
@@ -62,7 +65,7 @@ enum ReducedWay<'a> {
 }
 
 impl ReducedLoop<'_> {
-    /// f at x.
+    /// Returns f(x).
     pub(super) fn value(&self, x: f64) -> f64 {
         match &self.way {
             ReducedWay::Turn { m, a, b } => {
@@ -77,7 +80,7 @@ impl ReducedLoop<'_> {
         }
     }
 
-    /// What follows once x is known: an angle by its symbol, in degrees.
+    /// Returns the other unknown for a given x: the symbol of an angle, and its value in degrees.
     pub(super) fn follows(&self, x: f64) -> (&str, f64) {
         match &self.way {
             ReducedWay::Turn { m, a, b } => {
@@ -104,13 +107,13 @@ impl ReducedLoop<'_> {
         }
     }
 
-    /// Whether x lies on the same side of the middle as another one.
+    /// Returns `true` if x and `other` are on the same side of the middle.
     pub(super) fn is_beside(&self, x: f64, other: f64) -> bool {
         self.off(x) * self.off(other) > 0.0
     }
 
-    /// Whether both assemblies are the one here, but for rounding: the arms are in line, one beyond the other or one
-    /// on the other.
+    /// Returns `true` if both assemblies coincide up to rounding errors: the arms are aligned,
+    /// extended or folded.
     pub(super) fn are_one(&self, right: f64) -> bool {
         let off = self.off(right).abs();
         match self.kind {
@@ -119,7 +122,8 @@ impl ReducedLoop<'_> {
         }
     }
 
-    /// How far x is from the assembly: in rad, or in parts of the longest length.
+    /// Returns the distance of x from the assembly: in rad, or relative to the longest length.
+    /// Returns `None` without an assembly.
     pub(super) fn error(&self, x: f64, longest: f64) -> Option<f64> {
         let off = x - self.right?;
         Some(match self.kind {
@@ -128,7 +132,7 @@ impl ReducedLoop<'_> {
         })
     }
 
-    /// How far x is from the middle, an angle within half a turn.
+    /// Returns the offset of x from the middle; an angle within half a turn.
     fn off(&self, x: f64) -> f64 {
         match self.kind {
             SoughtKind::Angle => half_turn((x - self.middle).to_radians()).to_degrees(),
@@ -136,10 +140,10 @@ impl ReducedLoop<'_> {
         }
     }
 
-    /// The interval on the side where another value is, or on the one above the middle.
+    /// Returns the interval on the side of another value, or by default the one above the middle.
     pub(super) fn interval(&self, beside: Option<f64>) -> [f64; 2] {
         let from = match self.kind {
-            // Signed: half a turn behind it lies below 360.
+            // Signed, so that the interval of half a turn below it stays below 360.
             SoughtKind::Angle => half_turn(self.middle.to_radians()).to_degrees(),
             SoughtKind::Length => self.middle,
         };
@@ -152,7 +156,7 @@ impl ReducedLoop<'_> {
 }
 
 impl<'a> Solution<'a> {
-    /// The loop as one equation, written; `None` where it has no such form.
+    /// Writes the loop as one equation and returns it; `None` if it has no such form.
     pub(super) fn reduced(&self, draft: &mut Draft, stage: &Stage) -> Option<ReducedLoop<'a>> {
         match &stage.form {
             ProblemForm::Triangle(a, b) => self.reduced_turn(draft, a, b),
@@ -312,7 +316,7 @@ impl<'a> Solution<'a> {
     }
 }
 
-/// A direction less how far the arm lies ahead of the angle that is named after it.
+/// Formats a direction minus the angle by which the arm leads the angle named after it.
 fn less(figures: Figures, direction: String, ahead: f64) -> String {
     match ahead {
         0.0 => direction,
@@ -320,7 +324,8 @@ fn less(figures: Figures, direction: String, ahead: f64) -> String {
     }
 }
 
-/// The link with which the sides of an arm turn, and how far the first lies ahead of it.
+/// Returns the link with which the sides of an arm rotate, and the angle by which the first side
+/// leads it; `None` for a direction that does not depend on a single link.
 fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> {
     match context.polygon.sides.get(arm.first()?.side)?.turns {
         Turns::With(link, ahead) => Some((link, ahead)),
@@ -328,7 +333,7 @@ fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> 
     }
 }
 
-/// A value as it is written: an angle within a turn, or a length.
+/// Formats a value: an angle within a turn, or a length.
 pub(super) fn figure(figures: Figures, kind: SoughtKind, value: f64) -> String {
     match kind {
         SoughtKind::Angle => format!("{} deg", figures.direction(value)),

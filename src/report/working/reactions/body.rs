@@ -1,4 +1,4 @@
-//! A link of a group with what acts on it: what is known by now, and what is sought.
+//! A link of a group with its forces, known and unknown.
 
 use super::super::draft::{Context, Draft};
 use super::super::figures::WrittenSum;
@@ -7,33 +7,33 @@ use crate::page::UNIT;
 use crate::wording::words;
 use crate::{LinkId, Vec2};
 
-/// A link, and all that acts on it.
+/// A link, and all forces on it.
 pub(super) struct GroupBody {
     pub(super) link: LinkId,
-    /// Loads, weight, inertia, and what later groups hand on.
+    /// The known forces: loads, weight, inertia, and reactions from later groups.
     pub(super) given: Vec<BodyForce>,
-    /// What joints of this group, and those to earlier ones, bear.
+    /// The unknown reactions of joints in this group, and of joints to earlier groups.
     pub(super) sought: Vec<BodyForce>,
 }
 
-/// A sum of what is known, and the sum of the sizes of its terms.
+/// A sum of known terms, and the sum of their magnitudes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownSum {
     pub(super) value: f64,
     pub(super) size: f64,
 }
 
-/// In what a sum over the forces on a link is taken.
+/// The kind of sum over the forces on a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Reckoning {
-    /// Moments about a place, in N m.
+    /// Moments about a point, in N m.
     About(Vec2),
     /// Forces along a unit vector, in N.
     Along(Vec2),
 }
 
 impl Reckoning {
-    /// What a force counts.
+    /// Returns the contribution of a force.
     pub(super) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
             Reckoning::About(place) => {
@@ -45,7 +45,7 @@ impl Reckoning {
         }
     }
 
-    /// The most that a force could count there.
+    /// Returns the maximum possible contribution of a force there.
     pub(super) fn most(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
             Reckoning::About(place) => {
@@ -65,7 +65,7 @@ impl Reckoning {
     }
 }
 
-/// The sum of what is known.
+/// Returns the sum of the known forces.
 pub(super) fn known<'a>(
     context: &Context<'_>,
     given: impl IntoIterator<Item = &'a BodyForce>,
@@ -81,7 +81,8 @@ pub(super) fn known<'a>(
     })
 }
 
-/// The same by hand: a table of what acts, and `symbol = 12.5 - 3.2 = 9.3 N m`.
+/// Writes the sum of the known forces: a table of them, and `symbol = 12.5 - 3.2 = 9.3 N m`.
+/// Returns it.
 pub(super) fn write_known(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -115,7 +116,7 @@ pub(super) fn write_known(
     sum
 }
 
-/// What acts on a link, with its share in a sum.
+/// Writes the table of forces on a link, with their contributions to a sum.
 fn table(
     context: &Context<'_>,
     draft: &mut Draft,

@@ -1,7 +1,7 @@
-//! The reactions, group by group in the order in which they are found, the last group first: what is known to act
-//! on the links of a group, the equations in which its reactions are the unknowns, and what comes out.
+//! Writes the reactions, group by group from the last to the first: the known forces on the links
+//! of a group, the equations with its reactions as unknowns, and their solution.
 //!
-//! Inertia stands among what acts, as -m a in the centre of mass and -I α, so that every sum is 0.
+//! Inertia is treated as a load, -m a at the centre of mass and -I α, so that every sum is 0.
 
 mod body;
 mod reduced;
@@ -16,7 +16,7 @@ use crate::wording::words;
 use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2};
 use body::GroupBody;
 
-/// The reactions of all groups.
+/// Writes the reactions of all groups.
 pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
@@ -33,14 +33,14 @@ pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[Acted
     }
 }
 
-/// What is known when a group's turn comes.
+/// The data known when a group is solved.
 struct Ranks<'a> {
     context: &'a Context<'a>,
     number: usize,
 }
 
 impl Ranks<'_> {
-    /// The links of the group; `None` where something that acts on them is left open.
+    /// Returns the links of the group; `None` if a force on them is indeterminate.
     fn bodies(&self, acted: &[Acted]) -> Option<Vec<GroupBody>> {
         let group = self.context.solver.plan().groups.get(self.number)?;
         let links = group.links.iter();
@@ -60,7 +60,8 @@ impl Ranks<'_> {
         Some(body)
     }
 
-    /// Puts a force to what is known on a link, or to what is sought.
+    /// Adds a force to the known or to the unknown ones of a link; returns `None` if it is
+    /// indeterminate.
     fn sort(&self, row: BodyForce, body: &mut GroupBody) -> Option<()> {
         match row.joint {
             None => body.given.push(row),
@@ -79,7 +80,8 @@ impl Ranks<'_> {
         Some(())
     }
 
-    /// A pin in a slot hands on what the guide bears, which is sought, and the loads on the pin, which are known.
+    /// Splits the force of a pin in a slot into the unknown force of the guide, and the known loads
+    /// on the pin. Returns `None` if the force is indeterminate.
     fn part(
         &self,
         row: BodyForce,
@@ -100,7 +102,7 @@ impl Ranks<'_> {
         Some(())
     }
 
-    /// The guide of a pin that joins a link to nothing else.
+    /// Returns the guide of a pin that joins a link to nothing else; `None` for any other pin.
     fn only_guide(&self, link: LinkId, point: PointId) -> Option<SlideId> {
         let mechanism = &self.context.scene.mechanism;
         let given = mechanism.point(point);
@@ -114,8 +116,8 @@ impl Ranks<'_> {
         }
     }
 
-    /// Whether all of these bodies belong to later groups, and have handed on what they bear; where there are none,
-    /// loads alone act there.
+    /// Returns `true` if all of these bodies belong to later groups, whose reactions are known.
+    /// Without bodies, only loads act there.
     fn is_handed_on(&self, others: Vec<Body>) -> bool {
         let groups = &self.context.solver.plan().groups;
         let is_later = |body: &Body| match body {
@@ -128,7 +130,7 @@ impl Ranks<'_> {
         others.iter().all(is_later)
     }
 
-    /// What else meets a link at a pin.
+    /// Returns the other bodies at a link's pin.
     fn others(&self, link: LinkId, point: PointId) -> Vec<Body> {
         let mechanism = &self.context.scene.mechanism;
         let given = mechanism.point(point);
@@ -143,7 +145,7 @@ impl Ranks<'_> {
         links.chain(ground).chain(slots).collect()
     }
 
-    /// What is at the other side of a guide: what carries it, or what slides.
+    /// Returns the bodies on the other side of a guide: its carrier, or its slider.
     fn across(&self, link: LinkId, slide: SlideId) -> Vec<Body> {
         let mechanism = &self.context.scene.mechanism;
         let given = mechanism.slide(slide);
@@ -161,7 +163,7 @@ impl Ranks<'_> {
     }
 }
 
-/// What a link does against being accelerated.
+/// Returns the inertia force and couple of a link; `None` if both are zero.
 pub(super) fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
     let (mechanism, state) = (&context.scene.mechanism, context.state);
     let link = mechanism.link(id);

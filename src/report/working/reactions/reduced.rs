@@ -1,4 +1,4 @@
-//! Dyads and the crank: the one or two equations in which their outer reactions do not occur, and the solution by
+//! Solves dyads and the crank: one or two equations without their outer reactions, solved by
 //! Cramer's rule.
 
 use super::super::draft::{Context, Draft};
@@ -11,11 +11,11 @@ use crate::page::UNIT;
 use crate::wording::words;
 use crate::{Body, PointId, Slider, Vec2};
 
-/// Metres behind a number, marked as a unit.
+/// Metres after a number, marked as a unit.
 const METRE: &str = " \u{e000}m";
 const METRE_SQUARED: &str = " \u{e000}m^2";
 
-/// Writes what can be found so; false where the group has none of these forms.
+/// Writes the solution; returns `false` if the group has none of these forms.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) -> bool {
     match bodies {
         [body] => one_link(context, draft, body),
@@ -24,20 +24,20 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
     }
 }
 
-/// The equation of a link in which its outer reaction does not occur.
+/// An equation of a link without its outer reaction.
 struct OuterFree {
     reckoning: Reckoning,
-    /// What its sum of known terms is called: `M1`, or `S1` along a guide.
+    /// The name of the sum of known terms: `M1`, or `S1` along a guide.
     sum: String,
-    /// Above the column of its terms.
+    /// The header of the column of its terms.
     about: String,
-    /// In words: moments about B, forces along the guide of r6.
+    /// The description: moments about B, forces along the guide of r6.
     told: String,
-    /// What its arm or its unit vector is.
+    /// The description of its arm or unit vector.
     vector: String,
 }
 
-/// What is left out by which equation; `None` where a single equation does not leave it out.
+/// Returns the equation without an outer reaction; `None` if no single equation eliminates it.
 fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) -> Option<OuterFree> {
     match outer.joint? {
         BodyJoint::Pin(point) => {
@@ -71,7 +71,8 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
     }
 }
 
-/// A component of a unit force's share in an equation: its symbol with its sign, and its value.
+/// Returns the coefficients of a unit force's components in an equation, with sign, and their
+/// values.
 fn shares(
     f: Figures,
     reckoning: Reckoning,
@@ -93,7 +94,7 @@ fn shares(
     }
 }
 
-/// A component as it stands in a formula: of a unit vector along an axis it is 1.
+/// Formats a component in a formula; that of a unit vector along an axis is 1.
 fn component(f: Figures, value: f64, size: f64) -> String {
     match value.abs() == 1.0 && size == 1.0 {
         true => f.given(value),
@@ -101,7 +102,7 @@ fn component(f: Figures, value: f64, size: f64) -> String {
     }
 }
 
-/// `e = B -> C: ex = 0.26, ey = 0.15 m`.
+/// Writes the components of a vector: `e = B -> C: ex = 0.26, ey = 0.15 m`.
 fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: char, v: Vec2, unit: &str) {
     for (axis, value) in [('x', v.x), ('y', v.y)] {
         let figure = component(context.figures, value, v.norm());
@@ -110,7 +111,8 @@ fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: char, v: Vec2,
     }
 }
 
-/// Two links that meet in a pin, each with an outer reaction that one equation leaves out.
+/// Solves two links joined by a pin, each with an outer reaction that one equation eliminates.
+/// Returns `false` for links of another form.
 fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) -> bool {
     let Some(InnerPin {
         point: inner,
@@ -164,7 +166,7 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
         write_vector(context, draft, letters[k], v, unit);
         rows.push((share, v.norm()));
     }
-    // What the pin feels besides goes with the second link, on which -F acts.
+    // Loads on the pin belong to the second link, on which -F acts.
     let right = [(first, true), (second, false)].map(|(equation, negative)| {
         let sum = sums[usize::from(!negative)];
         Expression::known(&*equation.sum, f.beside(sum.value, sum.size), sum.value)
@@ -203,16 +205,16 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     true
 }
 
-/// The pin in which the two links of a dyad meet.
+/// The pin that joins the two links of a dyad.
 struct InnerPin<'a> {
     point: PointId,
-    /// The one other reaction of each link.
+    /// The only other reaction of each link.
     outer: [&'a BodyForce; 2],
-    /// What acts on the pin itself.
+    /// The load on the pin itself.
     load: Option<BodyForce>,
 }
 
-/// The pin in which two links meet, if each has one reaction besides.
+/// Returns the pin that joins two links, if each has one further reaction.
 fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<InnerPin<'a>> {
     let mechanism = &context.scene.mechanism;
     let links = bodies.map(|body| body.link);
@@ -238,7 +240,8 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
     let (Some(BodyJoint::Pin(point)), true) = (inner.joint, inner.joint == other.joint) else {
         return None;
     };
-    // A pin has no mass: what acts on it, and what later links hand on to it, goes with the second link.
+    // A pin has no mass: loads on it, and reactions of later links, are assigned to the second
+    // link.
     let is_alone = mechanism.partner(bodies[0].link, point).is_some();
     let load = (!is_alone).then(|| BodyForce {
         name: words().acts_at(words().column_load(), point_name(context, point)),
@@ -254,26 +257,26 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
     })
 }
 
-/// The determinant of two equations.
+/// The symbol of the determinant of two equations.
 const DETERMINANT: &str = "Δ";
 
-/// An arm has a length, a unit vector none.
+/// Returns the unit of the determinant: an arm has a length, a unit vector has none.
 fn unit_of_determinant(of: [Reckoning; 2]) -> &'static str {
     let arms = of.iter().filter(|of| matches!(of, Reckoning::About(_)));
     ["", METRE, METRE_SQUARED][arms.count()]
 }
 
-/// Two sums in which the force at the inner pin is all that is sought.
+/// Two sums with the force at the inner pin as the only unknown.
 struct TwoSums<'a> {
-    /// What its components count, and how large that is at the most.
+    /// The coefficients of its components, and their maximum magnitude.
     shares: [&'a ([Expression; 2], f64); 2],
     right: &'a [Expression; 2],
     sums: [KnownSum; 2],
-    /// Of the determinant.
+    /// The unit of the determinant.
     unit: &'static str,
 }
 
-/// The force at the inner pin.
+/// Solves for the force at the inner pin.
 fn cramer(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -302,7 +305,7 @@ fn cramer(
     let below = || Expression::known(DETERMINANT, f.number(value), value);
     let x = (product(&p, &d) - product(&q, &b)) / below();
     let y = (product(&a, &q) - product(&c, &p)) / below();
-    // Of the determinant all digits are lost that its terms have in common.
+    // The relative error grows by the cancellation in the determinant.
     let lost = largest * other / value.abs();
     let sizes = (sums[0].size * other + sums[1].size * largest) / value.abs() * (1.0 + lost);
     for (name, formula, solved) in [("Fx", x, solved.x), ("Fy", y, solved.y)] {
@@ -315,7 +318,7 @@ fn cramer(
     }
 }
 
-/// The product of two coefficients, their signs before it.
+/// Returns the product of two coefficients, with the sign in front.
 fn product(a: &Expression, b: &Expression) -> Expression {
     let bare = |of: &Expression| match of {
         Expression::Minus(of) => (true, (**of).clone()),
@@ -325,7 +328,7 @@ fn product(a: &Expression, b: &Expression) -> Expression {
     (a * b).minus_if(one != two)
 }
 
-/// What is left for an outer joint by the sums of forces, or for a guide.
+/// Writes the reaction of an outer joint or guide, from the sums of forces.
 fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, outer: &BodyForce) {
     let all = || {
         let sought = body.sought.iter().filter(|row| row.joint != outer.joint);
@@ -346,7 +349,7 @@ fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, ou
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
             let given = context.scene.mechanism.slide(slide);
-            // Figures of a guide are those of what slides along it.
+            // Values of a guide refer to its slider.
             let [normal, moment] = match given.on == Body::Link(body.link) {
                 true => [words().across(&outer.name), words().moment_of(&outer.name)],
                 false => ["normal", "moment"]
@@ -368,7 +371,7 @@ fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, ou
     }
 }
 
-/// `name = -(12.5 - 3.2) = -9.3 N`: what makes a sum nothing.
+/// Writes the value that makes a sum zero: `name = -(12.5 - 3.2) = -9.3 N`.
 fn balance<'a>(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -379,7 +382,8 @@ fn balance<'a>(
     let f = context.figures;
     let both = |row| (reckoning.of(context, row), reckoning.most(context, row));
     let (terms, most): (Vec<f64>, Vec<f64>) = rows.map(both).unzip();
-    // Large forces across the guide leave their rounding, however little they count along it.
+    // Large forces across the guide contribute rounding errors even if their component along it is
+    // small.
     let size = most.iter().sum::<f64>();
     let mut sum = WrittenSum::default();
     for term in &terms {
@@ -400,7 +404,7 @@ fn balance<'a>(
     }
 }
 
-/// The pin in the slot, if that is what is sought beside the outer reaction.
+/// Returns the name of the pin in the slot, if its force is the unknown besides the outer reaction.
 fn single_place<'a>(context: &'a Context<'_>, single: &BodyForce) -> &'a str {
     match single.joint {
         Some(BodyJoint::Guide(slide)) => {
@@ -411,7 +415,8 @@ fn single_place<'a>(context: &'a Context<'_>, single: &BodyForce) -> &'a str {
     }
 }
 
-/// A link with an outer reaction and one thing more that is sought: the force of a slot, or the driver's torque.
+/// Solves a link with an outer reaction and one further unknown: the force of a slot, or the
+/// driver's torque. Returns `false` for a link of another form.
 fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool {
     let f = context.figures;
     let [a, b] = &body.sought[..] else {
@@ -448,7 +453,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
     match single.joint {
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
-            // On what carries the guide it acts the other way round.
+            // The carrier of the guide gets the opposite force.
             let given = context.scene.mechanism.slide(slide);
             let sign = if given.on == Body::Link(body.link) {
                 -1.0

@@ -1,4 +1,4 @@
-//! A group whose reactions depend on one another: the equations of all its links at once, with numbers.
+//! Writes a group with coupled reactions: the equations of all its links together, with numbers.
 
 use super::super::draft::{Context, Draft};
 use super::super::figures::{WrittenSum, factor};
@@ -9,20 +9,20 @@ use crate::page::UNIT;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
-/// More equations than this nobody reads.
+/// Maximum number of links for which the equations are shown.
 const MOST_LINKS: usize = 8;
 
-/// Something sought: what of it acts on which link is its value times a unit force there.
+/// An unknown: its value times unit forces on the links.
 struct SoughtForce {
     symbol: String,
     told: String,
     value: f64,
     unit: &'static str,
-    /// On these links, by their place in the group: a force of this direction at a place, or a couple.
+    /// The unit force or couple on each link, by the link's index in the group.
     acts: Vec<(usize, BodyForce)>,
 }
 
-/// Writes what is sought, and every equation.
+/// Writes the unknowns, and every equation.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) {
     if bodies.len() > MOST_LINKS {
         draft.page.text(words().reactions_too_many(bodies.len()));
@@ -68,7 +68,8 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
     one_by_one(context, draft, &sought, &equations);
 }
 
-/// About which point moments are taken: a pin of what is sought, so that it has no share.
+/// Returns the reference point of moments: preferably a pin with an unknown reaction, which then
+/// has no moment.
 fn centre(context: &Context<'_>, body: &GroupBody) -> Option<PointId> {
     let pins = body.sought.iter().filter_map(|row| match row.joint {
         Some(BodyJoint::Pin(point)) => Some(point),
@@ -78,12 +79,12 @@ fn centre(context: &Context<'_>, body: &GroupBody) -> Option<PointId> {
     pins.chain(members.iter().map(|member| member.point)).next()
 }
 
-/// A sum over all that acts on a link, which is 0.
+/// A sum over all forces on a link, which is 0.
 struct SumOfLink {
-    /// What is sought by its place, and what a unit of it counts.
+    /// The indices of unknowns, with their coefficients.
     shares: Vec<(usize, f64)>,
     known: f64,
-    /// The sum of the sizes of all terms.
+    /// The sum of the magnitudes of all terms.
     size: f64,
 }
 
@@ -104,7 +105,7 @@ impl SumOfLink {
             for (_, unit) in one.acts.iter().filter(|(k, _)| *k == place) {
                 let share = reckoning.of(context, unit);
                 sum.size += reckoning.most(context, unit) * one.value.abs();
-                // Smaller is rounding of a unit force's arm or direction.
+                // Smaller coefficients are rounding errors of a unit force's arm or direction.
                 if context.figures.beside(share, 1.0) != "0" {
                     sum.shares.push((number, share));
                 }
@@ -113,7 +114,7 @@ impl SumOfLink {
         sum
     }
 
-    /// What is left of it with all values in place.
+    /// Returns the residual of the sum.
     fn left(&self, sought: &[SoughtForce]) -> f64 {
         let terms = self
             .shares
@@ -122,7 +123,7 @@ impl SumOfLink {
         self.known + terms.sum::<f64>()
     }
 
-    /// `0.5·F1x - 0.2·F1y + 3.1 = 0`.
+    /// Writes the equation: `0.5·F1x - 0.2·F1y + 3.1 = 0`.
     fn write(&self, context: &Context<'_>, draft: &mut Draft, sought: &[SoughtForce]) {
         let f = context.figures;
         let mut written = WrittenSum::default();
@@ -145,7 +146,7 @@ impl SumOfLink {
     }
 }
 
-/// Finds what stands alone in a sum, then what does beside that; and says what is left.
+/// Solves sums with a single unknown repeatedly; lists the unknowns that remain.
 fn one_by_one(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -179,7 +180,7 @@ fn one_by_one(
     }
 }
 
-/// `N = -(0.5·3.2 - 7.1)/2 = 2.75 N`.
+/// Writes the solution of one unknown: `N = -(0.5·3.2 - 7.1)/2 = 2.75 N`.
 fn alone(
     context: &Context<'_>,
     draft: &mut Draft,
@@ -217,7 +218,8 @@ fn alone(
     draft.page.equation([one.symbol.clone(), formula, value]);
 }
 
-/// All that is sought, each once: what a pin between two links of the group bears acts on both.
+/// Returns all unknowns, each once: the reaction of a pin between two links of the group acts on
+/// both.
 fn sought(context: &Context<'_>, bodies: &[GroupBody]) -> Vec<SoughtForce> {
     let mut all: Vec<SoughtForce> = Vec::new();
     let mut done: Vec<BodyJoint> = Vec::new();
@@ -235,7 +237,8 @@ fn sought(context: &Context<'_>, bodies: &[GroupBody]) -> Vec<SoughtForce> {
             if done.contains(&joint) {
                 continue;
             }
-            // Where the pin itself is loaded, or more than two meet in it, each link has its own.
+            // If the pin itself has a load, or joins more than two links, each link has its own
+            // reaction.
             let opposite = other.filter(|(_, other)| {
                 let left = (row.force + other.force).norm();
                 left <= 1e-9 * row.force.norm() && is_shared_by_two(bodies, joint)
@@ -256,7 +259,7 @@ fn is_shared_by_two(bodies: &[GroupBody], joint: BodyJoint) -> bool {
     with.count() == 2
 }
 
-/// The parts of a reaction on a link, and with the other sign on another.
+/// Adds the components of a reaction on a link, and the opposite ones on another link.
 fn components(
     context: &Context<'_>,
     (place, row): (usize, &BodyForce),

@@ -1,4 +1,4 @@
-//! Finds the values of a scene in its text.
+//! Collects the values of a scene from its text.
 
 use super::{Value, ValueOwner};
 use crate::Input;
@@ -16,10 +16,10 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 
 type SpannedValue<'t> = Spanned<DeValue<'t>>;
 
-/// All values of a scene, in the order of the file.
+/// Returns all values of a scene, in the order of the file.
 pub(super) fn values(scene: &Scene) -> Vec<Value> {
     let Ok(root) = DeTable::parse(scene.text()) else {
-        // It was read once before.
+        // Parsing succeeded before, when the scene was read.
         return Vec::new();
     };
     let turns = matches!(scene.mechanism.driver().input, Input::Turn(_));
@@ -39,28 +39,28 @@ pub(super) fn values(scene: &Scene) -> Vec<Value> {
     collector.found
 }
 
-/// Walks through a scene that was read before: what does not fit is passed over.
+/// Traverses the text of a valid scene; skips everything that does not fit.
 struct Collector<'t> {
     text: &'t str,
     unit: Unit,
     slides: &'t [String],
-    /// Whether a link is driven, and no slide.
+    /// Whether the input of the current table drives a link rather than a slide.
     turns: bool,
-    /// The same of the driver, also in the table of another input.
+    /// Whether the driver itself drives a link, even in the table of another input.
     driver_turns: bool,
-    /// Whether the table at hand is that of a torsion spring.
+    /// Whether the current table is that of a torsion spring.
     is_torsion: bool,
-    /// What the values that are found now belong to.
+    /// The owner of the values found next.
     owner: ValueOwner,
-    /// How often each load and each spring was met.
+    /// The number of loads or springs found so far, by name.
     met: HashMap<String, usize>,
     found: Vec<Value>,
-    /// What formulas may name.
+    /// The names available to formulas.
     named: &'t Arc<NamedNumbers>,
 }
 
 impl Collector<'_> {
-    /// The values of a table that is called `of`.
+    /// Collects the values of a table with the name `of`.
     fn table(&mut self, keys: &'static [SceneKey], of: &str, table: &DeTable<'_>, again: &str) {
         for (key, value) in table {
             if let Some(key) = keys::find(keys, key.get_ref()) {
@@ -69,7 +69,8 @@ impl Collector<'_> {
         }
     }
 
-    /// The values of a key: of what, and how they are called; `again` stands behind their names.
+    /// Collects the values of a key. Their display names begin with `of` and `name`, and end with
+    /// `again`.
     fn value(
         &mut self,
         key: &SceneKey,
@@ -89,7 +90,7 @@ impl Collector<'_> {
             }),
             KeyKind::Ends(size) => self.ends(&name, again, size, value),
             KeyKind::Limits(keys) => each(value, |name, value| self.limit(keys, name, value)),
-            // A point by its name has no coordinates here.
+            // A point given by name has no coordinates to edit.
             KeyKind::Pair(size) => self.pair(&name, again, size, value),
             KeyKind::Rate(degree) => self.rate(&name, degree, value),
             KeyKind::Place => self.place(&name, again, value),
@@ -117,7 +118,7 @@ impl Collector<'_> {
                 });
             }
             KeyKind::Points(size) => {
-                // Where a point starts is not where it is.
+                // The suffix distinguishes a start position from the coordinates of the point.
                 let start = if key.name == "start" { " start" } else { "" };
                 each(value, |point, at| {
                     let name = join(of, point) + start;
@@ -150,7 +151,7 @@ impl Collector<'_> {
         }
     }
 
-    /// A limit of a slide or a link that it is named after, or of the angle of a link.
+    /// Collects a limit of a slide or link, named after it, or of the angle of a link.
     fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
         let called = format!("{name} limit");
         if let Some(table) = value.get_ref().as_table() {
@@ -173,7 +174,7 @@ impl Collector<'_> {
         }
     }
 
-    /// What is found meanwhile belongs to this.
+    /// Runs `find` with another owner.
     fn of(&mut self, owner: ValueOwner, find: impl FnOnce(&mut Self)) {
         let before = std::mem::replace(&mut self.owner, owner);
         find(self);
@@ -186,7 +187,7 @@ impl Collector<'_> {
         }
     }
 
-    /// The values of a spring or a load: it has no name, but what it acts on has.
+    /// Collects the values of a spring or load. They are named after the elements on which it acts.
     fn acting(&mut self, keys: &'static [SceneKey], table: &DeTable<'_>) {
         let name = |key| table.get(key)?.get_ref().as_str();
         if let (Some(from), Some(to)) = (name("from"), name("to")) {
@@ -214,7 +215,7 @@ impl Collector<'_> {
         self.of(ValueOwner::Element(on.to_owned()), |its| {
             for (key, value) in table {
                 if let Some(key) = keys::find(keys, key.get_ref()) {
-                    // The factors of a load are called by its size.
+                    // The factors of a load are named after the key of its magnitude.
                     let called = if key.name == "over" { size } else { key.name };
                     its.value(key, (on, called), value, &again);
                 }
@@ -222,7 +223,7 @@ impl Collector<'_> {
         });
     }
 
-    /// Knots, counted from 1: where each lies, and what is there.
+    /// Collects knots, numbered from 1: the coordinate and the value of each.
     fn knots(
         &mut self,
         what: &str,
@@ -239,7 +240,8 @@ impl Collector<'_> {
         }
     }
 
-    /// Several loads may act on the same point: every number of the second ends with ` (2)`.
+    /// Returns the suffix that makes the names of repeated loads unique, such as ` (2)` for the
+    /// second load on one point.
     fn again(&mut self, what: &str) -> String {
         let times = self.met.entry(what.to_owned()).or_default();
         *times += 1;
@@ -255,7 +257,7 @@ impl Collector<'_> {
         }
     }
 
-    /// A place on a link: coordinates, or a length and an angle.
+    /// Collects a place on a link: coordinates, or a length and an angle.
     fn place(&mut self, name: &str, again: &str, value: &SpannedValue<'_>) {
         match value.get_ref().as_table() {
             Some(table) => self.table(keys::PLACE, name, table, again),
@@ -304,8 +306,8 @@ impl Collector<'_> {
         });
     }
 
-    /// A number and a unit in quotes. The quotes stay as they are, unless what is between them is
-    /// written with escapes.
+    /// Collects a quoted number with a unit. The quotes stay unchanged, unless the text contains
+    /// escapes.
     fn rate(&mut self, name: &str, degree: Degree, value: &SpannedValue<'_>) {
         let measure = Measure::of_rate(degree, self.turns);
         let (Some(text), MeasureUnits::Rate(kind, degree)) =
@@ -348,13 +350,13 @@ impl Collector<'_> {
     }
 }
 
-/// The items of a list, if it is one.
+/// Returns the items of a list; empty for another value.
 fn items<'v>(value: &'v SpannedValue<'v>) -> impl Iterator<Item = &'v SpannedValue<'v>> {
     let items = value.get_ref().as_array();
     items.into_iter().flat_map(|items| items.iter())
 }
 
-/// The name of what belongs to something, which itself may have none.
+/// Joins the names of an owner, which may be empty, and of its part.
 fn join(of: &str, name: &str) -> String {
     if of.is_empty() {
         name.to_owned()
@@ -363,7 +365,7 @@ fn join(of: &str, name: &str) -> String {
     }
 }
 
-/// The entries of a table, if it is one.
+/// Visits the entries of a table; does nothing for another value.
 fn each<'v>(value: &'v SpannedValue<'v>, mut take: impl FnMut(&str, &'v SpannedValue<'v>)) {
     if let DeValue::Table(table) = value.get_ref() {
         for (key, value) in table {

@@ -2,7 +2,7 @@ use super::*;
 use crate::scene::presets;
 use proptest::prelude::*;
 
-/// Every way to write things, with a byte order mark and line breaks of another system.
+/// A scene with every notation, a byte order mark, and CRLF line breaks.
 const ALL: &str = "\u{feff}# mine\r\nunit = \"cm\"\r\ngravity = [ 0, -9.81 ] # down\r\n\
     [ground]\r\nA = [0, 0.0]\r\nD = [4_0, 0] # right\r\n\
     driver = 1\r\n";
@@ -87,7 +87,7 @@ fn a_value_is_changed_wherever_and_however_it_is_written() {
     }
 }
 
-/// Loads with knots, several of a kind, springs and a motor, on a link that is called like one.
+/// A scene with repeated loads, knots, springs and a motor; its link is called `motor`.
 const LOADED: &str = "[ground]\nA = [0, 0]\n[driver]\nlink = \"motor\"\nangle = 0\n\
     [links]\nmotor = { from = \"A\", to = \"B\", length = 1, com = [0, 0] }\n\
     rod = { from = \"B\", to = \"C\", length = 3 }\n\
@@ -319,7 +319,7 @@ proptest! {
     }
 }
 
-/// Formulas wherever a number stands, and the same scene with every number written out.
+/// A scene with a formula for every number, and the equivalent scene with numbers.
 const BY_FORMULAS: &str = r#"unit = "mm"
 gravity = [0, "-g"]
 [parameters]
@@ -396,7 +396,7 @@ peak = 90
 speed = "1500 rpm"
 "#;
 
-/// A mechanism as it is written with digits that tell every double.
+/// Formats a mechanism with enough digits to identify every double.
 fn to_the_bit(scene: &Scene) -> String {
     format!("{:?}", scene.mechanism)
 }
