@@ -61,8 +61,8 @@ pub(super) const VELOCITY: u8 = 1;
 pub(super) const ACCELERATION: u8 = 2;
 
 /// Tolerance for a group at its limit: 4 u of the lengths, the rounding of a computed distance. A
-/// smaller value would reject limits that were typed in exactly; a larger one would clamp states
-/// that are really open.
+/// smaller value would reject exactly typed limits; a larger one would clamp states that are really
+/// open.
 pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
 /// The outcome of a step.
