@@ -137,7 +137,7 @@ impl Part {
     }
 }
 
-/// Returns the part that a name means, or a hint for an unknown name.
+/// A function that returns the part for a name, or a hint for an unknown name.
 pub(crate) type NamedPart<'n> = &'n mut dyn FnMut(&str) -> Result<Part, Option<String>>;
 
 /// Compiles a formula to steps, and returns them with the kind of the result.

@@ -61,7 +61,8 @@ fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
     sums.map(|sum| sum.widened(term.largest_top()).rounded(bits))
 }
 
-/// Returns the cosine and sine of an angle in degrees; `None` if the angle is too large.
+/// Returns the cosine and sine of an angle in degrees; `None` if the angle is too large or its
+/// bound too wide.
 pub(super) fn unit(degrees: &Wide) -> Option<[Wide; 2]> {
     unit_to(degrees, BITS)
 }

@@ -11,8 +11,8 @@ use std::ops::Range;
 /// A number, and its dimension if it has a unit. Plain numbers are compatible with any dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MeasuredNumber {
-    /// The value: lengths in the formula's unit, angles in degrees, everything else in metres-based
-    /// units.
+    /// The value: lengths in the formula's unit, angles in degrees, everything else in units based on
+    /// metres.
     pub(crate) value: Wide,
     pub(crate) dimension: Option<Dimension>,
 }
@@ -36,11 +36,11 @@ impl MeasuredNumber {
     }
 }
 
-/// Returns the value of a name, or a hint for an unknown name.
+/// A function that returns the value of a name, or a hint for an unknown name.
 pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
 
 /// Evaluates a formula. Units are converted: lengths to `length`, angles to degrees, everything
-/// else to metres-based units.
+/// else to units based on metres.
 ///
 /// # Errors
 /// The first fault, including a value that no double can represent or of which too few digits are
@@ -568,7 +568,7 @@ mod tests {
         }
     }
 
-    /// A fraction of whole numbers: what a formula of decimals is worth, exactly.
+    /// A fraction of whole numbers: the exact value of a formula of decimals.
     #[derive(Clone, Debug)]
     struct Fraction {
         above: BigInt,
@@ -588,7 +588,7 @@ mod tests {
             }
         }
 
-        /// A double, exactly.
+        /// Converts a double, exactly.
         fn of(value: f64) -> Fraction {
             let (bits, size) = (value.to_bits(), value.abs().to_bits());
             let power = i32::try_from(size >> 52).unwrap().max(1) - 1075;
@@ -620,8 +620,8 @@ mod tests {
         }
     }
 
-    /// Formulas with what they are worth: decimals over the whole range of doubles, sums, differences, products,
-    /// quotients and powers of them.
+    /// Generates formulas with their exact values: decimals over the whole range of doubles, and sums,
+    /// differences, products, quotients and powers of them.
     fn formulas() -> impl Strategy<Value = (String, Fraction)> {
         let decimal =
             (0_u64..=99_999_999_999_999_999, -323_i32..=290).prop_map(|(digits, power)| {

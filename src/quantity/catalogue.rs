@@ -429,7 +429,7 @@ mod tests {
         assert_eq!(near.as_deref(), Some("C.a.angle"));
     }
 
-    /// What a pattern means, tried out in full.
+    /// Matches a pattern by trying all possibilities.
     fn tried_out(pattern: &[u8], name: &[u8]) -> bool {
         match pattern.split_first() {
             None => name.is_empty(),

@@ -205,8 +205,7 @@ impl Probe {
                 return false;
             }
         }
-        // Between two adjacent doubles, a change this small cannot be distinguished from a steep
-        // slope.
+        // A smaller change may be rounding error.
         whole > ROUNDING * values[0].abs().max(values[1].abs())
     }
 

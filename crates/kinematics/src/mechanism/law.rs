@@ -288,7 +288,7 @@ mod tests {
         assert!((value - exact).abs() < most, "{value} for {exact}");
     }
 
-    /// A step of 1 in 1 s, and back.
+    /// Returns the moments of a step of 1 in 1 s that is followed by the way back.
     fn shape(law: StepLaw) -> impl Fn(f64) -> [f64; 3] {
         let steps = vec![step(law, 1.0, 1.0), step(law, 0.0, 1.0)];
         let law = MotionLaw::new(0.0, steps, false).unwrap();

@@ -123,7 +123,7 @@ mod tests {
     use super::*;
     use crate::Double;
 
-    /// A link with a point at its end, and one that is seen from there.
+    /// Returns a polar point whose reference point is the end of its link.
     fn seen_at(length: f64, angle: f64) -> Member {
         let mut link = Link {
             members: Vec::new(),

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::numeric::SeededChance;
 
-    /// The polynomial with these roots.
+    /// Returns the polynomial with these roots.
     fn with(roots: &[f64]) -> Vec<f64> {
         roots.iter().fold(vec![1.0], |terms, root| {
             let mut product = vec![0.0; terms.len() + 1];

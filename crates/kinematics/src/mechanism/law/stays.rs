@@ -167,7 +167,7 @@ mod tests {
     use super::*;
     use crate::{ClampedSpline, StepLaw};
 
-    /// 120 deg forth in 0.5 s, 0.25 s at rest, and back in 0.25 s.
+    /// Creates a law: 120 degrees forwards in 0.5 s, 0.25 s at rest, and back in 0.25 s.
     fn forth_and_back() -> MotionLaw {
         let steps = vec![
             step(StepLaw::Harmonic, 120.0, 0.5),

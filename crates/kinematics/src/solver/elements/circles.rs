@@ -53,7 +53,7 @@ impl Circles {
         Circles::measured(point, arms, group)
     }
 
-    /// Computes the point from this pivot instead, if it is the far one.
+    /// Makes this pivot the near one, from which the point is computed.
     pub(in crate::solver) fn measure_from(&mut self, pivot: PointId) {
         if self.near.pivot != pivot {
             *self = Circles::measured(self.point, [self.far, self.near], self.group);

@@ -70,7 +70,7 @@ pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 pub(super) enum StepOutcome {
     /// Solved.
     Done,
-    /// So close to the limit that rounding decides: [`Dyad::stretch`] decides.
+    /// So close to the limit that rounding matters: [`Dyad::stretch`] decides.
     Unclear,
     /// Stretched to the limit: positions exist, derivatives do not.
     Stretched,

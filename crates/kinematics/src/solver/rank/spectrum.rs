@@ -8,8 +8,8 @@ const U: f64 = 0.5 * f64::EPSILON;
 /// Bound on the rounding of a row and its decomposition, in u per term.
 const ROUNDINGS: f64 = 16.0;
 /// Singular values up to this factor above the threshold are inconclusive: they may be zero in a
-/// mechanism slightly different from the drawn one. With a coarse threshold, the limit is half of
-/// the decades to 1.
+/// mechanism slightly different from the drawn one. With a coarse threshold, the limit is its square
+/// root, half of the decades to 1.
 const UNCLEAR: f64 = 1e3;
 /// Shares of a null vector below this, or below so many of the matrix's own roundings, are rounding
 /// errors.
@@ -207,12 +207,12 @@ fn least_squares(a: &DMatrix<f64>, b: DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// Numbers between -1 and 1 without an order that could help.
+    /// Returns pseudorandom numbers between -1 and 1.
     fn scattered(i: usize, j: usize) -> f64 {
         (12.9898 * (i + 1) as f64 + 78.233 * (j + 1) as f64).sin() * 43_758.545_3 % 1.0
     }
 
-    /// So many rows of unit length of a rank, the later ones sums of the first.
+    /// Returns m rows of unit length with a known rank; the later ones are sums of the first.
     fn planted(m: usize, n: usize, rank: usize) -> DMatrix<f64> {
         let base = DMatrix::from_fn(rank, n, scattered);
         let sums = DMatrix::from_fn(m, rank, |i, j| {
