@@ -1,10 +1,10 @@
 //! Finds extrema of transmission angles between two neighbouring states.
 //!
 //! Solving a state of a long chain takes time in proportion to its length, and there are as many
-//! extrema as dyads. Extrema between the same two neighbours are therefore sought together. The
-//! same few intermediate states serve all these dyads, and the number of states does not depend on
-//! the length of the chain. Sums of Chebyshev polynomials approximate each dyad in between. If they
-//! do not converge, as next to a limit, the extremum is sought with separate states.
+//! extrema as dyads. Extrema between the same two neighbours are therefore sought together. A few
+//! intermediate states serve all these dyads, and their number does not depend on the length of the
+//! chain. Sums of Chebyshev polynomials approximate each dyad in between. If they do not converge,
+//! as next to a limit, the extremum is sought with separate states.
 
 use super::{DyadLines, SeenJoint};
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};

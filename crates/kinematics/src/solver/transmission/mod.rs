@@ -34,7 +34,7 @@ pub struct Transmission {
     pub largest: Extreme,
 }
 
-/// An extremum of a transmission angle; of several equal ones, that at the smallest coordinate.
+/// An extremum of a transmission angle; the one at the smallest coordinate if several are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// The angle at the inner joint, in degrees: from 0 to 180 between two links, or to 90 if one
